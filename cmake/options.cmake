@@ -13,8 +13,10 @@ if(SOMS_SANITIZE)
     target_compile_options(soms_options INTERFACE -Wno-maybe-uninitialized -Wno-restrict)
   endif()
 endif()
-# For code that runs briefly, tests above all: under a sanitizer, time to build counts most.
+# For code that runs briefly, tests and the programs' own above all: time to build counts most. A lot of eight files of
+# apps/soms took 25.2 s with -O3 and 16.5 s with -O1; what takes a user's time is the library.
 add_library(soms_brief INTERFACE)
+target_compile_options(soms_brief INTERFACE $<$<CONFIG:Release>:-O1>)
 if(SOMS_SANITIZE)
   target_compile_options(soms_brief INTERFACE -O0)
 endif()

@@ -69,10 +69,31 @@ void remove_ignored(const ClashVerbOptions& options, const IgnoredPairs& pairs,
   for (const std::string& kind : options.ignored_kinds) {
     remove(kind, [&](const ClashRow& row) { return clash_name(row.clash.kind) == kind; });
   }
+  if (options.ignore_siblings) {
+    remove("ignore-siblings",
+           [&](const ClashRow& row) { return are_siblings(report.models, row.clash); });
+  }
   if (!options.ignored_pairs.empty()) {
     remove("ignore-pairs",
            [&](const ClashRow& row) { return pairs.match(report.models, row.clash); });
   }
+}
+
+/// Leaves out clashes of other statuses than those that are to be listed.
+void keep_statuses(const std::vector<std::string>& statuses, ClashReport& report) {
+  if (statuses.empty()) {
+    return;
+  }
+  const auto is_listed = [&](std::string_view status) {
+    return std::find(statuses.begin(), statuses.end(), status) != statuses.end();
+  };
+  std::uint64_t removed = std::erase_if(
+      report.rows, [&](const ClashRow& row) { return !is_listed(status_name(row.status)); });
+  if (!is_listed(kResolved)) {
+    removed += report.resolved.size();
+    report.resolved.clear();
+  }
+  report.removed.emplace_back("status", removed);
 }
 
 /// The list of what was decided.
@@ -96,11 +117,12 @@ ClashReport report_of(const ClashModels& models, const ClashRun& run,
   }
   remove_ignored(options, ignored, report);
   sort_rows(models, report.rows);
-  for (const ClashRow& row : report.rows) {
-    ++report.by_kind[static_cast<std::size_t>(row.clash.kind)];
-  }
   if (baseline) {
     baseline->compare(found, report);
+  }
+  keep_statuses(options.statuses, report);
+  for (const ClashRow& row : report.rows) {
+    ++report.by_kind[static_cast<std::size_t>(row.clash.kind)];
   }
   return report;
 }
@@ -163,6 +185,10 @@ void check_options(const ClashVerbOptions& options) {
   }
   check_outputs(std::move(taken), outputs);
   check_clash_file_options(options.files, options.outputs);
+  if (!options.statuses.empty() && options.baseline.empty()) {
+    throw Error(ErrorKind::usage, "--status has no effect without --baseline",
+                "also give --baseline FILE");
+  }
   if (options.fail_if == ClashFailure::fresh && options.baseline.empty()) {
     throw Error(ErrorKind::usage, "--fail-if new has no effect without --baseline",
                 "also give --baseline FILE");
@@ -201,6 +227,9 @@ void add_clash_questions(CLI::App& app, ClashVerbOptions& options) {
                  "leave out pairs of parts that fit a line \"PATTERN,PATTERN\" of this file")
       ->option_text("FILE")
       ->group(kQuestionGroup);
+  app.add_flag("--ignore-siblings", options.ignore_siblings,
+               "leave out pairs of parts of one object, as the parts of a building are")
+      ->group(kQuestionGroup);
   app.add_option_function<std::string>(
          "--tolerance",
          [&options](const std::string& text) {
@@ -216,6 +245,20 @@ void add_clash_questions(CLI::App& app, ClashVerbOptions& options) {
   app.add_option("--baseline", options.baseline,
                  "an older list, as JSON: which clashes are new, active or resolved")
       ->option_text("FILE")
+      ->group(kQuestionGroup);
+  app.add_option_function<std::vector<std::string>>(
+         "--status",
+         [&options](const std::vector<std::string>& names) {
+           for (const std::string& name : names) {
+             if (name != "new" && name != "active" && name != kResolved) {
+               throw unknown_choice("--status", name, {"new", "active", std::string(kResolved)});
+             }
+             options.statuses.push_back(name);
+           }
+         },
+         "list only clashes that are new, active or resolved (repeatable)")
+      ->option_text(kChoiceText)
+      ->allow_extra_args(false)
       ->group(kQuestionGroup);
   add_choice<ClashFailure>(
       app, "--fail-if", options.fail_if,
@@ -285,6 +328,8 @@ Action add_clash(CLI::App& app, Shared&) {
   add_model_options(app, options->models.model, "--scale", "--up", "the models");
   add_model_options(app, options->models.model_against, "--scale-b", "--up-b",
                     "the models of --against");
+  add_city_options(app, options->models.model, "", "the models");
+  add_city_options(app, options->models.model_against, "-b", "the models of --against");
   add_strict(app, options->models.model.strict);
   app.footer(
       "Exact: crossing, inside, same or touching, as soms solid says of each pair of parts. If a\n"

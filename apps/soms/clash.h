@@ -30,6 +30,8 @@ struct ClashVerbOptions {
   std::optional<double> tolerance;         ///< depth that nobody minds
   std::vector<std::string> ignored_kinds;  ///< names of ClashKind
   std::string ignored_pairs;               ///< file; empty: none
+  bool ignore_siblings = false;            ///< parts of one object
+  std::vector<std::string> statuses;       ///< that are listed; empty: all
   std::string baseline;                    ///< file; empty: none
   std::string journal;                     ///< file; empty: none
   std::vector<std::string> outputs;        ///< files

@@ -36,8 +36,9 @@ bool names_a_model(const fs::path& file) {
          std::find(imported.begin(), imported.end(), extension) != imported.end();
 }
 
-std::vector<std::string> models_in(const fs::path& folder) {
+std::vector<std::string> models_in(const fs::path& folder, const Console& console) {
   std::vector<std::string> files;
+  std::size_t subfolders = 0;
   std::error_code fault;
   for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end;
        entry.increment(fault)) {
@@ -45,6 +46,7 @@ std::vector<std::string> models_in(const fs::path& folder) {
     if (entry->is_regular_file(unknown) && names_a_model(entry->path())) {
       files.push_back(entry->path().string());
     }
+    subfolders += entry->is_directory(unknown) ? 1U : 0U;
   }
   if (fault) {
     throw Error(ErrorKind::cannot_open, folder.string() + ": " + fault.message(),
@@ -58,8 +60,14 @@ std::vector<std::string> models_in(const fs::path& folder) {
   const auto tileset = std::find_if(files.begin(), files.end(), [](const std::string& file) {
     return fs::path(file).filename() == "tileset.json";
   });
-  // The other files beside it are its tiles.
-  return tileset != files.end() ? std::vector<std::string>{*tileset} : files;
+  if (tileset != files.end()) {
+    return {*tileset};  // the other files beside it are its tiles
+  }
+  if (subfolders > 0) {
+    console.note(fmt::format("{}: {} not read", printable(folder.string()),
+                             counted(subfolders, "subfolder")));
+  }
+  return files;
 }
 
 /// Where a model of a set is named twice, each of its parts would clash with itself.
@@ -168,12 +176,13 @@ std::uint64_t ClashModels::pairs() const {
   return two_sets ? n * b.parts.size() : n * (n - std::min<std::uint64_t>(n, 1)) / 2;
 }
 
-std::vector<std::string> model_files(const std::vector<std::string>& names) {
+std::vector<std::string> model_files(const std::vector<std::string>& names,
+                                     const Console& console) {
   std::vector<std::string> files;
   for (const std::string& name : names) {
     std::error_code unknown;
     if (fs::is_directory(name, unknown)) {
-      const std::vector<std::string> inside = models_in(name);
+      const std::vector<std::string> inside = models_in(name, console);
       files.insert(files.end(), inside.begin(), inside.end());
     } else {
       files.push_back(name);
@@ -185,8 +194,8 @@ std::vector<std::string> model_files(const std::vector<std::string>& names) {
 ClashModels read_clash_models(const ClashModelOptions& options, Console& console) {
   ClashModels models;
   models.two_sets = !options.against.empty();
-  const std::vector<std::string> files = model_files(options.files);
-  const std::vector<std::string> against = model_files(options.against);
+  const std::vector<std::string> files = model_files(options.files, console);
+  const std::vector<std::string> against = model_files(options.against, console);
   std::vector<std::string> all = files;
   all.insert(all.end(), against.begin(), against.end());
   check_once(all);

@@ -54,9 +54,10 @@ struct ClashModelOptions {
 };
 
 /// The models among `names`, where a folder stands for the models in it, by name; one with a
-/// tileset.json stands for that.
+/// tileset.json stands for that. Subfolders are not read, which a note says.
 /// \errors ErrorKind::usage for a folder without models; cannot_open for one that cannot be read.
-[[nodiscard]] std::vector<std::string> model_files(const std::vector<std::string>& names);
+[[nodiscard]] std::vector<std::string> model_files(const std::vector<std::string>& names,
+                                                   const Console& console);
 
 /// Reads the models and divides them into parts. A model whose file says that x or y is up is
 /// turned to z up, unless an option says how it is to be turned.

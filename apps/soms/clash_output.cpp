@@ -20,10 +20,6 @@ namespace {
 
 constexpr std::size_t kRowsInText = 40;  // that a person may want to read
 
-std::string_view status_name(ClashStatus status) {
-  return status == ClashStatus::fresh ? "new" : status == ClashStatus::active ? "active" : "";
-}
-
 Json json_point(const Vec3& v) {
   return {v.x, v.y, v.z};
 }

@@ -163,6 +163,10 @@ void ClashBaseline::compare(const std::set<std::uint64_t>& found, ClashReport& r
   }
 }
 
+std::string_view status_name(ClashStatus status) {
+  return status == ClashStatus::fresh ? "new" : status == ClashStatus::active ? "active" : "";
+}
+
 std::string key_text(std::uint64_t key) {
   return fmt::format("{:016x}", key);
 }

@@ -95,6 +95,12 @@ class ClashBaseline {
   std::map<std::string, Json> rows_;
 };
 
+/// "new" or "active"; empty where there is no older list.
+[[nodiscard]] std::string_view status_name(ClashStatus status);
+
+/// The status of a row of the older list that is gone.
+inline constexpr std::string_view kResolved = "resolved";
+
 /// A key as text: 16 hexadecimal digits.
 [[nodiscard]] std::string key_text(std::uint64_t key);
 

@@ -137,6 +137,22 @@ bool are_compared(const ClashSetOptions& options, const ClashModels& models, std
          });
 }
 
+bool are_siblings(const ClashModels& models, const Clash& clash) {
+  const ClashSet& second = models.second();
+  const Mesh& mesh = models.a.mesh_of(clash.a);
+  const Part* const a = named_part(models.a, clash.a);
+  const Part* const b = named_part(second, clash.b);
+  if (a == nullptr || b == nullptr || &mesh != &second.mesh_of(clash.b)) {
+    return false;
+  }
+  const std::uint32_t of_a = first_run(mesh, a->parent);
+  const std::uint32_t of_b = first_run(mesh, b->parent);
+  const auto is = [&](std::uint32_t number, const Part* part) {
+    return number != Part::kNoParent && &mesh.parts[number] == part;
+  };
+  return (of_a == of_b && of_a != Part::kNoParent) || is(of_a, b) || is(of_b, a);
+}
+
 ClashGrouping clash_grouping(const std::string& text) {
   const std::string cell = "cell=";
   if (text.rfind(cell, 0) == 0) {

@@ -58,6 +58,9 @@ struct ClashGrouping {
 /// "a", "b", "parent", "type", "set", or "cell=SIZE". \errors ErrorKind::usage.
 [[nodiscard]] ClashGrouping clash_grouping(const std::string& text);
 
+/// True if one object holds both parts, or one of the parts holds the other.
+[[nodiscard]] bool are_siblings(const ClashModels& models, const Clash& clash);
+
 /// The group of a clash; "-" where it has none.
 [[nodiscard]] std::string group_of(const ClashGrouping& grouping, const ClashModels& models,
                                    const Clash& clash);

@@ -23,6 +23,7 @@ Action add_convert(CLI::App& app, Shared&) {
       ->type_name("");
   add_format(app, options->output);
   add_model_options(app, options->model, "--scale", "--up", "the model");
+  add_city_options(app, options->model, "", "the model");
   add_allow_empty(app, options->model);
   add_strict(app, options->model.strict);
   app.footer(

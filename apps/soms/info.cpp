@@ -291,6 +291,7 @@ Action add_info(CLI::App& app, Shared&) {
                      options->places))
       ->option_text("N");
   add_model_options(app, options->model, "--scale", "--up", "the models");
+  add_city_options(app, options->model, "", "the models");
   add_allow_empty(app, options->model);
   add_strict(app, options->model.strict);
   add_build_options(app, options->build);

@@ -178,7 +178,7 @@ RobotModels read_robot_models(const RobotModelsOptions& options, Console& consol
   }
   std::vector<Mesh> cell;
   std::vector<NamedFrame> frames;
-  for (const std::string& file : model_files(options.cell)) {
+  for (const std::string& file : model_files(options.cell, console)) {
     cell.push_back(read_cell_model(file, options.reading, console));
     frames.push_back(named_frame(cell.back(), options.reading, "--scale", "--up"));
   }

@@ -141,8 +141,16 @@ void RobotTotals::add(const RobotAnswer& answer) {
     ++limits[joint];
   }
   const auto key = [](const RobotGap& gap) { return std::pair(gap.distance.lower, gap.farther); };
-  if (answer.gap && (!least || key(*answer.gap) < key(least->second))) {
-    least = {state, *answer.gap};
+  const auto lower = [&](auto& kept) {
+    if (!kept || key(*answer.gap) < key(kept->second)) {
+      kept = {state, *answer.gap};
+    }
+  };
+  if (answer.gap) {
+    lower(least);
+  }
+  if (answer.gap && answer.verdict == RobotVerdict::free) {
+    lower(least_free);
   }
   cost += answer.cost;
 }
@@ -230,6 +238,11 @@ std::string totals_in_text(const RobotReport& report) {
             : fmt::format("least gap: {}, in state {}\n",
                           gap_in_text(report.models, totals.least->second), totals.least->first);
   }
+  if (totals.least_free && totals.contact > 0) {
+    text += fmt::format("least gap of the free ones: {}, in state {}\n",
+                        gap_in_text(report.models, totals.least_free->second),
+                        totals.least_free->first);
+  }
   return text + (report.path ? path_in_text(totals) : std::string());
 }
 
@@ -287,6 +300,10 @@ Json totals_as_json(const RobotReport& report) {
   if (totals.least) {
     json["least_gap"] = gap_as_json(models, totals.least->second);
     json["least_gap"]["state"] = totals.least->first;
+  }
+  if (totals.least_free) {
+    json["least_free_gap"] = gap_as_json(models, totals.least_free->second);
+    json["least_free_gap"]["state"] = totals.least_free->first;
   }
   if (report.path) {
     json["path"] = {

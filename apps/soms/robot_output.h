@@ -27,6 +27,8 @@ struct RobotTotals {
   std::optional<std::uint64_t> first_contact;     ///< the first state with one
   std::optional<std::uint64_t> first_undecided;   ///< the first state that was not decided
   std::optional<std::pair<std::uint64_t, RobotGap>> least;  ///< the least gap, and its first state
+  std::optional<std::pair<std::uint64_t, RobotGap>>
+      least_free;  ///< the same of states without contact
   Cost cost;
 
   void add(const RobotAnswer& answer);

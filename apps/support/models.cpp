@@ -75,6 +75,12 @@ Error in_words_of_options(const Error& error, const std::string& path, const Mod
                 ? "give a model with faces, or allow an empty one with --allow-empty"
                 : "give a model with faces"};
   }
+  if (error.kind() == ErrorKind::usage && (options.lod || options.surfaces)) {
+    return {error.kind(), error.place(),
+            error.remedy() == "leave lod and surfaces out for it"
+                ? "leave --lod and --surfaces out, or convert the model first"
+                : error.remedy()};
+  }
   if (error.kind() != ErrorKind::out_of_memory) {
     return {error.kind(), error.place(), with_option(error.remedy(), "`strict`", "--strict")};
   }
@@ -97,6 +103,16 @@ void add_model_options(CLI::App& app, ModelOptions& options, const std::string& 
                      {{"x", UpAxis::x}, {"y", UpAxis::y}, {"z", UpAxis::z}},
                      "up axis of " + whose + ", rotated to z")
       ->group(group);
+}
+
+void add_city_options(CLI::App& app, ModelOptions& options, const std::string& suffix,
+                      const std::string& whose) {
+  add_level(app, "--lod" + suffix, options.lod,
+            "level of detail of " + whose + " (CityJSON): 1.2; default: the most detailed")
+      ->group("Models");
+  app.add_flag("--surfaces" + suffix, options.surfaces,
+               "make each semantic surface of " + whose + " (CityJSON) a part: roof, wall")
+      ->group("Models");
 }
 
 void add_strict(CLI::App& app, bool& strict) {
@@ -220,7 +236,9 @@ Mesh read_model(const std::string& path, const ModelOptions& options, const Cons
   }
   const ReadOptions read{.allow_empty = options.allow_empty,
                          .max_memory = console.shared().max_memory,
-                         .strict = options.strict};
+                         .strict = options.strict,
+                         .lod = options.lod,
+                         .surfaces = options.surfaces};
   Mesh mesh = console.run("reading " + printable(path), [&](const Parallel& parallel) {
     try {
       return path == "-" ? read_standard_input(read, parallel) : read_mesh(path, read, parallel);

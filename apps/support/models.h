@@ -28,11 +28,17 @@ struct ModelOptions {
   bool allow_empty = false;
   bool offers_empty = false;  ///< the verb has --allow-empty, which a message may name
   bool lists_notes = false;   ///< the verb prints the notes of the mesh itself
+  std::optional<double> lod;  ///< as ReadOptions
+  bool surfaces = false;      ///< as ReadOptions
 };
 
 /// Adds options named `scale_name` and `up_name` ("--scale", "--up").
 void add_model_options(CLI::App& app, ModelOptions& options, const std::string& scale_name,
                        const std::string& up_name, const std::string& whose);
+
+/// Adds --lod and --surfaces, with a suffix ("-b") for the second of two models.
+void add_city_options(CLI::App& app, ModelOptions& options, const std::string& suffix,
+                      const std::string& whose);
 
 /// What --strict means.
 inline constexpr const char* kStrictMeaning =

@@ -147,6 +147,14 @@ CLI::Option* add_seconds(CLI::App& app, const std::string& name, std::optional<d
       ->option_text("SECONDS");
 }
 
+CLI::Option* add_level(CLI::App& app, const std::string& name, std::optional<double>& target,
+                       const std::string& text) {
+  return add_number(
+             app, name, target, text, [](double x) { return x >= 0 && x <= 100; },
+             "give a level of detail, as in --lod 1.2")
+      ->option_text("LEVEL");
+}
+
 CLI::Option* add_bytes(CLI::App& app, const std::string& name, std::uint64_t& target,
                        const std::string& text) {
   return app

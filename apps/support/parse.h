@@ -59,6 +59,10 @@ CLI::Option* add_length(CLI::App& app, const std::string& name, double& target,
 CLI::Option* add_seconds(CLI::App& app, const std::string& name, std::optional<double>& target,
                          const std::string& text);
 
+/// Adds an option that is a level of detail, a number that is 0 or more.
+CLI::Option* add_level(CLI::App& app, const std::string& name, std::optional<double>& target,
+                       const std::string& text);
+
 /// Adds an option that is a size in bytes.
 CLI::Option* add_bytes(CLI::App& app, const std::string& name, std::uint64_t& target,
                        const std::string& text);

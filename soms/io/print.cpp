@@ -16,11 +16,15 @@ std::ostream& operator<<(std::ostream& out, const Column& value) {
 }
 
 std::ostream& operator<<(std::ostream& out, const ReadOptions& value) {
-  return out << PrintedFields("ReadOptions")
-                    .add("allow_empty", value.allow_empty)
-                    .add("max_memory", value.max_memory)
-                    .add("import_seconds", value.import_seconds)
-                    .add("strict", value.strict);
+  PrintedFields fields("ReadOptions");
+  fields.add("allow_empty", value.allow_empty)
+      .add("max_memory", value.max_memory)
+      .add("import_seconds", value.import_seconds)
+      .add("strict", value.strict);
+  if (value.lod) {
+    fields.add("lod", *value.lod);
+  }
+  return out << fields.add("surfaces", value.surfaces);
 }
 
 std::ostream& operator<<(std::ostream& out, const ReadableFormat& value) {

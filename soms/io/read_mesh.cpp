@@ -70,6 +70,8 @@ Mesh read_bytes(std::string_view bytes, const std::string& name, Owner owner,
                         .allow_empty = options.allow_empty,
                         .folder = std::move(folder),
                         .import_seconds = options.import_seconds,
+                        .lod = options.lod,
+                        .surfaces = options.surfaces,
                         .budget = detail::Budget(memory_limit(options, bytes.size())),
                         .memory_per_byte = options.max_memory > 0 ? 0 : kFactor,
                         .parallel = parallel,
@@ -82,6 +84,11 @@ Mesh read_bytes(std::string_view bytes, const std::string& name, Owner owner,
   const detail::ReadFormat& format = detail::identify(source);
   Mesh mesh = format.read(source);
   source.tick(source.bytes.size());
+  if ((options.lod || options.surfaces) && !source.is_city) {
+    source.fail(ErrorKind::usage,
+                "it is no CityJSON, so it has no levels of detail and no semantic surfaces",
+                "leave lod and surfaces out for it");
+  }
   if (options.strict) {
     refuse_notes(source, mesh, format.read == detail::read_import);
   }

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -25,6 +26,11 @@ struct ReadOptions {
   /// Make an error of what would be noted in `Mesh::notes`: a model is read without a note, or not
   /// at all.
   bool strict = false;
+  /// Level of detail that is read of each object of a city (CityJSON): 1.2. Nothing: the most
+  /// detailed one.
+  std::optional<double> lod = std::nullopt;
+  /// Make each semantic surface of a city's object (roof, wall) a part in the part of the object.
+  bool surfaces = false;
 
   [[nodiscard]] bool operator==(const ReadOptions&) const = default;
 };
@@ -38,7 +44,7 @@ struct ReadOptions {
 ///
 /// \errors  cannot_open (missing, unreadable, a directory), bad_file (names line or byte; with
 ///          `strict` also what is noted else), empty_mesh, not_finite, out_of_range, unsupported
-///          (says what to do), out_of_memory.
+///          (says what to do), out_of_memory, usage (`lod` or `surfaces` for what is no city).
 /// \threads `parallel` gives progress and cancellation; reading is one thread.
 [[nodiscard]] Mesh read_mesh(const std::filesystem::path& path, const ReadOptions& options = {},
                              const Parallel& parallel = {});

@@ -124,8 +124,11 @@ TEST(ClashVerb, TakesAFolderForItsModels) {
   const ClashLines lines = lines_of(soms_run({"clash", folder.path().string(), "--json"}).out);
   EXPECT_EQ(lines.totals.at("parts"), Json::array({9, 0}));
   EXPECT_EQ(lines.totals.at("by_class").at("same"), 1);
-  EXPECT_EQ(soms_run({"clash", folder.path().string(), clash_data("special.obj"), "--json"}).status,
-            0);
+  std::filesystem::create_directory(folder.path() / "more");
+  const RunResult both =
+      soms_run({"clash", folder.path().string(), clash_data("special.obj"), "--json"});
+  EXPECT_EQ(both.status, 0);
+  EXPECT_NE(both.err.find("1 subfolder not read"), std::string::npos) << both.err;
   std::filesystem::remove(folder.path() / "special.obj");
   std::filesystem::remove(folder.path() / "special_b.obj");
   const RunResult none = soms_run({"clash", folder.path().string()});
@@ -208,6 +211,74 @@ TEST(ClashVerb, TellsWhatIsResolved) {
   ASSERT_EQ(special({"--baseline", old, "-o", second}).status, 0);
   EXPECT_EQ(lines_of(special({"--baseline", second, "--json"}).out).totals.at("by_status"),
             (Json{{"new", 0}, {"active", 4}, {"resolved", 0}}));
+}
+
+TEST(ClashVerb, ListsOnlyTheStatusesThatAreNamed) {
+  const TemporaryFolder folder;
+  const std::string old = (folder.path() / "old.json").string();
+  ASSERT_EQ(special({"-o", old}).status, 0);
+  const auto listed = [&](const std::vector<std::string>& names) {
+    std::vector<std::string> words = {"--baseline", old, "--within", "0.01", "--json"};
+    for (const std::string& name : names) {
+      words.insert(words.end(), {"--status", name});
+    }
+    return lines_of(special(words).out);
+  };
+  const ClashLines fresh = listed({"new"});
+  EXPECT_EQ(in_short(fresh), (std::vector<std::string>{"Post - Near post: near"}));
+  EXPECT_EQ(fresh.totals.at("removed").at("status"), 4);
+  EXPECT_EQ(fresh.totals.at("by_class").at("crossing"), 0);
+  EXPECT_EQ(listed({"active"}).rows.size(), 4U);
+  EXPECT_EQ(listed({"active", "new"}).rows.size(), 5U);
+  EXPECT_TRUE(listed({"resolved"}).rows.empty());
+  const RunResult alone = special({"--status", "new"});
+  EXPECT_EQ(alone.status, 2);
+  EXPECT_NE(alone.err.find("--status has no effect without --baseline"), std::string::npos)
+      << alone.err;
+  EXPECT_EQ(special({"--baseline", old, "--status", "old"}).status, 2);
+}
+
+TEST(ClashVerb, LeavesOutPartsOfOneObject) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "town.city.json").string();
+  const auto solid = [](int x) {
+    std::string text = R"("geometry":[{"type":"Solid","lod":"1","boundaries":[[)";
+    for (const char* const face : {"0321", "4567", "0154", "1265", "2376", "3047"}) {
+      text += std::string(text.back() == '[' ? "" : ",") + "[[";
+      for (int k = 0; k < 4; ++k) {
+        text += (k == 0 ? "" : ",") + std::to_string(8 * x + face[k] - '0');
+      }
+      text += "]]";
+    }
+    return text + "]]}]";
+  };
+  // Parts 0 and 1 of one building cross, and 1 and the house 2.
+  std::string vertices;
+  for (int x = 0; x < 3; ++x) {
+    for (const char* const v :
+         {"0,0,0", "3,0,0", "3,3,0", "0,3,0", "0,0,3", "3,0,3", "3,3,3", "0,3,3"}) {
+      const std::string corner(v);
+      vertices += std::string(vertices.empty() ? "[" : ",[") +
+                  std::to_string(corner[0] - '0' + 2 * x) + "," +
+                  std::to_string(corner[2] - '0' + x) + "," + std::to_string(corner[4] - '0' + x) +
+                  "]";
+    }
+  }
+  write_text(
+      file,
+      R"({"type":"CityJSON","version":"2.0","transform":{"scale":[1,1,1],"translate":[0,0,0]},)"
+      R"("CityObjects":{"home":{"type":"Building","children":["p0","p1"]},)"
+      R"("p0":{"type":"BuildingPart","parents":["home"],)" +
+          solid(0) + R"(},"p1":{"type":"BuildingPart","parents":["home"],)" + solid(1) +
+          R"(},"house":{"type":"Building",)" + solid(2) + R"(}},"vertices":[)" + vertices + "]}");
+  EXPECT_EQ(lines_of(soms_run({"clash", file, "--json"}).out).rows.size(), 2U);
+  const ClashLines others = lines_of(soms_run({"clash", file, "--ignore-siblings", "--json"}).out);
+  ASSERT_EQ(others.rows.size(), 1U);
+  EXPECT_EQ(others.totals.at("removed").at("ignore-siblings"), 1);
+  EXPECT_NE(others.rows[0].at("a").at("part"), "p0");
+  EXPECT_NE(others.rows[0].at("b").at("part"), "p0");
+  EXPECT_EQ(soms_run({"clash", file, "--lod", "2"}).status, 2);
+  EXPECT_EQ(soms_run({"clash", file, "--lod", "1"}).status, 0);
 }
 
 TEST(ClashVerb, KeysSurviveRenumbering) {

@@ -3,6 +3,7 @@
 #include "soms/geometry/triangle_overlap.h"
 
 #include "tests/support/distance_truth.h"
+#include "tests/support/slow_build.h"
 #include "tests/support/support.h"
 
 #include <gtest/gtest.h>
@@ -135,7 +136,7 @@ TEST(TriangleDistance, DoesNotDependOnTheOrderOfCorners) {
 
 TEST(TriangleDistance, ScalesByPowersOfTwo) {
   int tried = 0;
-  for (std::size_t i = 0; i < test::triangle_distances().size(); ++i) {
+  for (std::size_t i = 0; i < test::triangle_distances().size(); i += test::kSlowBuild ? 8 : 1) {
     const test::TriangleDistanceRow& row = test::triangle_distances()[i];
     SCOPED_TRACE(trace(row, i));
     for (const int power : {-700, -300, -101, -3, 1, 77, 99, 160, 290}) {
@@ -153,7 +154,7 @@ TEST(TriangleDistance, ScalesByPowersOfTwo) {
       }
     }
   }
-  EXPECT_GT(tried, 1000);
+  EXPECT_GT(tried, test::kSlowBuild ? 100 : 1000);
 }
 
 constexpr Triangle kUnit{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};

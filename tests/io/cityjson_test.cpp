@@ -78,6 +78,80 @@ TEST(CityJson, ReadsTheMostDetailedGeometryAlone) {
             12U);
 }
 
+TEST(CityJson, ReadsTheLevelThatIsRequestedAlone) {
+  const std::string coarse = R"({"type":"MultiSurface","lod":"1.30","boundaries":[[[0,1,2,3]]]})";
+  const std::string text =
+      city(object("a", coarse + "," + solid("2.2")) + "," + object("b", solid("2.2")), kCube);
+  const Mesh mesh = read_text(text, "a.city.json", {.lod = 1.3});
+  EXPECT_EQ(mesh.triangles.size(), 2U);
+  ASSERT_EQ(mesh.notes.size(), 2U);
+  EXPECT_NE(mesh.notes[0].find("geometries of another level of detail, not read: 1, the first at"),
+            std::string::npos)
+      << mesh.notes[0];
+  EXPECT_NE(mesh.notes[1].find("objects without a geometry of the level of detail that is "
+                               "requested, not read: 1"),
+            std::string::npos)
+      << mesh.notes[1];
+  EXPECT_EQ(read_text(text, "a.city.json", {.lod = 2.2}).triangles.size(), 24U);
+  expect_refused([&] { static_cast<void>(read_text(text, "a.city.json", {.lod = 1})); },
+                 ErrorKind::usage, R"(request one of those that the file has: "1.30", "2.2")");
+  expect_refused(
+      [&] {
+        static_cast<void>(
+            read_text("solid a\nendsolid a\n", "a.stl", {.allow_empty = true, .lod = 1}));
+      },
+      ErrorKind::usage, "it is no CityJSON");
+}
+
+/// A cube of which surfaces 0 and 2 are one floor, 1 the roof, and the last ones nothing.
+std::string solid_with(const std::string& values) {
+  return R"({"type":"Solid","lod":"2","boundaries":[[)" + std::string(kCubeSurfaces) +
+         R"(]],"semantics":{"surfaces":[{"type":"RoofSurface","slope":12.5},{"type":"GroundSurface"}],)" +
+         R"("values":)" + values + "}}";
+}
+
+TEST(CityJson, MakesSemanticSurfacesParts) {
+  const std::string text = city(object("a", solid_with("[[1,0,1,null,null,null]]")), kCube);
+  EXPECT_EQ(read_city(text).parts.size(), 1U);
+  const Mesh mesh = read_text(text, "a.city.json", {.surfaces = true});
+  ASSERT_EQ(mesh.parts.size(), 3U);
+  EXPECT_EQ(mesh.parts[0].count, 12U);
+  EXPECT_EQ(mesh.parts[1],
+            (Part{"RoofSurface 0", 0, 6, 2, "", "RoofSurface", {{"slope", "12.5"}}}));
+  EXPECT_EQ(mesh.parts[2], (Part{"GroundSurface 1", 0, 8, 4, "", "GroundSurface"}));
+  for (TriangleId i = 6; i < 8; ++i) {
+    EXPECT_EQ(bounds(mesh.triangle(i)).lower.z, 2) << i;
+  }
+  EXPECT_TRUE(closedness(mesh).whole.closed);
+  // The same triangles, in another order.
+  EXPECT_EQ(mesh.triangles.size(), read_city(text).triangles.size());
+  // Null stands for all below it.
+  EXPECT_EQ(
+      read_text(city(object("a", solid_with("[null]")), kCube), "a.city.json", {.surfaces = true})
+          .parts.size(),
+      1U);
+  EXPECT_EQ(
+      read_text(city(object("a", solid()), kCube), "a.city.json", {.surfaces = true}).parts.size(),
+      1U);
+}
+
+TEST(CityJson, NamesWhatIsWrongWithSemantics) {
+  const auto refuse = [](const std::string& values, const std::string& words) {
+    expect_refused(
+        [&] {
+          static_cast<void>(read_text(city(object("a", solid_with(values)), kCube), "a.city.json",
+                                      {.surfaces = true}));
+        },
+        ErrorKind::bad_file, words);
+  };
+  refuse("[[0,0,0,0,0,2]]", "number 2, but surfaces are 0 to 1");
+  refuse("[[0,0,0,0,0]]", "there are 6 surfaces or lists of them, but 5 values");
+  refuse("[]", "but 0 values");
+  refuse("[0]", "a.city.json");
+  refuse("[[0,0,0,0,0,-1]]", "a.city.json");
+  refuse("[[0,0,0,0,0,\"x\"]]", "a.city.json");
+}
+
 TEST(CityJson, CutsOutHoles) {
   const Mesh mesh = read_city(
       city(object("a", R"({"type":"MultiSurface","lod":"2","boundaries":[[[0,1,2,3],[4,5,6,7]]]})"),

@@ -3,7 +3,7 @@
 #include "soms/io/detail/import.h"
 
 #include "soms/base/error.h"
-#include "soms/io/detail/import_child.h"
+#include "soms/io/detail/import_program.h"
 #include "soms/io/read_mesh.h"
 
 #include "tests/io/files.h"

@@ -150,7 +150,17 @@ void CityReader::add(const JsonValue& root, const CityTransform& transform) {
 }
 
 Mesh CityReader::finish() {
-  builder_.note(left_out_.coarse, "geometries of another level of detail, not read");
+  if (source_.lod && left_out_.without.count() > 0 && builder_.triangle_count() == 0) {
+    std::string levels;
+    for (const std::string& level : left_out_.levels) {
+      levels += (levels.empty() ? "" : ", ") + in_quotes(level);
+    }
+    source_.fail(ErrorKind::usage, "no object has the level of detail that is requested",
+                 "request one of those that the file has: " + levels);
+  }
+  builder_.note(left_out_.others, "geometries of another level of detail, not read");
+  builder_.note(left_out_.without,
+                "objects without a geometry of the level of detail that is requested, not read");
   builder_.note(left_out_.not_areas, "points and lines, not read");
   Mesh mesh = builder_.finish();
   mesh.up = UpAxis::z;
@@ -214,6 +224,7 @@ bool is_cityjson(std::string_view bytes) {
 
 Mesh read_cityjson(Source& source) {
   const PlainArithmetic plain;
+  source.is_city = true;
   if (find_type(source.bytes, kFeature) != std::string_view::npos) {
     return read_sequence(source);
   }

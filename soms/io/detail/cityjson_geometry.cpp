@@ -31,14 +31,63 @@ Vec3 vertex_at(const JsonValue& list, const CityTransform& transform) {
   return v;
 }
 
-/// A level of detail: "2.2", or a number in old files. What is neither is the coarsest.
-double level_of(const JsonValue& geometry) {
+/// A level of detail as the file states it: "2.2", or a number in old files.
+std::string stated_level(const JsonValue& geometry) {
   const std::optional<JsonValue> lod = geometry.find("lod");
-  const std::string text = lod ? lod->as_text() : std::string();
+  return lod ? lod->as_text() : std::string();
+}
+
+/// As a number. What is none is the coarsest.
+double level_of(const JsonValue& geometry) {
+  const std::string text = stated_level(geometry);
   double level = 0;
   const auto end = text.data() + text.size();
   const auto [at, error] = read_decimal(text.data(), end, level);
   return error == std::errc{} && at == end && level >= 0 ? level : 0;
+}
+
+/// A surface, and its number in the list of semantic surfaces, if it has one.
+struct SemanticSurface {
+  JsonValue rings;
+  std::optional<std::size_t> number = {};
+};
+
+/// Surfaces of `list` with their numbers, which are nested as the surfaces are; null leaves out all
+/// below it.
+void gather_surfaces(const JsonValue& list, std::size_t depth,
+                     const std::optional<JsonValue>& values, std::size_t count,
+                     std::vector<SemanticSurface>& found) {
+  const bool has_values = values && !values->is_null();
+  if (has_values && values->size() != list.size()) {
+    values->fail("there are " + std::to_string(list.size()) + " surfaces or lists of them, but " +
+                 std::to_string(values->size()) + " values");
+  }
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::optional<JsonValue> value = has_values ? std::optional(values->at(i)) : std::nullopt;
+    if (depth > 1) {
+      gather_surfaces(list.at(i), depth - 1, value, count, found);
+      continue;
+    }
+    SemanticSurface& surface = found.emplace_back(SemanticSurface{list.at(i)});
+    if (value && !value->is_null()) {
+      const std::uint64_t number = value->whole();
+      if (number >= count) {
+        value->fail(index_fault("number " + std::to_string(number), "surfaces", count));
+      }
+      surface.number = static_cast<std::size_t>(number);
+    }
+  }
+}
+
+/// What the file states about a semantic surface, but its type.
+std::vector<Attribute> attributes_of(const JsonValue& surface) {
+  std::vector<Attribute> attributes;
+  for (const auto& [name, value] : surface.members()) {
+    if (name != "type") {
+      attributes.push_back({std::string(name), value.as_text()});
+    }
+  }
+  return attributes;
 }
 
 Affine affine_of(const JsonValue& matrix) {
@@ -142,6 +191,7 @@ std::optional<double> CityGeometries::detail_of(const JsonValue& geometry) const
     return std::nullopt;
   }
   if (kind->depth > 0) {
+    left_out_.levels.insert(stated_level(geometry));
     return level_of(geometry);
   }
   const JsonValue shape = template_of(geometry);
@@ -149,7 +199,11 @@ std::optional<double> CityGeometries::detail_of(const JsonValue& geometry) const
   if (inner != nullptr && inner->depth == 0) {
     shape.at("type").fail("a template is placed by another");
   }
-  return inner == nullptr ? std::nullopt : std::optional(level_of(shape));
+  if (inner == nullptr) {
+    return std::nullopt;
+  }
+  left_out_.levels.insert(stated_level(shape));
+  return level_of(shape);
 }
 
 void CityGeometries::add(const JsonValue& object) {
@@ -165,14 +219,20 @@ void CityGeometries::add(const JsonValue& object) {
       continue;
     }
     ++areas;
+    if (source_.lod && *level != *source_.lod) {
+      continue;
+    }
     const std::pair detail(*level, kind_of(geometry)->rank);
     if (!best || detail > best_detail) {
       best = i;
       best_detail = detail;
     }
   }
+  if (areas > 0 && !best) {
+    left_out_.without.add([&] { return "at " + geometries->path(); });
+  }
   if (best) {
-    left_out_.coarse.add([&] { return "at " + geometries->path(); }, areas - 1);
+    left_out_.others.add([&] { return "at " + geometries->path(); }, areas - 1);
     add_geometry(geometries->at(*best));
   }
 }
@@ -182,7 +242,48 @@ void CityGeometries::add_geometry(const JsonValue& geometry) {
   if (kind->depth == 0) {
     add_instance(geometry);
   } else {
-    add_surfaces(geometry.at("boundaries"), kind->depth);
+    add_boundaries(geometry);
+  }
+}
+
+void CityGeometries::add_boundaries(const JsonValue& geometry) {
+  const std::size_t depth = kind_of(geometry)->depth;
+  const std::optional<JsonValue> semantics =
+      source_.surfaces ? geometry.find("semantics") : std::nullopt;
+  if (semantics) {
+    add_by_semantics(geometry.at("boundaries"), depth, *semantics);
+  } else {
+    add_surfaces(geometry.at("boundaries"), depth);
+  }
+}
+
+/// First the surfaces without semantics, then those of one semantic surface after the other, each
+/// in a part of its own.
+void CityGeometries::add_by_semantics(const JsonValue& boundaries, std::size_t depth,
+                                      const JsonValue& semantics) {
+  const JsonValue stated = semantics.at("surfaces");
+  const std::size_t count = stated.size();
+  std::vector<SemanticSurface> surfaces;
+  gather_surfaces(boundaries, depth, semantics.find("values"), count, surfaces);
+  std::stable_sort(
+      surfaces.begin(), surfaces.end(),
+      [](const SemanticSurface& a, const SemanticSurface& b) { return a.number < b.number; });
+  std::optional<std::size_t> open;
+  for (const SemanticSurface& surface : surfaces) {
+    if (surface.number != open) {
+      if (open) {
+        builder_.close_part();
+      }
+      open = surface.number;
+      const JsonValue of_part = stated.at(*open);
+      const std::string type(of_part.at("type").text());
+      builder_.open_part(type + " " + std::to_string(*open));
+      builder_.describe_part("", type, attributes_of(of_part));
+    }
+    add_surface(surface.rings);
+  }
+  if (open) {
+    builder_.close_part();
   }
 }
 
@@ -198,7 +299,7 @@ void CityGeometries::add_instance(const JsonValue& instance) {
                   .origin = origin};
   placed.mirrors = placed.affine.mirrors();
   instance_ = &placed;
-  add_surfaces(shape.at("boundaries"), kind_of(shape)->depth);
+  add_boundaries(shape);
   instance_ = nullptr;
 }
 

@@ -10,6 +10,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <set>
+#include <string>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
@@ -28,8 +30,10 @@ struct CityTransform {
 
 /// What was left out of geometries.
 struct CityLeftOut {
-  LeftOut coarse;     ///< less detailed geometries, and further ones of the same level
+  LeftOut others;     ///< geometries of another level than the one that is read, or of the same
+  LeftOut without;    ///< objects with geometries, but none of the level that is requested
   LeftOut not_areas;  ///< points and lines
+  std::set<std::string> levels = {};  ///< all that occurred, as the file states them
 };
 
 /// Adds the geometries of one document to a mesh.
@@ -40,7 +44,8 @@ class CityGeometries {
   CityGeometries(Source& source, const JsonValue& root, const CityTransform& transform,
                  MeshBuilder& builder, CityLeftOut& left_out);
 
-  /// Adds the surfaces of the most detailed geometry of an object, if it has any.
+  /// Adds the surfaces of one geometry of an object, if it has any: of the level of detail that is
+  /// requested, else of the most detailed one.
   /// \errors As `read_mesh`.
   void add(const JsonValue& object);
 
@@ -56,6 +61,8 @@ class CityGeometries {
   [[nodiscard]] std::optional<double> detail_of(const JsonValue& geometry) const;
   void add_geometry(const JsonValue& geometry);
   void add_instance(const JsonValue& instance);
+  void add_boundaries(const JsonValue& geometry);
+  void add_by_semantics(const JsonValue& boundaries, std::size_t depth, const JsonValue& semantics);
   void add_surfaces(const JsonValue& list, std::size_t depth);
   void add_surface(const JsonValue& rings);
   [[nodiscard]] std::uint32_t vertex_of(const JsonValue& index);

@@ -240,6 +240,10 @@ bool JsonValue::is_object() const {
   return known(value_).is_object();
 }
 
+bool JsonValue::is_null() const {
+  return known(value_).is_null();
+}
+
 std::optional<JsonValue> JsonValue::find(std::string_view key) const {
   const json& value = known(value_);
   if (!value.is_object()) {

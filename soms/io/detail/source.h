@@ -46,6 +46,9 @@ struct Source {
   /// Folder of the file, in which files that it names are looked for; none for bytes in memory.
   std::optional<std::filesystem::path> folder = {};
   double import_seconds = 0;  ///< that soms-import may take
+  std::optional<double> lod = {};  ///< as ReadOptions
+  bool surfaces = false;           ///< as ReadOptions
+  bool is_city = false;            ///< what was read has levels of detail and semantic surfaces
   Budget budget{0};
   /// Bytes of memory that each byte of such a file adds; 0 where a limit was stated.
   std::uint64_t memory_per_byte = 0;

@@ -4,6 +4,7 @@
 #include "soms/tree/layout/wide_tree.h"
 #include "soms/tree/rule/rules.h"
 
+#include "tests/support/slow_build.h"
 #include "tests/support/support.h"
 #include "tests/tree/inputs.h"
 
@@ -23,8 +24,14 @@ BuildOptions product(const RuleEntry& rule) {
 }
 
 TEST(BuildWide, EqualsBuildingAndConvertingForEveryRuleSizeAndInput) {
+  std::size_t row = 0;
   for (const RuleEntry& rule : rules()) {
-    for (const test::Input input : test::kInputs) {
+    ++row;
+    for (std::size_t column = 0; column < test::kInputs.size(); ++column) {
+      if (!test::is_tried(row, column, test::kInputs.size())) {
+        continue;
+      }
+      const test::Input input = test::kInputs[column];
       for (const std::size_t size :
            {std::size_t{0}, std::size_t{1}, std::size_t{9}, std::size_t{1000}, kMany}) {
         SCOPED_TRACE(std::string(rule.name) + " " + test::name(input) + " " + std::to_string(size));
@@ -44,7 +51,7 @@ TEST(BuildWide, GivesTheSameBytesForAnyNumberOfThreads) {
       SCOPED_TRACE(std::string(rule.name) + " " + test::name(input));
       const Mesh mesh = test::make_input(input, kMany);
       const WideTree one = build_wide(mesh, product(rule));
-      for (const int threads : {2, 3, 8}) {
+      for (const int threads : test::kSlowBuild ? std::vector{3} : std::vector{2, 3, 8}) {
         EXPECT_TRUE(build_wide(mesh, product(rule), Parallel{threads, {}, {}}) == one) << threads;
       }
     }
