@@ -67,12 +67,23 @@ std::string file_name(const Json& row, const char* side) {
              : std::filesystem::path(text_of(*at, "file")).filename().string();
 }
 
-std::string numbers_in_text(const Json& value) {
-  std::string text;
-  for (const Json& number : value) {
-    text += fmt::format("{}{}", text.empty() ? "" : ", ", json_text(number));
+/// A value for people: fractions with few digits, lists in parentheses. Exact ones are in the
+/// list's other files.
+std::string value_in_text(const Json& value) {
+  if (value.is_string()) {
+    return value.get<std::string>();
   }
-  return text;
+  if (value.is_number_float()) {
+    return readable(value.get<double>());
+  }
+  if (!value.is_array()) {
+    return json_text(value);
+  }
+  std::string text;
+  for (const Json& item : value) {
+    text += (text.empty() ? "(" : ", ") + value_in_text(item);
+  }
+  return text.empty() ? "()" : text + ")";
 }
 
 /// A side in words: its names, its file, and what else the file says of it.
@@ -97,11 +108,7 @@ std::string description_of(const Json& row) {
     if (kSaid.count(key) == 0 && !value.is_null()) {
       std::string words = key;
       std::replace(words.begin(), words.end(), '_', ' ');
-      text += fmt::format("{}: {}\n", words,
-                          value.is_string() ? value.get<std::string>()
-                          : value.is_array() && !value.empty() && value.front().is_number()
-                              ? numbers_in_text(value)
-                              : json_text(value));
+      text += fmt::format("{}: {}\n", words, value_in_text(value));
     }
   }
   return text;
