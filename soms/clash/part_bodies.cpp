@@ -2,6 +2,7 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/geometry/closedness.h"
+#include "soms/geometry/detail/odd_edges.h"
 #include "soms/geometry/parts_of.h"
 #include "soms/query/detail/closed_surface.h"
 #include "soms/query/detail/moved_triangle.h"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <utility>
 
 namespace soms {
@@ -85,16 +87,17 @@ void give_body(const Mesh& mesh, const Pose& pose, PartBody& part) {
   if (part.part != Part::kNoParent) {
     part.body.name = mesh.parts[part.part].name;
   }
-  const Closedness found =
-      closedness(part.body.shape.mesh(), {.pose = pose, .places = kEdgePlaces});
-  part.odd_edges = found.whole.odd_edges;
-  if (found.whole.closed) {
-    part.closed.emplace(part.body);
-    part.components = components_of(part.body, detail::surface_of(*part.closed));
+  const Mesh& own = part.body.shape.mesh();
+  const auto surface =
+      std::make_shared<const detail::ClosedSurface>(detail::closed_surface(own, Parallel()));
+  part.components = components_of(part.body, *surface);
+  part.odd_edges = static_cast<std::uint64_t>(
+      std::count_if(surface->odd.begin(), surface->odd.end(),
+                    [](const detail::OddEdge& edge) { return edge.among_all; }));
+  if (detail::cover_evenly(own, surface->odd, pose)) {
+    part.closed.emplace(detail::closed_body(part.body, surface));
   } else {
-    part.places = found.places;
-    part.components =
-        components_of(part.body, detail::closed_surface(part.body.shape.mesh(), Parallel()));
+    part.places = closedness(own, {.pose = pose, .places = kEdgePlaces}).places;
   }
 }
 

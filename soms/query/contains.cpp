@@ -112,6 +112,10 @@ const detail::ClosedSurface& detail::surface_of(const ClosedBody& body) {
   return *body.surface_;
 }
 
+ClosedBody detail::closed_body(Body body, std::shared_ptr<const ClosedSurface> surface) {
+  return {std::move(body), std::move(surface)};
+}
+
 Contains contains(const ClosedBody& body, const Vec3& point, const ContainsOptions& options) {
   if (!in_range(point)) {
     throw fault_of(point, "point");

@@ -23,6 +23,7 @@ class ClosedBody;
 namespace detail {
 struct ClosedSurface;
 [[nodiscard]] const ClosedSurface& surface_of(const ClosedBody& body);
+[[nodiscard]] ClosedBody closed_body(Body body, std::shared_ptr<const ClosedSurface> surface);
 }  // namespace detail
 
 /// Where a point lies.
@@ -57,6 +58,8 @@ class ClosedBody {
 
  private:
   friend const detail::ClosedSurface& detail::surface_of(const ClosedBody& body);
+  friend ClosedBody detail::closed_body(Body body,
+                                        std::shared_ptr<const detail::ClosedSurface> surface);
 
   ClosedBody(Body body, std::shared_ptr<const detail::ClosedSurface> surface);
 

@@ -5,9 +5,11 @@
 #include "soms/base/parallel.h"
 #include "soms/geometry/detail/odd_edges.h"
 #include "soms/geometry/mesh.h"
+#include "soms/query/body.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace soms {
@@ -29,6 +31,9 @@ struct ClosedSurface {
 
 /// \errors ErrorKind::cancelled.
 [[nodiscard]] ClosedSurface closed_surface(const Mesh& mesh, const Parallel& parallel);
+
+/// A body of whose mesh this is the surface. \errors As the constructor of ClosedBody.
+[[nodiscard]] ClosedBody closed_body(Body body, std::shared_ptr<const ClosedSurface> surface);
 
 /// That of a body that was checked.
 [[nodiscard]] const ClosedSurface& surface_of(const ClosedBody& body);
