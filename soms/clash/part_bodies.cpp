@@ -2,7 +2,6 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/geometry/closedness.h"
-#include "soms/geometry/detail/odd_edges.h"
 #include "soms/geometry/parts_of.h"
 #include "soms/query/detail/closed_surface.h"
 #include "soms/query/detail/moved_triangle.h"
@@ -91,10 +90,8 @@ void give_body(const Mesh& mesh, const Pose& pose, PartBody& part) {
   const auto surface =
       std::make_shared<const detail::ClosedSurface>(detail::closed_surface(own, Parallel()));
   part.components = components_of(part.body, *surface);
-  part.odd_edges = static_cast<std::uint64_t>(
-      std::count_if(surface->odd.begin(), surface->odd.end(),
-                    [](const detail::OddEdge& edge) { return edge.among_all; }));
-  if (detail::cover_evenly(own, surface->odd, pose)) {
+  part.odd_edges = surface->odd_count();
+  if (surface->is_closed(own, pose)) {
     part.closed.emplace(detail::closed_body(part.body, surface));
   } else {
     part.places = closedness(own, {.pose = pose, .places = kEdgePlaces}).places;

@@ -8,7 +8,6 @@
 #include "soms/query/detail/engine/pair_frame.h"
 #include "soms/query/detail/parity/parity_traversal.h"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -94,11 +93,10 @@ ClosedBody ClosedBody::at(const Pose& pose) const {
 void ClosedBody::check_closed() const {
   const Mesh& mesh = body_.shape.mesh();
   const std::vector<OddEdge>& odd = surface_->odd;
-  if (detail::cover_evenly(mesh, odd, body_.pose)) {
+  if (surface_->is_closed(mesh, body_.pose)) {
     return;
   }
-  const auto count = static_cast<std::size_t>(
-      std::count_if(odd.begin(), odd.end(), [](const OddEdge& e) { return e.among_all; }));
+  const std::uint64_t count = surface_->odd_count();
   const std::string whose = !body_.name.empty() ? body_.name : mesh.source;
   throw Error(
       ErrorKind::not_closed,

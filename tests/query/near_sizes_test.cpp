@@ -5,6 +5,7 @@
 #include "tests/query/overlap_inputs.h"
 #include "tests/support/bodies.h"
 #include "tests/support/query_table.h"
+#include "tests/support/slow_build.h"
 #include "tests/support/support.h"
 
 #include <cmath>
@@ -28,14 +29,14 @@ test::Two ball_and_small_one(Rng& rng, double distance, std::uint64_t triangles)
 }
 
 TEST(NearSizes, ASmallBodyNearALargeOneAnswersAsBruteForce) {
-  test::for_each_case("near-sizes/near", 40, [](Rng& rng) {
+  test::for_each_case("near-sizes/near", test::some_of(40), [](Rng& rng) {
     const test::Two two = ball_and_small_one(rng, std::exp2(-rng.uniform(2, 16)), 360);
     ASSERT_NO_FATAL_FAILURE(expect_true_of_both(two.a, two.b));
   });
 }
 
 TEST(NearSizes, ASmallBodyFarFromALargeOneAnswersAsBruteForce) {
-  test::for_each_case("near-sizes/far", 20, [](Rng& rng) {
+  test::for_each_case("near-sizes/far", test::some_of(20), [](Rng& rng) {
     const test::Two two = ball_and_small_one(rng, std::exp2(rng.uniform(6, 30)), 360);
     ASSERT_NO_FATAL_FAILURE(expect_true_of_both(two.a, two.b));
   });
@@ -44,7 +45,7 @@ TEST(NearSizes, ASmallBodyFarFromALargeOneAnswersAsBruteForce) {
 // Of the triangles on one side of each ball few matter, and the pairs of these differ by less than
 // where the bodies lie is rounded, or by more.
 TEST(NearSizes, FarBodiesOfManyTrianglesAnswerAsBruteForce) {
-  test::for_each_case("near-sizes/many-far", 40, [](Rng& rng) {
+  test::for_each_case("near-sizes/many-far", test::some_of(40), [](Rng& rng) {
     const double distance = std::exp2(rng.uniform(6, 40));
     const Vec3 place = Vec3{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)} *
                        std::exp2(rng.uniform(0, 52));
@@ -61,7 +62,7 @@ TEST(NearSizes, FarBodiesOfManyTrianglesAnswerAsBruteForce) {
 
 // Squares of such distances are below the least normal double, or 0.
 TEST(NearSizes, FarBodiesWhoseSquaredDistanceUnderflowsAnswerAsBruteForce) {
-  test::for_each_case("near-sizes/underflow", 150, [](Rng& rng) {
+  test::for_each_case("near-sizes/underflow", test::some_of(150), [](Rng& rng) {
     const double distance = std::exp2(-rng.uniform(500, 1070));
     const double size = distance * std::exp2(-rng.uniform(6, 12));
     const Pose pose = test::moving(test::awkward_rotation(rng), {},
@@ -74,7 +75,7 @@ TEST(NearSizes, FarBodiesWhoseSquaredDistanceUnderflowsAnswerAsBruteForce) {
 
 // Nothing is known of distances then but what is decided exactly.
 TEST(NearSizes, BodiesThatRoundingOutweighsAnswerAsBruteForce) {
-  test::for_each_case("near-sizes/rounding", 20, [](Rng& rng) {
+  test::for_each_case("near-sizes/rounding", test::some_of(20), [](Rng& rng) {
     const double place = std::exp2(rng.uniform(90, 290));
     const test::Two two = ball_and_small_one(rng, 1, 24);
     Pose far = two.a.pose;

@@ -7,6 +7,7 @@
 
 #include "tests/query/overlap_inputs.h"
 #include "tests/support/needs_instruction_set.h"
+#include "tests/support/slow_build.h"
 #include "tests/support/support.h"
 
 #include <array>
@@ -50,30 +51,30 @@ void expect_right_overlap(const Two& two) {
 }
 
 TEST_F(QueryTable, EqualsTheTwinsOnBodiesOfUsualSize) {
-  test::for_each_case("table/usual", 150, [](Rng& rng) {
+  test::for_each_case("table/usual", test::some_of(150), [](Rng& rng) {
     expect_right(test::likely_to_meet(rng, 40, 1, rng.uniform(0.1, 1), 0));
   });
-  test::for_each_case("overlap/usual", 600, [](Rng& rng) {
+  test::for_each_case("overlap/usual", test::some_of(600), [](Rng& rng) {
     expect_right_overlap(test::likely_to_meet(rng, 120, 1, rng.uniform(0.1, 1), 0));
   });
 }
 
 TEST_F(QueryTable, EqualsTheTwinsWhereSizesDiffer) {
-  test::for_each_case("table/sizes", 100, [](Rng& rng) {
+  test::for_each_case("table/sizes", test::some_of(100), [](Rng& rng) {
     const double small = std::exp2(-rng.uniform(0, 60));
     expect_right(test::likely_to_meet(rng, 40, rng.below(2) ? 1 : small, small, 0));
   });
-  test::for_each_case("overlap/sizes", 300, [](Rng& rng) {
+  test::for_each_case("overlap/sizes", test::some_of(300), [](Rng& rng) {
     const double small = std::exp2(-rng.uniform(0, 60));
     expect_right_overlap(test::likely_to_meet(rng, 100, rng.below(2) ? 1 : small, small, 0));
   });
 }
 
 TEST_F(QueryTable, EqualsTheTwinsFarFromTheOrigin) {
-  test::for_each_case("table/far", 100, [](Rng& rng) {
+  test::for_each_case("table/far", test::some_of(100), [](Rng& rng) {
     expect_right(test::likely_to_meet(rng, 40, 1, 1, std::exp2(rng.uniform(0, 60))));
   });
-  test::for_each_case("overlap/far", 300, [](Rng& rng) {
+  test::for_each_case("overlap/far", test::some_of(300), [](Rng& rng) {
     expect_right_overlap(test::likely_to_meet(rng, 80, 1, 1, std::exp2(rng.uniform(0, 60))));
   });
 }
@@ -84,8 +85,9 @@ TEST_F(QueryTable, EqualsTheTwinsAtEveryScale) {
     const double other = rng.below(2) ? scale : std::exp2(rng.uniform(-1070, 297));
     return test::likely_to_meet(rng, most, scale, other, 0);
   };
-  test::for_each_case("table/scales", 100, [&](Rng& rng) { expect_right(two_at_any(rng, 25)); });
-  test::for_each_case("overlap/scales", 300,
+  test::for_each_case("table/scales", test::some_of(100),
+                      [&](Rng& rng) { expect_right(two_at_any(rng, 25)); });
+  test::for_each_case("overlap/scales", test::some_of(300),
                       [&](Rng& rng) { expect_right_overlap(two_at_any(rng, 60)); });
 }
 
@@ -94,8 +96,9 @@ TEST_F(QueryTable, EqualsTheTwinsOfTinyBodiesFarAway) {
     const double scale = std::exp2(rng.uniform(-120, 0));
     return test::likely_to_meet(rng, most, scale, scale, std::exp2(rng.uniform(-60, 60)));
   };
-  test::for_each_case("table/tiny-far", 100, [&](Rng& rng) { expect_right(tiny_far(rng, 15)); });
-  test::for_each_case("overlap/tiny-far", 200,
+  test::for_each_case("table/tiny-far", test::some_of(100),
+                      [&](Rng& rng) { expect_right(tiny_far(rng, 15)); });
+  test::for_each_case("overlap/tiny-far", test::some_of(200),
                       [&](Rng& rng) { expect_right_overlap(tiny_far(rng, 30)); });
 }
 
@@ -114,7 +117,8 @@ Two apart(Rng& rng, int most) {
 }
 
 TEST_F(QueryTable, EqualsTheTwinsOnBodiesApart) {
-  test::for_each_case("table/apart", 200, [](Rng& rng) { expect_right(apart(rng, 40)); });
+  test::for_each_case("table/apart", test::some_of(200),
+                      [](Rng& rng) { expect_right(apart(rng, 40)); });
 }
 
 /// Two closed bodies that are likely to meet: each triangle with the three that join its edges to
@@ -129,7 +133,7 @@ Two likely_to_meet_closed(Rng& rng, double size, double far) {
 }
 
 TEST_F(QueryTable, EqualsTheTwinsOnClosedBodies) {
-  test::for_each_case("table/closed", 25, [](Rng& rng) {
+  test::for_each_case("table/closed", test::some_of(25), [](Rng& rng) {
     const double size = rng.below(2) == 0 ? 1 : std::exp2(-rng.uniform(0, 60));
     const double far = rng.below(2) == 0 ? 0 : std::exp2(rng.uniform(0, 40));
     expect_right(likely_to_meet_closed(rng, size, far));
@@ -138,7 +142,7 @@ TEST_F(QueryTable, EqualsTheTwinsOnClosedBodies) {
 
 // Costs, too, where the whole question was answered.
 TEST_F(QueryTable, IsTheSameForAnyNumberOfThreads) {
-  test::for_each_case("table/threads", 60, [](Rng& rng) {
+  test::for_each_case("table/threads", test::some_of(60), [](Rng& rng) {
     Two two = rng.below(3) == 0 ? apart(rng, 300) : test::likely_to_meet(rng, 300, 1, 0.5, 0);
     if (rng.below(6) == 0) {
       two = likely_to_meet_closed(rng, 0.5, 0);
@@ -158,7 +162,7 @@ TEST_F(QueryTable, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST_F(QueryTable, IsTheSameForEveryRuleAndLayout) {
-  test::for_each_case("table/layouts", 25, [](Rng& rng) {
+  test::for_each_case("table/layouts", test::some_of(25), [](Rng& rng) {
     Two two = rng.below(2) == 0 ? apart(rng, 100) : test::likely_to_meet(rng, 100, 1, 0.5, 0);
     if (rng.below(6) == 0) {
       two = likely_to_meet_closed(rng, 0.5, 0);
@@ -182,7 +186,7 @@ TEST_F(QueryTable, IsTheSameForEveryRuleAndLayout) {
 }
 
 TEST_F(QueryTable, AnswersABatchAsItAnswersSingleQueries) {
-  test::for_each_case("table/batch", 40, [](Rng& rng) {
+  test::for_each_case("table/batch", test::some_of(40), [](Rng& rng) {
     Two two = test::likely_to_meet(rng, 80, 1, rng.below(2) ? 0.2 : 3, 0);
     if (rng.below(6) == 0) {
       two = likely_to_meet_closed(rng, 0.5, 0);

@@ -15,6 +15,11 @@ inline constexpr bool kSlowBuild = true;
 inline constexpr bool kSlowBuild = false;
 #endif
 
+/// So many random cases, or a quarter of them in a slow build.
+constexpr int some_of(int count) {
+  return kSlowBuild ? (count + 3) / 4 : count;
+}
+
 /// Of a table of rows with columns, those that are tried: all, but in a slow build one column of
 /// each row, another one in the next.
 constexpr bool is_tried(std::size_t row, std::size_t column, std::size_t columns) {

@@ -45,7 +45,7 @@ struct Source {
   bool allow_empty = false;
   /// Folder of the file, in which files that it names are looked for; none for bytes in memory.
   std::optional<std::filesystem::path> folder = {};
-  double import_seconds = 0;  ///< that soms-import may take
+  double import_seconds = 0;       ///< that soms-import may take
   std::optional<double> lod = {};  ///< as ReadOptions
   bool surfaces = false;           ///< as ReadOptions
   bool is_city = false;            ///< what was read has levels of detail and semantic surfaces

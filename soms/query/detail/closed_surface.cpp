@@ -3,9 +3,19 @@
 #include "soms/geometry/detail/connected_parts.h"
 #include "soms/geometry/detail/joined.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace soms::detail {
+
+std::uint64_t ClosedSurface::odd_count() const {
+  return static_cast<std::uint64_t>(
+      std::count_if(odd.begin(), odd.end(), [](const OddEdge& edge) { return edge.among_all; }));
+}
+
+bool ClosedSurface::is_closed(const Mesh& mesh, const Pose& pose) const {
+  return cover_evenly(mesh, odd, pose);
+}
 
 ClosedSurface closed_surface(const Mesh& mesh, const Parallel& parallel) {
   Work work(parallel, joining_work(mesh) + mesh.triangles.size() + odd_edges_work(mesh) +

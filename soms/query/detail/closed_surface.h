@@ -27,6 +27,12 @@ struct ClosedSurface {
   [[nodiscard]] std::uint32_t part(TriangleId triangle) const {
     return part_of.empty() ? 0 : part_of[triangle];
   }
+
+  /// Edges of an odd number of triangles, those without area among them.
+  [[nodiscard]] std::uint64_t odd_count() const;
+
+  /// True if the surface is closed where a pose moves the mesh that it is of.
+  [[nodiscard]] bool is_closed(const Mesh& mesh, const Pose& pose) const;
 };
 
 /// \errors ErrorKind::cancelled.
