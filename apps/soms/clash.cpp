@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 #include "soms/clash/part_keys.h"
 
+#include "apps/soms/clash_looked_at.h"
 #include "apps/soms/clash_output.h"
 #include "apps/soms/clash_rows.h"
 #include "apps/soms/clash_run.h"
@@ -44,10 +45,12 @@ bool has_unknown_depth(const Clash& clash) {
   return shares_interior(clash.relation) && !clash.penetration;
 }
 
-/// At most so deep; what touches is not deep at all.
+/// At most so deep; what touches is not deep at all, and nothing else is 0 deep. Depths are rounded
+/// up, so that parts that are just as deep as the tolerance would be kept without some room.
 bool is_within_tolerance(const Clash& clash, double tolerance) {
-  return clash.kind == ClashKind::touching ||
-         (clash.penetration && clash.penetration->depth <= tolerance);
+  constexpr double kRoom = 1e-9;
+  return clash.kind == ClashKind::touching || (tolerance > 0 && clash.penetration &&
+                                               clash.penetration->depth <= tolerance * (1 + kRoom));
 }
 
 /// Leaves out what options name, and says how much that was.
@@ -109,16 +112,16 @@ ClashReport report_of(const ClashModels& models, const ClashRun& run,
                      .resumed = run.resumed,
                      .grouped = options.grouping.by != ClashGroup::none};
   std::set<std::uint64_t> found;
+  const ClashGroups group_of(options.grouping, models);
   for (const Clash& clash : run.clashes) {
     const std::uint64_t key = clash_key(models.a.keys[clash.a], models.second().keys[clash.b]);
-    report.rows.push_back(
-        {.clash = clash, .key = key, .group = group_of(options.grouping, models, clash)});
+    report.rows.push_back({.clash = clash, .key = key, .group = group_of(clash)});
     found.insert(key);
   }
   remove_ignored(options, ignored, report);
   sort_rows(models, report.rows);
   if (baseline) {
-    baseline->compare(found, report);
+    baseline->compare(found, LookedAt(models, options.sets, options.within), report);
   }
   keep_statuses(options.statuses, report);
   for (const ClashRow& row : report.rows) {
@@ -184,6 +187,13 @@ void check_options(const ClashVerbOptions& options) {
     outputs.emplace_back("-o", file);
   }
   check_outputs(std::move(taken), outputs);
+  const ModelOptions& second = options.models.model_against;
+  if (options.models.against.empty() &&
+      (second.scale_is_given || second.up != UpAxis::unknown || second.lod || second.surfaces)) {
+    throw Error(ErrorKind::usage,
+                "--scale-b, --up-b, --lod-b and --surfaces-b have no effect without --against",
+                "leave them out, or also give --against FILE");
+  }
   check_clash_file_options(options.files, options.outputs);
   if (!options.statuses.empty() && options.baseline.empty()) {
     throw Error(ErrorKind::usage, "--status has no effect without --baseline",

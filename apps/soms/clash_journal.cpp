@@ -11,6 +11,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -18,7 +19,7 @@ namespace soms::command {
 
 namespace {
 
-constexpr const char* kJournalSchema = "soms.clash.journal/1";
+constexpr const char* kJournalSchema = "soms.clash.journal/2";
 
 /// Names all that clashes depend on but for the program.
 std::uint64_t fingerprint(const ClashModels& models, const ClashOptions& options,
@@ -89,9 +90,22 @@ Clash clash_of(const Json& row) {
   return clash;
 }
 
+/// What a line begins with, so that damage is noticed wherever it is.
+std::string checksum(std::string_view text) {
+  Fnv1a hash;
+  for (const char c : text) {
+    hash.add_byte(static_cast<std::uint8_t>(c));
+  }
+  return key_text(hash.value()) + ' ';
+}
+
 /// A block as it was written; nothing where the line is no whole one.
-std::optional<DecidedClashes> block_of(const std::string& line) {
-  const Json block = Json::parse(line, nullptr, false);
+std::optional<DecidedClashes> block_of(std::string_view line) {
+  const std::size_t at = line.find(' ');
+  if (at == std::string_view::npos || checksum(line.substr(at + 1)) != line.substr(0, at + 1)) {
+    return std::nullopt;
+  }
+  const Json block = Json::parse(line.substr(at + 1), nullptr, false);
   if (!block.is_object()) {
     return std::nullopt;
   }
@@ -175,11 +189,11 @@ void ClashJournal::add(std::size_t done, const ClashList& block) {
   for (const Clash& clash : block.clashes) {
     clashes.push_back(as_json(clash));
   }
-  out_ << json_line(
-              {{"done", done},
-               {"cost", {block.cost.node_tests, block.cost.triangle_tests, block.cost.exact_tests}},
-               {"clashes", std::move(clashes)}})
-       << std::flush;
+  const std::string text = json_text(
+      {{"done", done},
+       {"cost", {block.cost.node_tests, block.cost.triangle_tests, block.cost.exact_tests}},
+       {"clashes", std::move(clashes)}});
+  out_ << checksum(text) << text << '\n' << std::flush;
   if (!out_) {
     throw Error(
         ErrorKind::cannot_write, "--journal " + file_ + ": cannot be written",

@@ -61,13 +61,12 @@ std::string path_text(const Json& side) {
   return path;
 }
 
-/// By which a part is found again: "i" and its id, or "p" and its path.
-std::string mark_of(const Json& side) {
+}  // namespace
+
+std::string side_mark(const Json& side) {
   const std::string id = text_of(side, "id");
   return fmt::format("{}{}", id.empty() ? 'p' : 'i', id.empty() ? path_text(side) : id);
 }
-
-}  // namespace
 
 std::string text_of(const Json& row, std::string_view key) {
   const auto at = row.find(key);
@@ -95,7 +94,7 @@ std::string side_label(const Json& row, std::string_view side) {
 ListedClashes::Numbers ListedClashes::numbers_of(const ClashSet& set) {
   Numbers numbers;
   for (std::uint32_t part = 0; part < set.parts.size(); ++part) {
-    const auto [at, added] = numbers.try_emplace(mark_of(clash_side(set, part)), part);
+    const auto [at, added] = numbers.try_emplace(side_mark(clash_side(set, part)), part);
     if (!added) {
       at->second.reset();
     }
@@ -119,7 +118,7 @@ ListedClash ListedClashes::at(std::size_t k) const {
   listed.row["status"] = "resolved";
   const auto number = [&](const Numbers& numbers,
                           const char* side) -> std::optional<std::uint32_t> {
-    const auto at = numbers.find(mark_of(side_of(listed.row, side)));
+    const auto at = numbers.find(side_mark(side_of(listed.row, side)));
     return at == numbers.end() ? std::nullopt : at->second;
   };
   listed.a = number(of_a_, "a");

@@ -49,6 +49,9 @@ class ListedClashes {
   Numbers of_b_;
 };
 
+/// By which a part is found again: "i" and its id, or "p" and its path.
+[[nodiscard]] std::string side_mark(const Json& side);
+
 /// A text of a row or of one of its sides, or a number as text; empty where it has none.
 [[nodiscard]] std::string text_of(const Json& row, std::string_view key);
 

@@ -37,6 +37,9 @@ void trim_end(std::string& line) {
 /// The field that begins at `at`, and where the next one begins; nothing where a quote is open.
 std::optional<std::string> field_at(const std::string& line, std::size_t& at) {
   std::string field;
+  while (at < line.size() && (line[at] == ' ' || line[at] == '\t')) {
+    ++at;
+  }
   if (at < line.size() && line[at] == '"') {
     for (++at; at < line.size(); ++at) {
       if (line[at] != '"') {
@@ -45,6 +48,9 @@ std::optional<std::string> field_at(const std::string& line, std::size_t& at) {
         field += line[++at];
       } else {
         ++at;
+        while (at < line.size() && (line[at] == ' ' || line[at] == '\t')) {
+          ++at;
+        }
         return field;
       }
     }
@@ -53,6 +59,7 @@ std::optional<std::string> field_at(const std::string& line, std::size_t& at) {
   while (at < line.size() && line[at] != ',') {
     field += line[at++];
   }
+  trim_end(field);
   return field;
 }
 
@@ -94,6 +101,10 @@ IgnoredPairs::IgnoredPairs(const std::string& file) {
   std::ifstream in = opened(file, "--ignore-pairs");
   std::string line;
   for (std::size_t number = 1; std::getline(in, line); ++number) {
+    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+    if (number == 1 && line.starts_with(kByteOrderMark)) {
+      line.erase(0, kByteOrderMark.size());
+    }
     trim_end(line);
     if (line.empty() || line.front() == '#') {
       continue;
@@ -136,6 +147,13 @@ ClashBaseline::ClashBaseline(const std::string& file) {
       }
     } else {
       ended = true;
+      if (row.value("coverage", "complete") != "complete") {
+        throw Error(ErrorKind::bad_file,
+                    fmt::format("--baseline {}: the list was cut by time or Ctrl-C, so what it "
+                                "lacks need not be new",
+                                file),
+                    "give a complete list: run it to its end, if need be with --journal");
+      }
     }
   }
   if (!ended) {
@@ -144,7 +162,9 @@ ClashBaseline::ClashBaseline(const std::string& file) {
   }
 }
 
-void ClashBaseline::compare(const std::set<std::uint64_t>& found, ClashReport& report) const {
+void ClashBaseline::compare(const std::set<std::uint64_t>& found,
+                            const std::function<bool(const Json&)>& looked_at,
+                            ClashReport& report) const {
   report.has_baseline = true;
   for (ClashRow& row : report.rows) {
     row.status = rows_.contains(key_text(row.key)) ? ClashStatus::active : ClashStatus::fresh;
@@ -157,7 +177,7 @@ void ClashBaseline::compare(const std::set<std::uint64_t>& found, ClashReport& r
     keys.insert(key_text(key));
   }
   for (const auto& [key, row] : rows_) {
-    if (!keys.contains(key)) {
+    if (!keys.contains(key) && looked_at(row)) {
       report.resolved.push_back(row);
     }
   }

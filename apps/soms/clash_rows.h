@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -84,12 +85,14 @@ class IgnoredPairs {
 class ClashBaseline {
  public:
   /// Reads what `clash --json` printed, or wrote to a .json file.
-  /// \errors ErrorKind::cannot_open; bad_file, with the line.
+  /// \errors ErrorKind::cannot_open; bad_file, with the line, and for a list that was cut.
   explicit ClashBaseline(const std::string& file);
 
   /// Gives each row its status, and adds what is resolved: of a list that is complete, the clashes
-  /// that it has not. `found` are the keys of all clashes, those that were removed, too.
-  void compare(const std::set<std::uint64_t>& found, ClashReport& report) const;
+  /// that it has not, though it `looked_at` them. `found` are the keys of all clashes, those that
+  /// were removed, too.
+  void compare(const std::set<std::uint64_t>& found,
+               const std::function<bool(const Json&)>& looked_at, ClashReport& report) const;
 
  private:
   std::map<std::string, Json> rows_;

@@ -178,22 +178,50 @@ ClashGrouping clash_grouping(const std::string& text) {
   throw unknown_choice("--group-by", text, names);
 }
 
-std::string group_of(const ClashGrouping& grouping, const ClashModels& models, const Clash& clash) {
-  const ClashSet& a = models.a;
-  const ClashSet& b = models.second();
-  switch (grouping.by) {
+ClashGroups::ClashGroups(const ClashGrouping& grouping, const ClashModels& models)
+    : grouping_(grouping), models_(models) {
+  const bool of_second = grouping.by == ClashGroup::b;
+  if (grouping.by != ClashGroup::a && !of_second && grouping.by != ClashGroup::parent) {
+    return;
+  }
+  const ClashSet& set = of_second ? models.second() : models.a;
+  // Several objects of one name are groups of their own, which then say where they are.
+  using Object = std::pair<std::uint32_t, std::uint32_t>;
+  std::vector<Object> objects;
+  std::map<std::string, std::set<Object>> named;
+  for (std::uint32_t part = 0; part < set.parts.size(); ++part) {
+    const bool parent = grouping.by == ClashGroup::parent;
+    const Part* const own = named_part(set, part);
+    const std::uint32_t number = !parent          ? set.parts[part].part
+                                 : own == nullptr ? Part::kNoParent
+                                                  : own->parent;
+    objects.emplace_back(set.mesh[part], first_run(set.mesh_of(part), number));
+    labels_.push_back(parent ? parent_of(set, part) : set.labels[part]);
+    named[labels_.back()].insert(objects.back());
+  }
+  for (std::uint32_t part = 0; part < set.parts.size(); ++part) {
+    const auto& [mesh, number] = objects[part];
+    if (number != Part::kNoParent && named[labels_[part]].size() > 1) {
+      labels_[part] += fmt::format(" ({}, part {})", set.mesh_of(part).source, number);
+    }
+  }
+}
+
+std::string ClashGroups::operator()(const Clash& clash) const {
+  const ClashSet& a = models_.a;
+  const ClashSet& b = models_.second();
+  switch (grouping_.by) {
     case ClashGroup::a:
-      return a.labels[clash.a];
-    case ClashGroup::b:
-      return b.labels[clash.b];
     case ClashGroup::parent:
-      return parent_of(a, clash.a);
+      return labels_[clash.a];
+    case ClashGroup::b:
+      return labels_[clash.b];
     case ClashGroup::type:
       return type_of(a, clash.a) + " and " + type_of(b, clash.b);
     case ClashGroup::set:
       return a.sets[clash.a] + " and " + b.sets[clash.b];
     case ClashGroup::cell: {
-      const auto index = [&](double place) { return std::floor(place / grouping.cell); };
+      const auto index = [&](double place) { return std::floor(place / grouping_.cell); };
       return fmt::format("cell {:.0f} {:.0f} {:.0f}", index(clash.place.x), index(clash.place.y),
                          index(clash.place.z));
     }

@@ -61,8 +61,19 @@ struct ClashGrouping {
 /// True if one object holds both parts, or one of the parts holds the other.
 [[nodiscard]] bool are_siblings(const ClashModels& models, const Clash& clash);
 
-/// The group of a clash; "-" where it has none.
-[[nodiscard]] std::string group_of(const ClashGrouping& grouping, const ClashModels& models,
-                                   const Clash& clash);
+/// The groups of clashes.
+class ClashGroups {
+ public:
+  /// Both must stay.
+  ClashGroups(const ClashGrouping& grouping, const ClashModels& models);
+
+  /// The group of a clash; "-" where it has none.
+  [[nodiscard]] std::string operator()(const Clash& clash) const;
+
+ private:
+  const ClashGrouping& grouping_;
+  const ClashModels& models_;
+  std::vector<std::string> labels_;  ///< of each part, where parts or their objects are groups
+};
 
 }  // namespace soms::command

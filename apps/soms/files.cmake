@@ -18,6 +18,7 @@ set(SOMS_COMMAND_FILES
   clash_journal.cpp
   clash_journal.h
   clash_listed.cpp
+  clash_looked_at.cpp
   clash_listed.h
   clash_models.cpp
   clash_models.h

@@ -106,12 +106,17 @@ void RobotStateReader::State::read_first_row() {
                 "begin with " + all_names() + ", and a line for each state");
   }
   detail::split_cells(*line, cells);
-  const bool is_header = std::any_of(cells.begin(), cells.end(), [](std::string_view cell) {
-    const char* const end = cell.data() + cell.size();
-    const detail::ParsedNumber parsed =
-        detail::parse_number(cell.data(), end, detail::Precision::as_double);
-    return parsed.status == detail::NumberStatus::not_a_number || parsed.end != end;
+  // Joints may have numbers for names.
+  const bool has_names = std::all_of(cells.begin(), cells.end(), [this](std::string_view cell) {
+    return std::find(names.begin(), names.end(), cell) != names.end();
   });
+  const bool is_header =
+      has_names || std::any_of(cells.begin(), cells.end(), [](std::string_view cell) {
+        const char* const end = cell.data() + cell.size();
+        const detail::ParsedNumber parsed =
+            detail::parse_number(cell.data(), end, detail::Precision::as_double);
+        return parsed.status == detail::NumberStatus::not_a_number || parsed.end != end;
+      });
   if (is_header) {
     take_header();
     return;

@@ -4,6 +4,11 @@
 
 #include "soms/base/vector.h"
 #include "soms/clash/part_bodies.h"
+#include "soms/query/overlap.h"
+
+#include <functional>
+#include <span>
+#include <utility>
 
 namespace soms::detail {
 
@@ -13,9 +18,29 @@ namespace soms::detail {
 /// Symmetric. Exact.
 [[nodiscard]] bool pass_through(const Triangle& s, const Triangle& t);
 
-/// Whether a whole component of `inner` may be inside `outer`, whose surface is open and does not
-/// meet that of `inner`: it lies in the box of `outer`, beyond which an open surface is taken to
-/// enclose nothing.
+/// Calls its argument for triangles of one body, all that may matter, until it is false.
+using TriangleLoop = std::function<bool(const std::function<bool(const Triangle&)>&)>;
+
+/// The same of an edge of `s`, but only where both triangles bound something there for sure: in the
+/// point in which the edge goes through `t`, no other triangle of the body of `t` lies, and beside
+/// the edge, none of the body of `s` covers `s`. Two triangles in one place, or two faces that are
+/// glued together, bound nothing. `beside_s` has all triangles of the body of `s`, but `s`, that
+/// overlap `t`, and `beside_t` those of the other body, but `t`, that overlap `s`; more do no harm.
+/// May be false where it is true: of signs that double precision does not tell.
+[[nodiscard]] bool edge_crosses(const Triangle& s, const Triangle& t, const TriangleLoop& beside_s,
+                                const TriangleLoop& beside_t);
+
+/// True if for one of the pairs of triangles that overlap, in one order or the other,
+/// `edge_crosses`: all pairs of two bodies, sorted, and where poses move their triangles.
+[[nodiscard]] bool surfaces_cross(std::span<const TrianglePair> pairs,
+                                  std::span<const std::pair<Triangle, Triangle>> triangles);
+
+/// Whether a whole component of `inner` may be inside `outer`: it lies in its box.
+[[nodiscard]] bool fits_into(const PartBody& inner, const PartBody& outer);
+
+/// Whether a component of `inner` may be inside `outer` in part, whose surface is open and does not
+/// meet that of `inner`: it lies in the box of `outer`, or comes into one of its openings. An open
+/// surface is taken to be closed by one inside the boxes of its openings.
 [[nodiscard]] bool may_be_inside(const PartBody& inner, const PartBody& outer);
 
 }  // namespace soms::detail

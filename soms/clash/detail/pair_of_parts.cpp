@@ -78,9 +78,7 @@ bool PairOfParts::meet(const Body& a, const Body& b, bool open, Clash& clash) {
   }
   const auto pairs = moved_pairs(a, b, met.pairs);
   place_contact(pairs, clash);
-  return open && std::any_of(pairs.begin(), pairs.end(), [](const auto& pair) {
-           return pass_through(pair.first, pair.second);
-         });
+  return open && surfaces_cross(met.pairs, pairs);
 }
 
 bool PairOfParts::measure(const Body& a, const Body& b, double at_most, Clash& clash) {
@@ -145,6 +143,11 @@ std::optional<Clash> PairOfParts::of_open(const PartBody& a, const PartBody& b) 
     clash.relation = a.closed   ? relation_to_closed(b, *a.closed, Relation::b_in_a)
                      : b.closed ? relation_to_closed(a, *b.closed, Relation::a_in_b)
                                 : Relation::clear;
+    const bool in_closed = clash.relation == Relation::a_in_b || clash.relation == Relation::b_in_a;
+    // The open one may go around a cavity of the other.
+    if (in_closed && (a.closed ? fits_into(a, b) : fits_into(b, a))) {
+      clash.relation = Relation::undecided;
+    }
     if (clash.relation == Relation::clear &&
         ((!b.closed && may_be_inside(a, b)) || (!a.closed && may_be_inside(b, a)))) {
       clash.relation = Relation::undecided;

@@ -12,6 +12,10 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
+#include <map>
+#include <utility>
+#include <vector>
 
 namespace soms::reference {
 
@@ -75,11 +79,26 @@ std::vector<Piece> pieces_of(const Body& body) {
   return pieces;
 }
 
-/// An edge of a triangle of one body goes through one of the other.
-bool pass_through_each_other(const Body& a, const Body& b, const std::vector<TrianglePair>& met) {
+/// An edge of a triangle of one body crosses one of the other; all triangles of both may be in the
+/// way.
+bool cross_each_other(const Body& a, const Body& b, const std::vector<TrianglePair>& met) {
+  const auto all_but = [](const Body& body, TriangleId left_out) {
+    return detail::TriangleLoop([&body, left_out](const auto& check) {
+      for (std::size_t i = 0; i < body.shape.mesh().triangles.size(); ++i) {
+        const auto id = static_cast<TriangleId>(i);
+        if (id != left_out && !check(detail::moved_triangle(body, id))) {
+          return false;
+        }
+      }
+      return true;
+    });
+  };
   return std::any_of(met.begin(), met.end(), [&](const TrianglePair& pair) {
-    return detail::pass_through(detail::moved_triangle(a, pair.first),
-                                detail::moved_triangle(b, pair.second));
+    const Triangle s = detail::moved_triangle(a, pair.first);
+    const Triangle t = detail::moved_triangle(b, pair.second);
+    const detail::TriangleLoop of_a = all_but(a, pair.first);
+    const detail::TriangleLoop of_b = all_but(b, pair.second);
+    return detail::edge_crosses(s, t, of_a, of_b) || detail::edge_crosses(t, s, of_b, of_a);
   });
 }
 
@@ -97,28 +116,89 @@ bool one_fits_into(const std::vector<Piece>& pieces, const Box& box) {
                      [&](const Piece& piece) { return box.contains(piece.box); });
 }
 
+/// Edges of an odd number of triangles, by their moved ends, counted one by one.
+std::vector<std::pair<Vec3, Vec3>> odd_edges_of(const Body& body) {
+  const PlainArithmetic plain;
+  const Mesh& mesh = body.shape.mesh();
+  using Ends = std::array<std::array<double, 3>, 2>;
+  std::map<Ends, std::size_t> uses;
+  const auto place = [](const Vec3& v) { return std::array{v.x + 0.0, v.y + 0.0, v.z + 0.0}; };
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Triangle t = mesh.triangle(static_cast<TriangleId>(i));
+    const std::array<Vec3, 3> corners{t.a, t.b, t.c};
+    for (std::size_t k = 0; k < 3; ++k) {
+      Ends ends{place(corners[k]), place(corners[(k + 1) % 3])};
+      std::sort(ends.begin(), ends.end());
+      ++uses[ends];
+    }
+  }
+  std::vector<std::pair<Vec3, Vec3>> odd;
+  for (const auto& [ends, count] : uses) {
+    if (count % 2 == 1 && ends[0] != ends[1]) {
+      const auto moved = [&](const std::array<double, 3>& v) {
+        return body.pose.apply({v[0], v[1], v[2]});
+      };
+      odd.emplace_back(moved(ends[0]), moved(ends[1]));
+    }
+  }
+  return odd;
+}
+
+/// A piece comes into the box of an opening: of odd edges that share ends.
+bool one_comes_into(const std::vector<Piece>& pieces, const Body& open) {
+  std::vector<std::pair<Vec3, Vec3>> left = odd_edges_of(open);
+  while (!left.empty()) {
+    std::vector<std::pair<Vec3, Vec3>> group{left.back()};
+    left.pop_back();
+    Box box;
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      const auto [from, to] = group[k];
+      box.grow(from);
+      box.grow(to);
+      const auto joins = [&, from = from, to = to](const auto& edge) {
+        return edge.first == from || edge.first == to || edge.second == from || edge.second == to;
+      };
+      std::copy_if(left.begin(), left.end(), std::back_inserter(group), joins);
+      std::erase_if(left, joins);
+    }
+    if (std::any_of(pieces.begin(), pieces.end(),
+                    [&](const Piece& piece) { return overlaps(piece.box, box); })) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool may_hold(const std::vector<Piece>& pieces, const Body& open) {
+  return one_fits_into(pieces, box_of(open)) || one_comes_into(pieces, open);
+}
+
 /// The relation as far as it is known where one of the parts is open, or both are.
 Relation relation_of_open(const PartBody& a, const PartBody& b,
                           const std::vector<TrianglePair>& met) {
   if (!met.empty()) {
-    return pass_through_each_other(a.body, b.body, met) ? Relation::crossing : Relation::undecided;
+    return cross_each_other(a.body, b.body, met) ? Relation::crossing : Relation::undecided;
   }
   const std::vector<Piece> pieces_a = pieces_of(a.body);
   const std::vector<Piece> pieces_b = pieces_of(b.body);
   if (a.closed) {
     if (const Relation found = by_pieces(pieces_b, a.body, Relation::b_in_a);
         found != Relation::clear) {
-      return found;
+      return found == Relation::b_in_a && one_fits_into(pieces_a, box_of(b.body))
+                 ? Relation::undecided
+                 : found;
     }
   }
   if (b.closed) {
     if (const Relation found = by_pieces(pieces_a, b.body, Relation::a_in_b);
         found != Relation::clear) {
-      return found;
+      return found == Relation::a_in_b && one_fits_into(pieces_b, box_of(a.body))
+                 ? Relation::undecided
+                 : found;
     }
   }
-  const bool doubtful = (!a.closed && one_fits_into(pieces_b, box_of(a.body))) ||
-                        (!b.closed && one_fits_into(pieces_a, box_of(b.body)));
+  const bool doubtful =
+      (!a.closed && may_hold(pieces_b, a.body)) || (!b.closed && may_hold(pieces_a, b.body));
   return doubtful ? Relation::undecided : Relation::clear;
 }
 

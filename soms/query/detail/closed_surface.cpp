@@ -1,9 +1,12 @@
 #include "soms/query/detail/closed_surface.h"
 
+#include "soms/base/arithmetic.h"
 #include "soms/geometry/detail/connected_parts.h"
 #include "soms/geometry/detail/joined.h"
 
 #include <algorithm>
+#include <map>
+#include <unordered_map>
 #include <utility>
 
 namespace soms::detail {
@@ -11,6 +14,44 @@ namespace soms::detail {
 std::uint64_t ClosedSurface::odd_count() const {
   return static_cast<std::uint64_t>(
       std::count_if(odd.begin(), odd.end(), [](const OddEdge& edge) { return edge.among_all; }));
+}
+
+std::vector<Box> ClosedSurface::openings(const Body& body) const {
+  const PlainArithmetic plain;
+  // Each vertex leads to another of its group, the first one to itself.
+  std::unordered_map<std::uint32_t, std::uint32_t> leads;
+  const auto first_of = [&](std::uint32_t vertex) {
+    std::uint32_t at = leads.try_emplace(vertex, vertex).first->second;
+    while (leads.at(at) != at) {
+      at = leads.at(at);
+    }
+    leads[vertex] = at;
+    return at;
+  };
+  const auto counts = [](const OddEdge& edge) {
+    return edge.among_all && edge.ends[0] != edge.ends[1];
+  };
+  for (const OddEdge& edge : odd) {
+    if (counts(edge)) {
+      const std::uint32_t from = first_of(edge.ends[0]);
+      leads[first_of(edge.ends[1])] = from;
+    }
+  }
+  std::map<std::uint32_t, Box> boxes;
+  for (const OddEdge& edge : odd) {
+    if (!counts(edge)) {
+      continue;
+    }
+    Box& box = boxes[first_of(edge.ends[0])];
+    for (const std::uint32_t end : edge.ends) {
+      box.grow(body.pose.apply(body.shape.mesh().vertices[end]));
+    }
+  }
+  std::vector<Box> all;
+  for (const auto& [vertex, box] : boxes) {
+    all.push_back(box);
+  }
+  return all;
 }
 
 bool ClosedSurface::is_closed(const Mesh& mesh, const Pose& pose) const {

@@ -19,7 +19,8 @@ soms::Relation SolidRegions::relation(bool surfaces_meet) const {
   return only[1] ? soms::Relation::a_in_b : soms::Relation::same;
 }
 
-RegionSearch::RegionSearch(const Body& a, const Body& b) : searches_{BoxSearch(a), BoxSearch(b)} {
+RegionSearch::RegionSearch(const Body& a, const Body& b, std::function<bool()> stop)
+    : searches_{BoxSearch(a), BoxSearch(b)}, stop_(std::move(stop)) {
 }
 
 bool RegionSearch::Cutting::odd(std::size_t body, const PlanePoint& p) const {
@@ -71,6 +72,9 @@ void RegionSearch::look_at(std::size_t body, TriangleId id, SolidRegions& region
   add_cuts(*plane, t, body, id, cutting);
   add_cuts(*plane, t, other, std::nullopt, cutting);
   plane->for_each_cell(cutting.cuts, [&](const PlanePoint& p) {
+    if (stopped()) {
+      return false;
+    }
     if (cutting.odd(body, p)) {  // with the triangle itself an even number
       met_idle_[body] = true;
     } else if (!cutting.odd(other, p)) {
@@ -96,8 +100,12 @@ bool RegionSearch::bounds_anything(std::size_t body, TriangleId id) {
   }
   Cutting cutting;
   add_cuts(*plane, t, body, id, cutting);
-  return !plane->for_each_cell(cutting.cuts,
-                               [&](const PlanePoint& p) { return cutting.odd(body, p); });
+  bool late = false;
+  const bool found = !plane->for_each_cell(cutting.cuts, [&](const PlanePoint& p) {
+    late = stopped();
+    return !late && cutting.odd(body, p);
+  });
+  return found && !late;
 }
 
 bool RegionSearch::stands_alone(std::size_t body, TriangleId id) {

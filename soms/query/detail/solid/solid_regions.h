@@ -21,6 +21,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -55,7 +56,8 @@ struct SolidRegions {
 /// Looks at triangles of two bodies. Refers to the bodies.
 class RegionSearch {
  public:
-  RegionSearch(const Body& a, const Body& b);
+  /// `stop`, if any, is asked at each cell; once it is true, nothing that was looked at counts.
+  RegionSearch(const Body& a, const Body& b, std::function<bool()> stop = {});
 
   [[nodiscard]] Triangle moved(std::size_t body, TriangleId id) const {
     return searches_[body].moved(id);
@@ -92,7 +94,10 @@ class RegionSearch {
   /// Whether a body is on that side of the plane to which the ray from the point goes.
   [[nodiscard]] bool inside_above(const CellPlane& plane, const PlanePoint& p, std::size_t body);
 
+  [[nodiscard]] bool stopped() const { return stop_ && stop_(); }
+
   std::array<BoxSearch, 2> searches_;
+  std::function<bool()> stop_;
   std::array<bool, 2> met_idle_ = {};
   std::vector<MovedTriangle> near_;
   Cost cost_;

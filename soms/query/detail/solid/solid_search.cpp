@@ -36,7 +36,11 @@ class SolidSearch {
   SolidSearch(const ClosedBody& a, const ClosedBody& b, const SolidOptions& options,
               const Parallel& parallel)
       : bodies_{&a, &b},
-        search_(a.body(), b.body()),
+        search_(a.body(), b.body(),
+                [this] {
+                  late_ = late_ || limit_.spend(kWorkOfLook);
+                  return late_;
+                }),
         options_(options),
         parallel_(parallel),
         limit_(options.deadline, parallel) {}
