@@ -292,7 +292,8 @@ void print_clashes_as_text(const ClashReport& report, Console& console) {
                     ? fmt::format("{} against {}", set_in_text(models.a), set_in_text(models.b))
                     : set_in_text(models.a) + " among each other");
   console.print(fmt::format(": {} of parts, {} with boxes that meet\n",
-                            counted(models.pairs(), "pair"), with_commas(report.compared)));
+                            counted(models.pairs(), "pair"),
+                            with_commas(report.compared + report.left)));
   for (const auto& [what, count] : report.removed) {
     console.print(fmt::format("removed by {}: {}\n", printable(what), with_commas(count)));
   }

@@ -8,9 +8,12 @@
 #include "tests/support/bodies.h"
 #include "tests/support/support.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace soms {
 namespace {
@@ -204,6 +207,96 @@ TEST(OpenParts, EncloseNothingOutsideTheirBox) {
   // A component wholly in the box may be inside.
   EXPECT_EQ(kind_of_pair(open, part_of(box_body({1, 1, 1}, {2, 2, 2}))), ClashKind::undecided);
   EXPECT_EQ(kind_of_pair(open, part_of(two_boxes({1, 1, 1}, {6, 1, 1}))), ClashKind::undecided);
+}
+
+/// One part of several meshes.
+PartBody joined_part(const std::vector<Mesh>& meshes) {
+  Mesh all = meshes.front();
+  for (std::size_t k = 1; k < meshes.size(); ++k) {
+    all = test::joined(all, meshes[k]);
+  }
+  all.parts.clear();
+  return part_of(all);
+}
+
+Mesh without_last(Mesh mesh) {
+  mesh.triangles.pop_back();
+  return mesh;
+}
+
+Mesh turned_over(Mesh mesh) {
+  for (auto& t : mesh.triangles) {
+    std::swap(t[1], t[2]);
+  }
+  return mesh;
+}
+
+// Two boxes that are glued together have a face twice, which bounds nothing.
+TEST(OpenParts, AreNotCrossedByWhatBoundsNothing) {
+  const PartBody glued =
+      joined_part({box_body({0, 0, 0}, {2, 4, 4}), box_body({2, 0, 0}, {4, 4, 4})});
+  ASSERT_TRUE(glued.closed);
+  EXPECT_EQ(kind_of_pair(glued, part_of(box_body({1, 1, 1}, {3, 2, 2}))), ClashKind::inside);
+  EXPECT_EQ(kind_of_pair(glued, open_box({1, 1, 1}, {3, 2, 2})), ClashKind::undecided);
+  // Out of the far side it does cross.
+  EXPECT_EQ(kind_of_pair(glued, open_box({1, 1, 1}, {5, 2, 2})), ClashKind::crossing);
+}
+
+TEST(OpenParts, DoNotCrossADoubledSheet) {
+  Mesh fin;
+  fin.vertices = {{1, 0, 0}, {3, 0, 0}, {1, 0, 2}};
+  fin.triangles = {{0, 1, 2}, {0, 2, 1}};
+  const PartBody finned = joined_part({box_body({0, 0, 0}, {1, 1, 1}), fin});
+  Mesh through;
+  through.vertices = {{1.5, -1, 0.25}, {1.5, 1, 0.25}, {1.5, 1, 0.75}};
+  through.triangles = {{0, 1, 2}};
+  EXPECT_EQ(kind_of_pair(finned, part_of(through)), ClashKind::undecided);
+  // The sheet through an open box: it has an edge through a face, and bounds nothing.
+  const PartBody open_fin = joined_part({without_last(box_body({8, 0, 0}, {9, 1, 1})), fin});
+  EXPECT_EQ(kind_of_pair(open_fin, part_of(box_body({2, -1, 0.25}, {2.5, 1, 0.5}))),
+            ClashKind::undecided);
+}
+
+TEST(OpenParts, MayBeEnteredThroughAnOpening) {
+  Mesh tank = box_body({0, 0, 0}, {4, 4, 4});
+  Box opening;
+  const auto on_lid = [&](const std::array<std::uint32_t, 3>& t) {
+    return tank.vertices[t[0]].z == 4 && tank.vertices[t[1]].z == 4 && tank.vertices[t[2]].z == 4;
+  };
+  const PartBody pipe = part_of(box_body({1.5, 1.5, 2}, {2.5, 2.5, 6}));
+  EXPECT_EQ(kind_of_pair(part_of(tank), pipe), ClashKind::crossing);
+  std::erase_if(tank.triangles, on_lid);
+  ASSERT_EQ(tank.triangles.size(), 10U);
+  const PartBody open = part_of(tank);
+  EXPECT_EQ(open.openings, (std::vector<Box>{{{0, 0, 4}, {4, 4, 4}}}));
+  EXPECT_EQ(kind_of_pair(open, pipe), ClashKind::undecided);
+  // Beside the opening a part is clear.
+  EXPECT_FALSE(clash_of(open, part_of(box_body({5, 1, 1}, {6, 2, 6}))));
+  EXPECT_TRUE(part_of(box_body({0, 0, 0}, {1, 1, 1})).openings.empty());
+}
+
+TEST(OpenParts, HaveABoxForEachOpening) {
+  Mesh box = box_body({0, 0, 0}, {4, 4, 4});
+  const auto on_side = [&](double x) {
+    return [&box, x](const std::array<std::uint32_t, 3>& t) {
+      return box.vertices[t[0]].x == x && box.vertices[t[1]].x == x && box.vertices[t[2]].x == x;
+    };
+  };
+  std::erase_if(box.triangles, on_side(0));
+  std::erase_if(box.triangles, on_side(4));
+  std::vector<Box> openings = part_of(box).openings;
+  std::sort(openings.begin(), openings.end(),
+            [](const Box& a, const Box& b) { return a.lower.x < b.lower.x; });
+  EXPECT_EQ(openings, (std::vector<Box>{{{0, 0, 0}, {0, 4, 4}}, {{4, 0, 0}, {4, 4, 4}}}));
+}
+
+// An open shell in the wall of a hollow box, around its cavity: closed, it crosses the wall.
+TEST(OpenParts, MayGoAroundACavity) {
+  const PartBody hollow =
+      joined_part({box_body({0, 0, 0}, {10, 10, 10}), turned_over(box_body({4, 4, 4}, {6, 6, 6}))});
+  EXPECT_EQ(kind_of_pair(hollow, part_of(box_body({3, 3, 3}, {7, 7, 7}))), ClashKind::crossing);
+  EXPECT_EQ(kind_of_pair(hollow, open_box({3, 3, 3}, {7, 7, 7})), ClashKind::undecided);
+  EXPECT_EQ(kind_of_pair(hollow, open_box({1, 1, 1}, {2, 2, 2})), ClashKind::inside);
 }
 
 }  // namespace

@@ -50,6 +50,30 @@ TEST(RobotStateReader, ReadsColumnsInAnyOrder) {
             (Rows{{1, 2, 3, 4}, {5, 6, 7, 8}}));
 }
 
+TEST(RobotStateReader, TakesNumbersThatNameAllColumnsForAHeader) {
+  const TemporaryFolder folder;
+  const std::filesystem::path urdf = folder.path() / "numbers.urdf";
+  std::string text = R"(<robot name="r"><link name="a"/><link name="b"/><link name="c"/>)";
+  for (const auto& [name, parent, child] : {std::array{"1", "a", "b"}, std::array{"2", "b", "c"}}) {
+    text += std::string(R"(<joint type="continuous" name=")") + name + R"("><parent link=")" +
+            parent + R"("/><child link=")" + child + R"("/><axis xyz="0 0 1"/></joint>)";
+  }
+  write_content(urdf, text + "</robot>");
+  const Kinematics joints(read_robot(urdf));
+  const auto states = [&](const std::string& rows) {
+    const std::filesystem::path file = folder.path() / "q.csv";
+    write_content(file, rows);
+    RobotStateReader reader(file, joints);
+    Rows found;
+    while (const auto state = reader.next()) {
+      found.emplace_back(state->begin(), state->end());
+    }
+    return found;
+  };
+  EXPECT_EQ(states("2,1\n5,3\n"), (Rows{{3, 5}}));
+  EXPECT_EQ(states("3,1\n5,3\n"), (Rows{{3, 1}, {5, 3}}));
+}
+
 TEST(RobotStateReader, TakesJointsWithoutAColumnFromHome) {
   EXPECT_EQ(states_of("lift\n0.5\n", std::vector<double>{9, 8, 7, 6}), (Rows{{9, 0.5, 7, 6}}));
   EXPECT_EQ(states_of("turn,lift,wrist,grip\n1,2,3,4\n", std::vector<double>{9, 8, 7, 6}),
