@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 #include "soms/scene/reference/clearance_along.h"
 
+#include "apps/soms/clearance_city.h"
 #include "apps/soms/clearance_map.h"
 #include "apps/soms/clearance_output.h"
 #include "apps/soms/clearance_page.h"
@@ -107,21 +108,34 @@ void check_clearance_files(const ClearanceVerbOptions& options) {
   }
 }
 
-Clearance move_along(const World& world, const ProfilePath& path, const ClearanceOptions& options,
-                     const Console& console) {
+/// A vehicle that is longer across its path than along it is rarely meant.
+void note_forward(const World& world, Forward forward, const Console& console) {
+  const Vec3 extent = world.models.front().shape.bounds().extent();
+  const bool along_x = forward == Forward::x || forward == Forward::minus_x;
+  const double along = along_x ? extent.x : extent.y;
+  const double across = along_x ? extent.y : extent.x;
+  if (world.routes.front().recorded == nullptr && across > 1.2 * along) {
+    console.note(
+        fmt::format("{}: {:.4g} across the path and {:.4g} along it; --forward names the "
+                    "axis that heads along",
+                    world.models.front().origin.source, across, along));
+  }
+}
+
+Clearance move_along(const World& world, const ComparedCity& city, const ProfilePath& path,
+                     const ClearanceOptions& options, const Console& console) {
   Progress bar = console.progress("moving along the path");
   Parallel parallel = console.limited();
   parallel.progress = [&bar](double share) { bar.show(share); };
-  return clearance_along(world.models.front().shape, path.motion, world.city, options, parallel);
+  return clearance_along(world.models.front().shape, path.motion, city.bodies, options, parallel);
 }
 
 /// True if brute force agrees. \errors ErrorKind::timed_out.
-bool agrees_with_brute_force(const ClearanceReport& report, const Console& console,
-                             std::string& line) {
+bool agrees_with_brute_force(const ClearanceReport& report, const ComparedCity& city,
+                             const Console& console, std::string& line) {
   const reference::ClearanceCheck found = console.run("verifying", [&](const Parallel& parallel) {
     return reference::check_clearance(report.answer, report.profile().shape, report.path.motion,
-                                      report.world.city, report.options, kVerifiedAStretch,
-                                      parallel);
+                                      city.bodies, report.options, kVerifiedAStretch, parallel);
   });
   if (found.wrong > 0) {
     print_error("soms clearance", "brute force: " + found.first);
@@ -165,6 +179,14 @@ void add_profile_and_path(CLI::App& app, ClearanceVerbOptions& options) {
                  "its path, a CSV file of points or poses as of soms simulate; - is standard input")
       ->required()
       ->option_text("FILE");
+  add_choice<Forward>(
+      app, "--forward", options.forward,
+      {{"x", Forward::x}, {"y", Forward::y}, {"-x", Forward::minus_x}, {"-y", Forward::minus_y}},
+      "axis of the profile that heads along the path (x)");
+  add_repeatable(app, "--ignore", options.ignored,
+                 "leave out parts of the city, such as roads, whose name, id or type fits a\n"
+                 "pattern; may be repeated",
+                 "PATTERN");
   add_model_options(app, options.world.city_model, "--scale", "--up", "the city");
   add_model_options(app, options.world.mover_model, "--mover-scale", "--mover-up", "the profile");
   app.add_flag_callback(
@@ -225,10 +247,10 @@ Action add_clearance(CLI::App& app, Shared&) {
   add_clearance_questions(app, *options);
   app.footer(
       "A path is a CSV file. x,y,z: points of a line that the foot of the profile (the middle of\n"
-      "the underside of its box) is on, with +x heading along; it turns on the spot where lines\n"
-      "meet, a half turn to the left. With qw,qx,qy,qz, or as r00,...,tz: poses, each of them\n"
-      "reached by a straight line of the origin and a turn about it. Gaps at stations are exact;\n"
-      "what is proved of the motion between them is said beside. Only surfaces are compared.\n\n"
+      "the underside of its box) is on, with +x (or --forward) heading along; it turns on the\n"
+      "spot where lines meet, a half turn to the left. With qw,qx,qy,qz, or as r00,...,tz: poses,\n"
+      "each reached by a straight line of the origin and a turn about it. Gaps at stations are\n"
+      "exact; what is proved of the motion between is said beside. Only surfaces are compared.\n\n"
       "Example:\n"
       "  soms generate city --triangles 20000 -o town.ply\n"
       "  soms generate car -o car.ply\n"
@@ -245,13 +267,17 @@ int run_clearance(const ClearanceVerbOptions& options, Console& console) {
   wanted.movers = {options.profile};
   wanted.routes = {options.path};
   const World world = load_world(wanted, console);
-  const ProfilePath path = profile_path(world.routes.front());
+  note_forward(world, options.forward, console);
+  const ComparedCity city = compared_city(world, options.ignored, console);
+  const ProfilePath path =
+      profile_path(world.routes.front(), world.models.front().foot, options.forward);
   const ClearanceOptions search = search_options(options, world.models.front());
   ClearanceReport report{.world = world,
                          .path = path,
                          .options = search,
-                         .answer = move_along(world, path, search, console),
+                         .answer = move_along(world, city, path, search, console),
                          .path_file = options.path,
+                         .ignored = options.ignored,
                          .unit = common_unit(world.city)};
   const bool cut = report.answer.coverage == Coverage::cut;
   report.interrupted = cut && console.interrupted();
@@ -265,9 +291,10 @@ int run_clearance(const ClearanceVerbOptions& options, Console& console) {
   if (options.verify && cut) {
     console.note("not verified, as the path was not finished");
   } else if (options.verify) {
-    wrong = !agrees_with_brute_force(report, console, line);
+    wrong = !agrees_with_brute_force(report, city, console, line);
     report.verified = !wrong;
   }
+  city.rename(report.answer);
   const NearestNames names(world);
   console.print(console.shared().json ? clearance_as_json(report, names)
                                       : clearance_in_text(report, names) + line);

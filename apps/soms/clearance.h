@@ -2,6 +2,7 @@
 /// The verb `clearance`: how near a model comes to others along a path.
 #pragma once
 
+#include "apps/soms/clearance_path.h"
 #include "apps/support/verb.h"
 #include "apps/support/world_options.h"
 
@@ -16,12 +17,14 @@ enum class ClearanceFailure { never, contact, below };
 
 /// Options of the verb `clearance`.
 struct ClearanceVerbOptions {
-  WorldOptions world;              ///< CITY; its mover and route are the profile and the path
-  std::string profile;             ///< file
-  std::string path;                ///< file
-  std::optional<double> every;     ///< unset: by the size of the profile
-  std::optional<double> accuracy;  ///< likewise
-  double clearance = 0;            ///< 0: none
+  WorldOptions world;   ///< CITY; its mover and route are the profile and the path
+  std::string profile;  ///< file
+  std::string path;     ///< file
+  Forward forward = Forward::x;
+  std::vector<std::string> ignored;  ///< patterns of parts of the city
+  std::optional<double> every;       ///< unset: by the size of the profile
+  std::optional<double> accuracy;    ///< likewise
+  double clearance = 0;              ///< 0: none
   ClearanceFailure fail_if = ClearanceFailure::never;
   bool verify = false;
   std::vector<std::string> outputs;  ///< files, .csv or .json

@@ -169,12 +169,12 @@ void write_places(MapPanel& panel, const ClearanceReport& report, const NearestN
     panel.head("Least gap");
     panel.line(fmt::format("{} at {:.2f}", gap_in_text(answer.least.gap, report.unit),
                            answer.least.chainage));
-    panel.line(report::shortened(names.text(answer.least), 42));
+    panel.line(report::shortened(names.text(answer.least), 38));
   }
   if (answer.first_contact) {
     panel.head("First contact");
     panel.line(fmt::format("at {:.2f}", answer.first_contact->station.chainage));
-    panel.line(report::shortened(names.text(answer.first_contact->station), 42));
+    panel.line(report::shortened(names.text(answer.first_contact->station), 38));
   }
 }
 

@@ -89,22 +89,22 @@ std::string table_in_text(const ClearanceReport& report, const NearestNames& nam
   return text;
 }
 
-/// "from 12.5 to 14 and 2 more".
+/// "contact from 12.5 to 14; below from 3 to 5; and 2 more", the worst first.
 std::string runs_in_text(const ClearanceReport& report) {
+  std::vector<VerdictRun> runs = verdict_runs(report);
+  std::erase_if(runs, [](const VerdictRun& run) { return run.verdict == ClearanceVerdict::ok; });
+  std::stable_sort(runs.begin(), runs.end(), [](const VerdictRun& a, const VerdictRun& b) {
+    return a.verdict != b.verdict && worse(a.verdict, b.verdict) == a.verdict;
+  });
   std::string text;
-  std::size_t count = 0;
-  for (const VerdictRun& run : verdict_runs(report)) {
-    if (run.verdict == ClearanceVerdict::ok) {
-      continue;
-    }
-    if (++count <= kRunsInText) {
-      text += fmt::format("{}{} from {} to {}", count == 1 ? "" : "; ", verdict_name(run.verdict),
-                          chainage_text(report.answer.stations[run.first].chainage),
-                          chainage_text(report.answer.stations[run.last + 1].chainage));
-    }
+  for (std::size_t k = 0; k < std::min(runs.size(), kRunsInText); ++k) {
+    text += fmt::format("{}{} from {} to {}", k == 0 ? "" : "; ", verdict_name(runs[k].verdict),
+                        chainage_text(report.answer.stations[runs[k].first].chainage),
+                        chainage_text(report.answer.stations[runs[k].last + 1].chainage));
   }
-  return count > kRunsInText ? text + fmt::format("; and {} more", with_commas(count - kRunsInText))
-                             : text;
+  return runs.size() > kRunsInText
+             ? text + fmt::format("; and {} more", with_commas(runs.size() - kRunsInText))
+             : text;
 }
 
 Json point_as_json(const Vec3& p) {
@@ -175,6 +175,7 @@ Json totals_of_clearance(const ClearanceReport& report, const NearestNames& name
   Json json{{"schema", "soms.clearance/1"},
             {"profile", report.profile().shape.mesh().source},
             {"path", report.path_file},
+            {"ignored", report.ignored},
             {"stations", answer.stations.size()},
             {"length", report.length()},
             {"every", options.every},
@@ -274,8 +275,14 @@ std::string NearestNames::text(const ClearanceStation& station) const {
   }
   const Body& body = world_.city[*station.body];
   const Part* const found = part(station);
-  const std::string label = found == nullptr ? "" : found->name.empty() ? found->id : found->name;
-  return printable(label.empty() ? body.name : label + " of " + body.name);
+  std::string label = found == nullptr ? "" : found->name.empty() ? found->id : found->name;
+  if (label.empty()) {
+    return printable(body.name);
+  }
+  if (!found->type.empty()) {
+    label = found->type + " " + label;
+  }
+  return printable(label + " of " + body.name);
 }
 
 Json NearestNames::json(const ClearanceStation& station) const {
@@ -319,6 +326,9 @@ std::vector<std::pair<std::string, std::string>> clearance_figures(const Clearan
       fmt::format("{} {} long, {}, one every {}; {} places queried", chainage_text(report.length()),
                   unit_name(report.unit), counted(answer.stations.size(), "station"),
                   length_with_unit(options.every, report.unit), with_commas(answer.queries)));
+  if (!report.ignored.empty()) {
+    figures.emplace_back("left out", printable(fmt::format("{}", fmt::join(report.ignored, ", "))));
+  }
   if (answer.stations.empty()) {
     return figures;
   }

@@ -23,7 +23,8 @@ struct ClearanceReport {
   ClearanceOptions options;
   Clearance answer;
   std::string path_file;
-  double unit = 0;  ///< meters a unit, 0: not known
+  std::vector<std::string> ignored = {};  ///< patterns of parts
+  double unit = 0;                        ///< meters a unit, 0: not known
   bool interrupted = false;
   bool timed_out = false;
   bool verified = false;  ///< brute force agreed

@@ -8,12 +8,19 @@ namespace soms::command {
 
 namespace {
 
-/// The model at the start of a line, or at its end, as a route places it.
-Pose pose_on_line(const Vec3& from, const Vec3& to, bool at_end, const Vec3& foot) {
-  MoverRoute line;
-  line.path.points = {from, to};
-  line.path.start = at_end ? line.path.length() : 0;
-  line.foot = foot;
+/// The rotation that makes an axis +x: without rounding.
+Pose rotation_of(Forward forward) {
+  Pose pose;
+  const double c = forward == Forward::x ? 1 : forward == Forward::minus_x ? -1 : 0;
+  const double s = forward == Forward::y ? 1 : forward == Forward::minus_y ? -1 : 0;
+  pose.m = {c, s, 0, 0, -s, c, 0, 0, 0, 0, 1, 0};
+  return pose;
+}
+
+/// Where a route places the origin of a model, at the start of a line or at its end.
+Pose pose_on_line(const Vec3& from, const Vec3& to, bool at_end) {
+  Route line{.points = {from, to}};
+  line.start = at_end ? line.length() : 0;
   return line.at(0);
 }
 
@@ -36,7 +43,8 @@ bool is_half_turn(const Vec3& from, const Vec3& to) {
 /// The lines of a route of points, with the poses between which it turns on the spot.
 class PointPath {
  public:
-  explicit PointPath(const MoverRoute& route) : points_(route.path.points), foot_(route.foot) {}
+  PointPath(const MoverRoute& route, const Vec3& foot, Forward forward)
+      : points_(route.path.points), foot_(foot), rotation_(rotation_of(forward)) {}
 
   ProfilePath path() {
     for (std::size_t k = 1; k < points_.size(); ++k) {
@@ -45,7 +53,7 @@ class PointPath {
       }
     }
     if (poses_.empty()) {
-      add(pose_on_line(points_.front(), points_.front(), false, foot_), 0);
+      add(pose_on_line(points_.front(), points_.front(), false), 0);
     }
     return {motion_path(std::move(poses_), foot_), std::move(rows_)};
   }
@@ -57,23 +65,30 @@ class PointPath {
     const Vec3 direction = points_[k] - from;
     if (!poses_.empty() && is_half_turn(last_direction_, direction)) {
       const Vec3 left{-last_direction_.y, last_direction_.x, 0};
-      add(pose_on_line(from, from + left, false, foot_), k - 1);
+      add(pose_on_line(from, from + left, false), k - 1);
     }
-    const Pose start = pose_on_line(from, points_[k], false, foot_);
-    if (poses_.empty() || !turns_alike(poses_.back(), start)) {
+    const Pose start = pose_on_line(from, points_[k], false);
+    if (poses_.empty() || !turns_alike(poses_.back(), start * rotation_)) {
       add(start, k - 1);
     }
-    add(pose_on_line(from, points_[k], true, foot_), k);
+    add(pose_on_line(from, points_[k], true), k);
     last_direction_ = direction;
   }
 
-  void add(const Pose& pose, std::size_t row) {
+  /// Puts the foot of the model where its origin would be.
+  void add(const Pose& origin, std::size_t row) {
+    Pose pose = origin * rotation_;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double* const r = &pose.m[4 * k];
+      pose.m[4 * k + 3] -= (r[0] * foot_.x + r[1] * foot_.y) + r[2] * foot_.z;
+    }
     poses_.push_back(pose);
     rows_.push_back(row);
   }
 
   const std::vector<Vec3>& points_;
   Vec3 foot_;
+  Pose rotation_;
   Vec3 last_direction_;
   std::vector<Pose> poses_;
   std::vector<std::size_t> rows_;
@@ -81,11 +96,15 @@ class PointPath {
 
 }  // namespace
 
-ProfilePath profile_path(const MoverRoute& route) {
+ProfilePath profile_path(const MoverRoute& route, const Vec3& foot, Forward forward) {
   if (route.recorded == nullptr) {
-    return PointPath(route).path();
+    return PointPath(route, foot, forward).path();
   }
-  ProfilePath path{.motion = motion_path(*route.recorded)};
+  std::vector<Pose> poses = *route.recorded;
+  for (Pose& pose : poses) {
+    pose = forward == Forward::x ? pose : pose * rotation_of(forward);
+  }
+  ProfilePath path{.motion = motion_path(std::move(poses))};
   for (std::size_t k = 0; k < path.motion.poses.size(); ++k) {
     path.rows.push_back(k);
   }

@@ -37,6 +37,8 @@ set(SOMS_COMMAND_FILES
   clash_sight.h
   clearance.cpp
   clearance.h
+  clearance_city.cpp
+  clearance_city.h
   clearance_map.cpp
   clearance_map.h
   clearance_output.cpp
