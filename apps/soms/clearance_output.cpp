@@ -367,7 +367,7 @@ std::vector<std::pair<std::string, std::string>> clearance_figures(const Clearan
 std::string clearance_in_text(const ClearanceReport& report, const NearestNames& names) {
   std::string text = report.answer.stretches.empty() ? "" : table_in_text(report, names) + "\n";
   for (const auto& [name, value] : clearance_figures(report, names)) {
-    text += fmt::format("{:<14} {}\n", name, value);
+    text += fmt::format("{:<16} {}\n", name, value);
   }
   return text;
 }

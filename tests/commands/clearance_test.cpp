@@ -128,8 +128,8 @@ TEST(ClearanceVerb, TextSaysWhereAndWhat) {
   const RunResult result = street.run({"--ignore", "road", "--clearance", "1.5"});
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_NE(result.out.find("house 7 of street"), std::string::npos) << result.out;
-  EXPECT_NE(result.out.find("first contact  at chainage 8."), std::string::npos) << result.out;
-  EXPECT_NE(result.out.find("verdict        contact: contact from"), std::string::npos)
+  EXPECT_NE(result.out.find("first contact    at chainage 8."), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("verdict          contact: contact from"), std::string::npos)
       << result.out;
   EXPECT_NE(result.err.find("--ignore leaves 24 of 36 triangles"), std::string::npos) << result.err;
 }
