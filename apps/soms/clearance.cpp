@@ -254,8 +254,8 @@ Action add_clearance(CLI::App& app, Shared&) {
       "Example:\n"
       "  soms generate city --triangles 20000 -o town.ply\n"
       "  soms generate car -o car.ply\n"
-      "  printf 'x,y,z\\n-60,-2,0.5\\n60,-2,0.5\\n' > path.csv\n"
-      "  soms clearance town.ply --profile car.ply --path path.csv --clearance 0.5 --map path.svg");
+      "  printf 'x,y,z\\n-60,-2,0.5\\n60,-2,0.5\\n' |\n"
+      "    soms clearance town.ply --profile car.ply --path - --clearance 0.5 --map path.svg");
   return [options](Console& console) { return run_clearance(*options, console); };
 }
 
