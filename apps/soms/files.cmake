@@ -36,6 +36,18 @@ set(SOMS_COMMAND_FILES
   clash_sets.h
   clash_sight.cpp
   clash_sight.h
+  clearance.cpp
+  clearance.h
+  clearance_city.cpp
+  clearance_city.h
+  clearance_map.cpp
+  clearance_map.h
+  clearance_output.cpp
+  clearance_output.h
+  clearance_page.cpp
+  clearance_page.h
+  clearance_path.cpp
+  clearance_path.h
   closed_body.cpp
   closed_body.h
   closest.cpp

@@ -2,6 +2,7 @@
 
 #include "apps/soms/bench.h"
 #include "apps/soms/clash.h"
+#include "apps/soms/clearance.h"
 #include "apps/soms/closest.h"
 #include "apps/soms/completion.h"
 #include "apps/soms/contains.h"
@@ -29,6 +30,8 @@ constexpr std::array kVerbs{
     Verb{"bench", "compare soms with the installed peers on your own two models", add_bench},
     Verb{"clash", "list the parts of models that cross, contain, touch or come near each other",
          add_clash},
+    Verb{"clearance", "find how near a model comes to others along a path, between stations, too",
+         add_clearance},
     Verb{"closest",
          "find the points of a model nearest to given points, and the triangles near them",
          add_closest},

@@ -1,12 +1,15 @@
 set(SOMS_HEADERS
   body_index.h
   broad_phase.h
+  clearance_along.h
   contact_spans.h
   contact_tracker.h
+  motion_path.h
   print.h
   recording.h
   reference/body_queries.h
   reference/broad_phase.h
+  reference/clearance_along.h
   reference/contact_spans.h
   reference/gaps.h
   replay.h
@@ -17,16 +20,19 @@ set(SOMS_HEADERS
 set(SOMS_SOURCES
   body_index.cpp
   broad_phase.cpp
+  clearance_along.cpp
   contact_spans.cpp
   contact_tracker.cpp
   detail/all_hits_search.cpp
   detail/body_search.cpp
+  detail/clearance_search.cpp
   detail/box_bounds.cpp
   detail/box_index.cpp
   detail/column_sweep.cpp
   detail/contact_place.cpp
   detail/first_contacts.cpp
   detail/float_box.cpp
+  detail/motion_segment.cpp
   detail/moved_bounds.cpp
   detail/narrow_phase.cpp
   detail/near_phase.cpp
@@ -38,10 +44,12 @@ set(SOMS_SOURCES
   detail/recording_reader.cpp
   detail/residents.cpp
   detail/widened.cpp
+  motion_path.cpp
   print.cpp
   recording.cpp
   reference/body_queries.cpp
   reference/broad_phase.cpp
+  reference/clearance_along.cpp
   reference/contact_spans.cpp
   reference/gaps.cpp
   replay.cpp

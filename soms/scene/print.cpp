@@ -5,6 +5,7 @@
 #include "soms/geometry/print.h"
 #include "soms/query/print.h"
 #include "soms/scene/body_index.h"
+#include "soms/scene/clearance_along.h"
 #include "soms/scene/contact_spans.h"
 #include "soms/scene/contact_tracker.h"
 #include "soms/scene/recording.h"
@@ -137,6 +138,70 @@ std::ostream& operator<<(std::ostream& out, const MoverGap& value) {
                     .add("upper", value.distance.upper)
                     .add("point_a", value.point_a)
                     .add("point_b", value.point_b);
+}
+
+std::ostream& operator<<(std::ostream& out, const Clearance& value) {
+  PrintedFields fields("Clearance");
+  fields.item(printed_count(value.stations.size(), "station", "stations"))
+      .add("at_least", value.at_least)
+      .add("least", value.least);
+  if (value.first_contact) {
+    fields.add("first_contact", *value.first_contact);
+  }
+  return out << fields.add("below", value.below)
+                    .add("queries", value.queries)
+                    .add("coverage", value.coverage)
+                    .add("cost", value.cost);
+}
+
+std::ostream& operator<<(std::ostream& out, const ClearanceOptions& value) {
+  return out << PrintedFields("ClearanceOptions")
+                    .add("every", value.every)
+                    .add("accuracy", value.accuracy)
+                    .add("clearance", value.clearance)
+                    .add("keep_on_stop", value.keep_on_stop);
+}
+
+std::ostream& operator<<(std::ostream& out, const ClearanceStation& value) {
+  PrintedFields fields("ClearanceStation");
+  fields.add("segment", value.segment)
+      .add("t", value.t)
+      .add("chainage", value.chainage)
+      .add("gap", value.gap);
+  if (value.body && value.triangles) {
+    fields.add("body", *value.body)
+        .add("i", value.triangles->first)
+        .add("j", value.triangles->second);
+  }
+  return out << fields;
+}
+
+std::ostream& operator<<(std::ostream& out, const ClearanceStretch& value) {
+  return out << PrintedFields("ClearanceStretch")
+                    .add("at_least", value.at_least)
+                    .add("least", value.least)
+                    .add("below", value.below)
+                    .add("queries", value.queries);
+}
+
+std::ostream& operator<<(std::ostream& out, ClearanceVerdict value) {
+  return out << printed_name("ClearanceVerdict", static_cast<int>(value),
+                             {"ok", "below", "contact", "undecided"});
+}
+
+std::ostream& operator<<(std::ostream& out, const FirstContact& value) {
+  return out << PrintedFields("FirstContact")
+                    .add("free_until", value.free_until)
+                    .add("station", value.station);
+}
+
+std::ostream& operator<<(std::ostream& out, const MotionPath& value) {
+  return out << PrintedFields("MotionPath")
+                    .item(printed_count(value.poses.size(), "pose", "poses"))
+                    .add("length", value.chainage.empty()
+                                       ? 0.0
+                                       : value.chainage.back() - value.chainage.front())
+                    .add("pivot", value.pivot);
 }
 
 std::ostream& operator<<(std::ostream& out, ContactChange value) {

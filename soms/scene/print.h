@@ -8,6 +8,7 @@
 
 namespace soms {
 
+enum class ClearanceVerdict : std::uint8_t;
 enum class ContactChange : std::uint8_t;
 enum class RecordingEnding : std::uint8_t;
 enum class SceneBodyKind : std::uint8_t;
@@ -18,12 +19,18 @@ struct BodyFilter;
 struct BodyAllHits;
 struct BodyHit;
 struct BodyHitBatch;
+struct Clearance;
+struct ClearanceOptions;
+struct ClearanceStation;
+struct ClearanceStretch;
 struct ContactEvents;
 struct ContactSide;
 struct ContactSpan;
 struct EnvironmentContact;
 struct EnvironmentEvent;
 struct EnvironmentGap;
+struct FirstContact;
+struct MotionPath;
 struct MoverContact;
 struct MoverEvent;
 struct MoverGap;
@@ -61,6 +68,13 @@ std::ostream& operator<<(std::ostream& out, const EnvironmentContact& value);
 std::ostream& operator<<(std::ostream& out, const MoverContact& value);
 std::ostream& operator<<(std::ostream& out, const EnvironmentGap& value);
 std::ostream& operator<<(std::ostream& out, const MoverGap& value);
+std::ostream& operator<<(std::ostream& out, const Clearance& value);
+std::ostream& operator<<(std::ostream& out, const ClearanceOptions& value);
+std::ostream& operator<<(std::ostream& out, const ClearanceStation& value);
+std::ostream& operator<<(std::ostream& out, const ClearanceStretch& value);
+std::ostream& operator<<(std::ostream& out, ClearanceVerdict value);
+std::ostream& operator<<(std::ostream& out, const FirstContact& value);
+std::ostream& operator<<(std::ostream& out, const MotionPath& value);
 std::ostream& operator<<(std::ostream& out, ContactChange value);
 std::ostream& operator<<(std::ostream& out, const EnvironmentEvent& value);
 std::ostream& operator<<(std::ostream& out, const MoverEvent& value);

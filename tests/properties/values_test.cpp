@@ -52,6 +52,8 @@ static_assert(kValues<ContactChange, ContactEvents, EnvironmentEvent, MoverEvent
 static_assert(kValues<BodyClosest, BodyClosestBatch, BodyHit, BodyHitBatch, BodyAllHits,
                       SceneAllHits, BodyFilter, SceneBody, SceneBodyKind, SceneClosest,
                       SceneClosestBatch, SceneHit, SceneHitBatch, SceneFilter>);
+static_assert(kValues<Clearance, ClearanceOptions, ClearanceStation, ClearanceStretch,
+                      ClearanceVerdict, FirstContact, MotionPath>);
 static_assert(kValues<EnvironmentContact, MoverContact, EnvironmentGap, MoverGap, StepReport,
                       StepOptions, RecordedMesh, RecordedBody, RecordingHead, RecordedFrame,
                       RecordingEnding, RecordingEnd>);
