@@ -277,6 +277,12 @@ void bind_clash_list(py::module_& module) {
   list.def("__len__", [](const HeldClashes& h) { return h.list.clashes.size(); });
   list.def("__getitem__", &clash_at, py::arg("row"), "The Clash of a row.");
   list.def(
+      "__iter__",
+      [](const py::object& self) {
+        return py::reinterpret_steal<py::object>(PySeqIter_New(self.ptr()));
+      },
+      "Each row as a Clash.");
+  list.def(
       "columns",
       [](const py::object& self) {
         return py::module_::import("soms._table").attr("clash_columns")(self);
