@@ -167,8 +167,8 @@ py::object query_penetration(const py::object& a, const py::object& b, int threa
   }
   std::optional<Penetration> found =
       run(Work::many, threads, py::none(), [&](const Parallel& parallel) {
-        return penetration(convex_of(first.front(), "a", parallel),
-                           convex_of(second.front(), "b", parallel));
+        const ConvexPart fixed = convex_of(first.front(), "a", parallel);
+        return penetration(fixed, convex_of(second.front(), "b", parallel));
       });
   return found ? made(*std::move(found)) : py::none();
 }

@@ -345,8 +345,13 @@ py::object query_robot(const SharedModel& held, const py::object& given, bool fi
     return made(run(Work::one, threads, progress,
                     [&](const Parallel& parallel) { return std::move(answers(parallel).at(0)); }));
   }
-  return made(run(Work::many, threads, progress,
-                  [&](const Parallel& parallel) { return RobotAnswerBatch(answers(parallel)); }));
+  return made(run(Work::many, threads, progress, [&](const Parallel& parallel) {
+    std::vector<RobotAnswer> all = answers(parallel);
+    if (all.size() != states.rows) {  // no joint moves: the library has one state then
+      all = std::vector<RobotAnswer>(states.rows, all.front());
+    }
+    return RobotAnswerBatch(std::move(all));
+  }));
 }
 
 }  // namespace

@@ -245,6 +245,11 @@ class Penetrations(unittest.TestCase):
         self.assertEqual(found.direction.tolist(), [1, 0, 0])
         self.assertEqual(soms.penetration(box([0, 0, 0], 1), box([3, 0, 0], 1)).depth, 0)
 
+    def test_both_are_checked(self):
+        bowl = soms.Mesh(TETRAHEDRON, FACES[:3])
+        with self.assertRaisesRegex(soms.Error, "a: is not closed"):
+            soms.penetration(bowl, bowl)
+
     def test_errors(self):
         bowl = soms.Mesh(TETRAHEDRON, FACES[:3])
         for kind, wrong in (("not_closed", bowl), ("usage", soms.generate("drone"))):

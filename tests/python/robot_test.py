@@ -236,6 +236,15 @@ class Contacts(unittest.TestCase):
         self.assertTrue((answers[0].free == answers[2].free).all())
         self.assertFalse(answers[0].free.all())
 
+    def test_a_robot_that_does_not_move(self):
+        robot = soms.read_robot(b"<robot name='r'><link name='a'/></robot>", name="r.urdf")
+        model = soms.RobotModel(robot)
+        for rows in (0, 1, 3):
+            answer = soms.robot_contacts(model, np.zeros((rows, 0)))
+            self.assertEqual((len(answer), answer.free.all()), (rows, True))
+        self.assertEqual(soms.robot_contacts(model, []).verdict, soms.RobotVerdict.free)
+        self.assertEqual(robot.link_poses(np.zeros((3, 0))).shape, (3, 1, 3, 4))
+
     def test_at_most(self):
         model = soms.RobotModel(arm())
         gap = soms.robot_contacts(model, [0.0, 0.5, 0.0, 0.02], distance=True, at_most=1e-6).gap
