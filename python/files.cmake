@@ -9,6 +9,7 @@ set(SOMS_PYTHON_FILES
   src/body_index.cpp
   src/call.cpp
   src/call.h
+  src/clash.cpp
   src/closest.cpp
   src/closest_fields.h
   src/contacts.cpp
@@ -32,6 +33,8 @@ set(SOMS_PYTHON_FILES
   src/page_scene.cpp
   src/page_scene.h
   src/pages.cpp
+  src/part_set.cpp
+  src/part_set.h
   src/paths.cpp
   src/paths.h
   src/point_query.h
@@ -42,10 +45,14 @@ set(SOMS_PYTHON_FILES
   src/ray_arguments.cpp
   src/ray_arguments.h
   src/rays.cpp
+  src/record_columns.h
   src/recorded.cpp
   src/recording_writer.cpp
   src/recordings.h
   src/replay.cpp
+  src/robot_model.cpp
+  src/robots.cpp
+  src/robots.h
   src/scene.cpp
   src/scene.h
   src/scene_columns.h

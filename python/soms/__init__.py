@@ -8,16 +8,19 @@
     print(answer.any, answer.of(0))                  # who touches, and with which triangles
 
 Queries: overlap, distance, within, solid of two bodies; contains, closest, nearest_triangles,
-near_triangles, winding of points; closest_hit, any_hit, all_hits, sees of rays. Bodies are Body,
-Shape, Mesh, or any object with vertices and faces. Scene is for many movers. One pose, point or ray
+near_triangles, winding of points; closest_hit, any_hit, all_hits, sees of rays; clash of the parts of
+models; robot_contacts of states of a robot. Bodies are Body, Shape, Mesh, or any object with vertices
+and faces. Scene is for many movers. One pose, point or ray
 gives a single answer, rows of them a batch; both carry coverage and cost. All take threads, seconds
 and progress, and end by Ctrl-C; the interpreter's lock is free meanwhile. Errors are soms.Error.
 """
 
 from soms._enums import (
+    ClashKind as ClashKind,
     ContactChange as ContactChange,
     Coverage as Coverage,
     CrossingKind as CrossingKind,
+    JointType as JointType,
     Layout as Layout,
     MeshFormat as MeshFormat,
     OverlapMode as OverlapMode,
@@ -25,6 +28,7 @@ from soms._enums import (
     RecordedOrigin as RecordedOrigin,
     RecordingEnding as RecordingEnding,
     Relation as Relation,
+    RobotVerdict as RobotVerdict,
     Rotation as Rotation,
     Rule as Rule,
     SceneBodyKind as SceneBodyKind,
@@ -48,6 +52,8 @@ from soms._soms import (
     BodyHitBatch as BodyHitBatch,
     BodyIndex as BodyIndex,
     BodyPart as BodyPart,
+    Clash as Clash,
+    ClashList as ClashList,
     ClosedBody as ClosedBody,
     Closedness as Closedness,
     Closest as Closest,
@@ -66,13 +72,18 @@ from soms._soms import (
     Defects as Defects,
     Distance as Distance,
     DistanceBatch as DistanceBatch,
+    Joint as Joint,
+    Link as Link,
     Mesh as Mesh,
+    NamedState as NamedState,
     NearTriangles as NearTriangles,
     Overlap as Overlap,
     OverlapBatch as OverlapBatch,
     Part as Part,
+    PartBodies as PartBodies,
     PartClosedness as PartClosedness,
     PartedBody as PartedBody,
+    Penetration as Penetration,
     Pose as Pose,
     RecordedBody as RecordedBody,
     RecordedFrame as RecordedFrame,
@@ -80,6 +91,11 @@ from soms._soms import (
     RecordingEnd as RecordingEnd,
     RecordingWriter as RecordingWriter,
     Replay as Replay,
+    Robot as Robot,
+    RobotAnswer as RobotAnswer,
+    RobotAnswerBatch as RobotAnswerBatch,
+    RobotGap as RobotGap,
+    RobotModel as RobotModel,
     Scene as Scene,
     SceneAllHits as SceneAllHits,
     SceneClosest as SceneClosest,
@@ -100,6 +116,7 @@ from soms._soms import (
     __version__ as __version__,
     all_hits as all_hits,
     any_hit as any_hit,
+    clash as clash,
     closest as closest,
     closest_hit as closest_hit,
     contains as contains,
@@ -108,8 +125,11 @@ from soms._soms import (
     near_triangles as near_triangles,
     nearest_triangles as nearest_triangles,
     overlap as overlap,
+    penetration as penetration,
     read_mesh as read_mesh,
     read_poses as read_poses,
+    read_robot as read_robot,
+    robot_contacts as robot_contacts,
     sees as sees,
     solid as solid,
     winding as winding,

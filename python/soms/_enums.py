@@ -4,6 +4,17 @@ a member or its name."""
 import enum
 
 
+class ClashKind(enum.IntEnum):
+    """What kind of clash a pair of parts is; undecided where a part is open."""
+
+    crossing = 0
+    inside = 1
+    same = 2
+    touching = 3
+    near = 4
+    undecided = 5
+
+
 class ContactChange(enum.IntEnum):
     """What became of a contact of two bodies since the step before."""
 
@@ -27,6 +38,15 @@ class CrossingKind(enum.IntEnum):
     enter = 0
     leave = 1
     graze = 2
+
+
+class JointType(enum.IntEnum):
+    """How a joint moves its link: not at all, by an angle within limits or without, by a length."""
+
+    fixed = 0
+    revolute = 1
+    continuous = 2
+    prismatic = 3
 
 
 class Layout(enum.IntEnum):
@@ -90,6 +110,14 @@ class Relation(enum.IntEnum):
     b_in_a = 4
     same = 5
     undecided = 6
+
+
+class RobotVerdict(enum.IntEnum):
+    """What a state of a robot is: free, with contact, or not decided."""
+
+    free = 0
+    contact = 1
+    undecided = 2
 
 
 class Rotation(enum.IntEnum):

@@ -25,6 +25,10 @@ void bind_contacts(pybind11::module_& module);
 void bind_body_index(pybind11::module_& module);
 void bind_recordings(pybind11::module_& module);
 void bind_pages(pybind11::module_& module);
+void bind_part_bodies(pybind11::module_& module);
+void bind_clash(pybind11::module_& module);
+void bind_robots(pybind11::module_& module);
+void bind_robot_model(pybind11::module_& module);
 void bind_enum_words(pybind11::module_& module);
 
 }  // namespace soms::python

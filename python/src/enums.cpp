@@ -2,16 +2,22 @@
 
 #include "soms/base/pose.h"
 #include "soms/base/print.h"
+#include "soms/clash/clash.h"
+#include "soms/clash/print.h"
 #include "soms/geometry/mesh.h"
 #include "soms/geometry/point_distance.h"
 #include "soms/geometry/print.h"
 #include "soms/io/print.h"
 #include "soms/io/write_mesh.h"
+#include "soms/kinematics/print.h"
+#include "soms/kinematics/robot.h"
 #include "soms/query/contains_parts.h"
 #include "soms/query/overlap.h"
 #include "soms/query/print.h"
 #include "soms/query/ray.h"
 #include "soms/query/solid.h"
+#include "soms/robot/print.h"
+#include "soms/robot/robot_query.h"
 #include "soms/scene/contact_tracker.h"
 #include "soms/scene/print.h"
 #include "soms/scene/recording.h"
@@ -70,9 +76,11 @@ void load(const py::module_& enums, const char* name) {
 
 void load_enums() {
   const py::module_ enums = py::module_::import("soms._enums");
+  load<ClashKind>(enums, "ClashKind");
   load<ContactChange>(enums, "ContactChange");
   load<Coverage>(enums, "Coverage");
   load<CrossingKind>(enums, "CrossingKind");
+  load<JointType>(enums, "JointType");
   load<Layout>(enums, "Layout");
   load<MeshFormat>(enums, "MeshFormat");
   load<OverlapMode>(enums, "OverlapMode");
@@ -80,6 +88,7 @@ void load_enums() {
   load<RecordedMesh::Origin>(enums, "RecordedOrigin");
   load<RecordingEnding>(enums, "RecordingEnding");
   load<Relation>(enums, "Relation");
+  load<RobotVerdict>(enums, "RobotVerdict");
   load<Rotation>(enums, "Rotation");
   load<Rule>(enums, "Rule");
   load<SceneBodyKind>(enums, "SceneBodyKind");

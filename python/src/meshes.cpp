@@ -15,6 +15,7 @@
 
 #include <cmath>
 #include <memory>
+#include <numeric>
 
 namespace soms::python {
 
@@ -52,8 +53,13 @@ std::shared_ptr<Mesh> make_mesh(const py::object& vertices, const py::object& tr
 }
 
 py::array part_of_each(const Mesh& mesh, const py::object& given) {
-  Extents shape;
-  const std::vector<TriangleId> ids = ids_of(given, "triangles", shape);
+  Extents shape{static_cast<py::ssize_t>(mesh.triangles.size())};
+  std::vector<TriangleId> ids(mesh.triangles.size());
+  if (given.is_none()) {
+    std::iota(ids.begin(), ids.end(), 0U);
+  } else {
+    ids = ids_of(given, "triangles", shape);
+  }
   const PartsOf parts(mesh);
   py::array_t<std::int64_t> found(shape);
   for (std::size_t i = 0; i < ids.size(); ++i) {
@@ -66,6 +72,14 @@ py::array part_of_each(const Mesh& mesh, const py::object& given) {
     found.mutable_data()[i] = part == Part::kNoParent ? -1 : std::int64_t{part};
   }
   return found;
+}
+
+std::vector<Text> path_of_part(const Mesh& mesh, std::size_t part) {
+  if (part >= mesh.parts.size()) {
+    throw py::index_error("part " + std::to_string(part) + " of " +
+                          std::to_string(mesh.parts.size()));
+  }
+  return texts_of(part_path(mesh, static_cast<std::uint32_t>(part)));
 }
 
 using AttributeList = std::vector<std::pair<Text, Text>>;
@@ -191,9 +205,12 @@ void bind_facts(MeshClass& mesh) {
       "__eq__", [](const Mesh& a, const Mesh& b) { return a == b; }, py::is_operator());
   mesh.attr("__hash__") = py::none();
   mesh.def("__repr__", &printed<Mesh>);
-  mesh.def("part_of", &part_of_each, py::arg("triangles"),
-           "part_of(triangles) -> numpy.ndarray\n\nThe innermost part of each triangle, -1 for "
-           "none, int64 in the shape of triangles.");
+  mesh.def("part_of", &part_of_each, py::arg("triangles") = py::none(),
+           "part_of(triangles=None) -> numpy.ndarray\n\nThe innermost part of each triangle, -1 "
+           "for none, int64 in the shape of triangles; (m,) of all\nwithout them.");
+  mesh.def("part_path", &path_of_part, py::arg("part"),
+           "part_path(part) -> list[str]\n\nThe names of the parts around a part, the outermost "
+           "first, and its own; unnamed ones are empty.");
   def_notebook_page(mesh);
   mesh.def("hash", &corner_hash,
            "hash() -> int\n\nFNV-1a 64 over all corners: equal for equal triangles on every "

@@ -32,5 +32,9 @@ PYBIND11_MODULE(_soms, module) {
   bind_body_index(module);
   bind_recordings(module);
   bind_pages(module);
+  bind_part_bodies(module);
+  bind_clash(module);
+  bind_robots(module);
+  bind_robot_model(module);
   bind_enum_words(module);
 }

@@ -3,24 +3,35 @@ import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 import unittest
 
 EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "python/examples"
-SIZES = {"robot_cell": "300", "inside_or_not": "2000", "city_clashes": "20000"}
+CLASH = pathlib.Path(__file__).resolve().parents[1] / "data/clash"
+ARGUMENTS = {
+    "robot_cell": ["300"],
+    "robot_states": ["300"],
+    "inside_or_not": ["2000"],
+    "city_clashes": ["20000"],
+    "building_clashes": [CLASH / "structure.obj", CLASH / "services.gltf", "{folder}/clashes.csv"],
+}
 PRINTS = {
     "robot_cell": r"(\d+) of 300 positions are free",
     "inside_or_not": r"(\d+) of 2000 points are inside",
+    "robot_states": r"(\d+) of 300 states are free",
     "city_clashes": r"(\d+) pairs of triangles",
+    "building_clashes": r"(\d+) pairs of parts clash",
 }
 
 
 class Examples(unittest.TestCase):
     def test_each_runs(self):
         names = sorted(path.stem for path in EXAMPLES.glob("*.py"))
-        self.assertEqual(names, sorted(SIZES))
+        self.assertEqual(names, sorted(ARGUMENTS))
         for name in names:
-            with self.subTest(name):
-                said = subprocess.run([sys.executable, EXAMPLES / f"{name}.py", SIZES[name]],
+            with self.subTest(name), tempfile.TemporaryDirectory() as folder:
+                arguments = [str(each).format(folder=folder) for each in ARGUMENTS[name]]
+                said = subprocess.run([sys.executable, EXAMPLES / f"{name}.py", *arguments],
                                       check=True, capture_output=True, text=True).stdout
                 found = re.search(PRINTS[name], said)
                 self.assertTrue(found and int(found[1]) > 0, said)

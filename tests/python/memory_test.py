@@ -92,6 +92,37 @@ class Memory(unittest.TestCase):
 
         self.check_flat(call, CALLS // 20)
 
+    def test_clashes(self):
+        body = soms.Body(soms.Mesh(self.mesh.vertices, self.mesh.triangles))
+        parts = soms.PartBodies([body, body.at([0.1, 0, 0])])
+
+        def call():
+            clashes = soms.clash(parts, within=1)
+            place, table = clashes.place, clashes.columns()
+            del clashes
+            self.assertEqual((len(place), len(table["class"])), (1, 1))
+            soms.PartBodies(self.mesh).names
+
+        self.check_flat(call, CALLS // 200)
+
+    def test_robots(self):
+        urdf = b"""<robot name="r"><link name="a"/><link name="b"><collision><geometry>
+            <box size="1 1 1"/></geometry></collision></link>
+            <joint name="j" type="continuous"><parent link="a"/><child link="b"/></joint></robot>"""
+        robot = soms.read_robot(urdf, name="r.urdf")
+        cell = soms.Mesh(self.mesh.vertices, self.mesh.triangles)
+        model = soms.RobotModel(robot, cell)
+
+        def call():
+            answer = soms.robot_contacts(model, [[0.0], [1.0]], distance=True)
+            contacts, gap = answer.of(0), answer.at(0).gap
+            del answer
+            self.assertEqual((len(contacts), gap.upper), (1, 0))
+            robot.link_poses([[0.0], [1.0]])
+            soms.RobotModel(soms.read_robot(urdf, name="r.urdf"), cell).compared
+
+        self.check_flat(call, CALLS // 200)
+
     def test_pages(self):
         self.check_flat(lambda: soms.Page(self.body).html, CALLS // 200)
 

@@ -24,6 +24,11 @@ def main() -> None:
     scene = soms.Scene()
     number: int = scene.add_mover(car)
     scene.set_pose(number, [1.0, 2.0, 3.0])
+    clashes: soms.ClashList = soms.clash([city, soms.Body(car)], within=0.5)
+    depths: NDArray[np.float64] = clashes.depth[clashes.kind == soms.ClashKind.crossing]
+    robot = soms.read_robot(b"<robot name='r'><link name='a'/></robot>", name="r.urdf")
+    names: list[str] = soms.RobotModel(robot, city).link_names
+    print(len(depths), [clash.gap for clash in clashes], names)
     print(single.any, gap, side, sides, hit, scene.step(clearance=1.0).queries)
     try:
         soms.read_mesh("nowhere.ply")
