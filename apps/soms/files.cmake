@@ -20,6 +20,7 @@ set(SOMS_COMMAND_FILES
   clash_listed.cpp
   clash_looked_at.cpp
   clash_listed.h
+  clash_looked_at.h
   clash_models.cpp
   clash_models.h
   clash_output.cpp

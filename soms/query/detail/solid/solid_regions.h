@@ -56,7 +56,7 @@ struct SolidRegions {
 /// Looks at triangles of two bodies. Refers to the bodies.
 class RegionSearch {
  public:
-  /// `stop`, if any, is asked at each cell; once it is true, nothing that was looked at counts.
+  /// `stop`, if any, is called at each cell; once it is true, nothing that was looked at counts.
   RegionSearch(const Body& a, const Body& b, std::function<bool()> stop = {});
 
   [[nodiscard]] Triangle moved(std::size_t body, TriangleId id) const {
