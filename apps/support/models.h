@@ -28,8 +28,8 @@ struct ModelOptions {
   bool allow_empty = false;
   bool offers_empty = false;  ///< the verb has --allow-empty, which a message may name
   bool lists_notes = false;   ///< the verb prints the notes of the mesh itself
-  std::optional<double> lod;  ///< as ReadOptions
-  bool surfaces = false;      ///< as ReadOptions
+  std::optional<double> lod = std::nullopt;  ///< as ReadOptions
+  bool surfaces = false;                     ///< as ReadOptions
 };
 
 /// Adds options named `scale_name` and `up_name` ("--scale", "--up").
