@@ -1496,7 +1496,8 @@ def robot_contacts(
 ) -> RobotAnswerBatch: ...
 def read_mesh(
     file: str | PathLike[str] | bytes, *, name: str = "", strict: bool = False,
-    allow_empty: bool = False, max_memory: int = 0, progress: Progress = None,
+    allow_empty: bool = False, max_memory: int = 0, lod: float | None = None,
+    surfaces: bool = False, progress: Progress = None,
 ) -> Mesh: ...
 def write_mesh(
     path: str | PathLike[str], mesh: MeshLike, format: MeshFormat | str | None = None,

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,17 +22,19 @@ namespace soms::python {
 namespace {
 
 constexpr const char* kReadDoc =
-    R"(read_mesh(file, *, name='', strict=False, allow_empty=False, max_memory=0, progress=None)
+    R"(read_mesh(file, *, name='', strict=False, allow_empty=False, max_memory=0, lod=None, surfaces=False, progress=None)
 
 Reads a PLY, 3DS, STL, OFF, OBJ, glTF, GLB, CityJSON, 3D Tiles or COLLADA model as stored, in
 double.
 
 file: a path, or bytes; name stands for bytes in messages, and its extension tells the format where
 the content does not. strict: what would be noted in Mesh.notes is an error. allow_empty: accept a
-model without triangles. max_memory: most bytes; 0 for 64 times the file's size and 64 MiB.
+model without triangles. max_memory: most bytes; 0 for 64 times the file's size and 64 MiB. lod: the
+level of detail of a city in CityJSON, 1.2 for example; None: the most detailed of each object.
+surfaces: make each semantic surface of a city in CityJSON a part in the part of its object.
 
 Raises Error of kind cannot_open, bad_file (names line or byte), empty_mesh, not_finite,
-out_of_range, unsupported, out_of_memory.)";
+out_of_range, unsupported, out_of_memory, usage (lod or surfaces for what is no city).)";
 
 constexpr const char* kWriteDoc = R"(write_mesh(path, mesh, format=None)
 
@@ -49,8 +52,13 @@ Poses of a CSV file with a header, or of a NumPy array file: (n, 3, 4) float64.
 Raises Error of kind cannot_open, bad_file, not_finite, not_rigid; names file and line, or row.)";
 
 std::shared_ptr<Mesh> read(const py::object& file, const std::string& name, bool strict,
-                           bool allow_empty, std::uint64_t max_memory, const py::object& progress) {
-  const ReadOptions options{.allow_empty = allow_empty, .max_memory = max_memory, .strict = strict};
+                           bool allow_empty, std::uint64_t max_memory, std::optional<double> lod,
+                           bool surfaces, const py::object& progress) {
+  const ReadOptions options{.allow_empty = allow_empty,
+                            .max_memory = max_memory,
+                            .strict = strict,
+                            .lod = lod,
+                            .surfaces = surfaces};
   if (PyObject_CheckBuffer(file.ptr()) != 0) {
     const std::vector<std::byte> bytes = bytes_of(file);
     return run(Work::many, 1, progress, [&](const Parallel& parallel) {
@@ -95,6 +103,7 @@ py::array read_all_poses(const py::object& file) {
 void bind_files(py::module_& module) {
   module.def("read_mesh", &read, py::arg("file"), py::kw_only(), py::arg("name") = "",
              py::arg("strict") = false, py::arg("allow_empty") = false, py::arg("max_memory") = 0,
+             py::arg("lod") = py::none(), py::arg("surfaces") = false,
              py::arg("progress") = py::none(), kReadDoc);
   module.def("write_mesh", &write, py::arg("path"), py::arg("mesh"), py::arg("format") = py::none(),
              kWriteDoc);

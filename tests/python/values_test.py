@@ -36,6 +36,21 @@ class Meshes(unittest.TestCase):
                           np.asfortranarray(FACES), FACES.tolist()):
                 self.assertEqual(soms.Mesh(vertices, faces), tetrahedron())
 
+    def test_a_city_is_read_by_level_and_surface(self):
+        city = (b'{"type":"CityJSON","version":"2.0","transform":{"scale":[1,1,1],"translate":[0,0,0]},'
+                b'"CityObjects":{"house":{"type":"Building","geometry":['
+                b'{"type":"MultiSurface","lod":"1","boundaries":[[[0,1,2]]]},'
+                b'{"type":"MultiSurface","lod":"2.2","boundaries":[[[0,1,2]],[[0,2,3]]],"semantics":'
+                b'{"surfaces":[{"type":"RoofSurface"}],"values":[0,null]}}]}},'
+                b'"vertices":[[0,0,0],[1,0,0],[1,1,0],[0,1,0]]}')
+        self.assertEqual(len(soms.read_mesh(city, name="a.city.json").triangles), 2)
+        self.assertEqual(len(soms.read_mesh(city, name="a.city.json", lod=1).triangles), 1)
+        parts = soms.read_mesh(city, name="a.city.json", surfaces=True).parts
+        self.assertEqual([(part.name, part.type) for part in parts],
+                         [("house", "Building"), ("RoofSurface 0", "RoofSurface")])
+        with self.assertRaisesRegex(soms.Error, "it has no levels of detail"):
+            soms.read_mesh(b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", name="a.off", lod=1)
+
     def test_an_empty_mesh_touches_nothing(self):
         empty = soms.Mesh(np.zeros((0, 3)), [])
         self.assertEqual(len(empty), 0)
