@@ -45,9 +45,9 @@ Box json_corners(const Json& value) {
 }
 
 const Json& side_of(const Json& row, std::string_view side) {
-  static const Json kNone = Json::object();
+  static const Json kNoSide = Json::object();
   const auto at = row.find(side);
-  return at != row.end() && at->is_object() ? *at : kNone;
+  return at != row.end() && at->is_object() ? *at : kNoSide;
 }
 
 std::string path_text(const Json& side) {
