@@ -117,12 +117,12 @@ using PartNumbers = std::pair<std::uint32_t, std::uint32_t>;
 /// the list, where both are closed and `solid` says so, or where their boxes share no point; those
 /// within ClashOptions::within are near.
 ///
-/// Of an open part nobody knows what is inside; it is taken to be closed by a surface in the boxes
-/// of its openings (PartBody::openings). So much is decided all the same: surfaces that pass
-/// through each other, where both bound something, cross; an open part whose surface lies in a
-/// closed one is inside, unless a component of that fits into its box; and where surfaces do not
-/// meet, and no component of either lies wholly in the box of an open one or reaches into one of
-/// its openings, the two are clear. All else is undecided.
+/// Of an open part nobody knows what is inside; it is taken to be closed by caps (PartBody::caps).
+/// So much is decided all the same: surfaces that pass through each other, where both bound
+/// something, cross; an open part whose surface lies in a closed one is inside, unless a component
+/// of that fits into its box; and where surfaces do not meet, and no component of either lies
+/// wholly in the box of an open one or goes through its caps, the two are clear. All else is
+/// undecided.
 ///
 /// The answer does not depend on threads, trees, layouts or instruction sets, nor on the order of
 /// the parts but for their numbers; with a deadline it may.

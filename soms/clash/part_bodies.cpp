@@ -94,7 +94,7 @@ void give_body(const Mesh& mesh, const Pose& pose, PartBody& part) {
   if (surface->is_closed(own, pose)) {
     part.closed.emplace(detail::closed_body(part.body, surface));
   } else {
-    part.openings = surface->openings(part.body);
+    part.caps = Body(surface->caps(part.body));
     part.places = closedness(own, {.pose = pose, .places = kEdgePlaces}).places;
   }
 }

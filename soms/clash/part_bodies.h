@@ -34,7 +34,9 @@ struct PartBody {
   std::optional<ClosedBody> closed = std::nullopt;  ///< `body`, if it is closed at its pose
   std::uint64_t odd_edges = 0;                      ///< edges of an odd number of triangles
   std::vector<EdgePlace> places = {};  ///< the first few of these; triangles are those of `body`
-  std::vector<Box> openings = {};      ///< around odd edges that hang together; empty if closed
+  /// What an open part is taken to be closed by, where the pose moves it: a triangle from each odd
+  /// edge to the middle of its opening, the box around odd edges that hang together.
+  Body caps = {};
   std::vector<PartComponent> components = {};  ///< by their first triangles
   std::vector<TriangleId> triangles = {};      ///< triangle i of `body` is triangles[i] of the mesh
 

@@ -268,14 +268,15 @@ TEST(OpenParts, MayBeEnteredThroughAnOpening) {
   std::erase_if(tank.triangles, on_lid);
   ASSERT_EQ(tank.triangles.size(), 10U);
   const PartBody open = part_of(tank);
-  EXPECT_EQ(open.openings, (std::vector<Box>{{{0, 0, 4}, {4, 4, 4}}}));
+  EXPECT_EQ(open.caps.shape.mesh().triangles.size(), 4U);
+  EXPECT_EQ(open.caps.shape.bounds(), (Box{{0, 0, 4}, {4, 4, 4}}));
   EXPECT_EQ(kind_of_pair(open, pipe), ClashKind::undecided);
   // Beside the opening a part is clear.
   EXPECT_FALSE(clash_of(open, part_of(box_body({5, 1, 1}, {6, 2, 6}))));
-  EXPECT_TRUE(part_of(box_body({0, 0, 0}, {1, 1, 1})).openings.empty());
+  EXPECT_TRUE(part_of(box_body({0, 0, 0}, {1, 1, 1})).caps.shape.mesh().triangles.empty());
 }
 
-TEST(OpenParts, HaveABoxForEachOpening) {
+TEST(OpenParts, HaveACapForEachOpening) {
   Mesh box = box_body({0, 0, 0}, {4, 4, 4});
   const auto on_side = [&](double x) {
     return [&box, x](const std::array<std::uint32_t, 3>& t) {
@@ -284,10 +285,17 @@ TEST(OpenParts, HaveABoxForEachOpening) {
   };
   std::erase_if(box.triangles, on_side(0));
   std::erase_if(box.triangles, on_side(4));
-  std::vector<Box> openings = part_of(box).openings;
-  std::sort(openings.begin(), openings.end(),
-            [](const Box& a, const Box& b) { return a.lower.x < b.lower.x; });
-  EXPECT_EQ(openings, (std::vector<Box>{{{0, 0, 0}, {0, 4, 4}}, {{4, 0, 0}, {4, 4, 4}}}));
+  const PartBody open = part_of(box);
+  const Mesh& caps = open.caps.shape.mesh();
+  ASSERT_EQ(caps.triangles.size(), 8U);
+  for (TriangleId i = 0; i < 8; ++i) {
+    const Triangle cap = caps.triangle(i);
+    EXPECT_TRUE(cap.c == (Vec3{0, 2, 2}) || cap.c == (Vec3{4, 2, 2})) << i;
+    EXPECT_EQ(cap.a.x, cap.c.x);
+    EXPECT_EQ(cap.b.x, cap.c.x);
+  }
+  // With its caps it is closed.
+  EXPECT_TRUE(joined_part({box, caps}).closed);
 }
 
 // An open shell in the wall of a hollow box, around its cavity: closed, it crosses the wall.

@@ -127,9 +127,12 @@ bool leaves_free(const Edge& edge, const Triangle& t, const Triangle& other) {
   return !touches_edge(other, edge) || (!in_one_plane(t, other) && is_off_plane(edge, t, other));
 }
 
-/// No other triangle may cover the triangle of the edge beside it.
-bool leaves_uncovered(const Edge& edge, const Triangle& s, const Triangle& other) {
-  return !in_one_plane(s, other) || is_beyond(edge, other) || !touches_edge(other, edge);
+/// No other triangle may cover the triangle of the edge beside it, in the point in which it goes
+/// through `t`.
+bool leaves_uncovered(const Edge& edge, const Triangle& s, const Triangle& t,
+                      const Triangle& other) {
+  return !in_one_plane(s, other) || is_beyond(edge, other) || !touches_edge(other, edge) ||
+         !triangles_overlap(other, t);
 }
 
 }  // namespace
@@ -143,7 +146,7 @@ bool edge_crosses(const Triangle& s, const Triangle& t, const TriangleLoop& besi
                   const TriangleLoop& beside_t) {
   return any_edge_through(s, t, [&](const Edge& edge) {
     return beside_t([&](const Triangle& other) { return leaves_free(edge, t, other); }) &&
-           beside_s([&](const Triangle& other) { return leaves_uncovered(edge, s, other); });
+           beside_s([&](const Triangle& other) { return leaves_uncovered(edge, s, t, other); });
   });
 }
 
@@ -178,15 +181,6 @@ bool fits_into(const PartBody& inner, const PartBody& outer) {
   const Box box = outer.box();
   return std::any_of(inner.components.begin(), inner.components.end(),
                      [&](const PartComponent& component) { return box.contains(component.box); });
-}
-
-bool may_be_inside(const PartBody& inner, const PartBody& outer) {
-  return fits_into(inner, outer) ||
-         std::any_of(outer.openings.begin(), outer.openings.end(), [&](const Box& opening) {
-           return std::any_of(
-               inner.components.begin(), inner.components.end(),
-               [&](const PartComponent& component) { return overlaps(component.box, opening); });
-         });
 }
 
 }  // namespace soms::detail

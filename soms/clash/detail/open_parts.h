@@ -38,9 +38,4 @@ using TriangleLoop = std::function<bool(const std::function<bool(const Triangle&
 /// Whether a whole component of `inner` may be inside `outer`: it lies in its box.
 [[nodiscard]] bool fits_into(const PartBody& inner, const PartBody& outer);
 
-/// Whether a component of `inner` may be inside `outer` in part, whose surface is open and does not
-/// meet that of `inner`: it lies in the box of `outer`, or comes into one of its openings. An open
-/// surface is taken to be closed by one inside the boxes of its openings.
-[[nodiscard]] bool may_be_inside(const PartBody& inner, const PartBody& outer);
-
 }  // namespace soms::detail

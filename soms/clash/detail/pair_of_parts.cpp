@@ -131,6 +131,13 @@ Relation PairOfParts::relation_to_closed(const PartBody& part, const ClosedBody&
                                             : Relation::crossing;
 }
 
+bool PairOfParts::may_be_inside(const PartBody& inner, const PartBody& outer) {
+  return fits_into(inner, outer) ||
+         counted(overlap(inner.body, outer.caps,
+                         {.mode = OverlapMode::any, .deadline = options_.deadline}, alone_))
+             .any;
+}
+
 std::optional<Clash> PairOfParts::of_open(const PartBody& a, const PartBody& b) {
   Clash clash;
   const bool through = meet(a.body, b.body, true, clash);

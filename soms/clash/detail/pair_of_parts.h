@@ -51,6 +51,10 @@ class PairOfParts {
   [[nodiscard]] Relation relation_to_closed(const PartBody& part, const ClosedBody& closed,
                                             Relation all_inside);
 
+  /// Whether `inner` may be inside `outer`, at least in part, whose surface is open and does not
+  /// meet that of `inner`: a component lies in its box, or goes through what closes it.
+  [[nodiscard]] bool may_be_inside(const PartBody& inner, const PartBody& outer);
+
   const ClashOptions& options_;
   Parallel alone_;
   bool cut_ = false;

@@ -144,9 +144,10 @@ std::vector<std::pair<Vec3, Vec3>> odd_edges_of(const Body& body) {
   return odd;
 }
 
-/// A piece comes into the box of an opening: of odd edges that share ends.
-bool one_comes_into(const std::vector<Piece>& pieces, const Body& open) {
+/// A triangle from each odd edge to the middle of the box around those that share ends with it.
+Mesh caps_of(const Body& open) {
   std::vector<std::pair<Vec3, Vec3>> left = odd_edges_of(open);
+  Mesh caps;
   while (!left.empty()) {
     std::vector<std::pair<Vec3, Vec3>> group{left.back()};
     left.pop_back();
@@ -155,22 +156,24 @@ bool one_comes_into(const std::vector<Piece>& pieces, const Body& open) {
       const auto [from, to] = group[k];
       box.grow(from);
       box.grow(to);
-      const auto joins = [&, from = from, to = to](const auto& edge) {
+      const auto joins = [from = from, to = to](const auto& edge) {
         return edge.first == from || edge.first == to || edge.second == from || edge.second == to;
       };
       std::copy_if(left.begin(), left.end(), std::back_inserter(group), joins);
       std::erase_if(left, joins);
     }
-    if (std::any_of(pieces.begin(), pieces.end(),
-                    [&](const Piece& piece) { return overlaps(piece.box, box); })) {
-      return true;
+    for (const auto& [from, to] : group) {
+      const auto at = static_cast<std::uint32_t>(caps.vertices.size());
+      caps.vertices.insert(caps.vertices.end(), {from, to, box.center()});
+      caps.triangles.push_back({at, at + 1, at + 2});
     }
   }
-  return false;
+  return caps;
 }
 
-bool may_hold(const std::vector<Piece>& pieces, const Body& open) {
-  return one_fits_into(pieces, box_of(open)) || one_comes_into(pieces, open);
+bool may_hold(const std::vector<Piece>& pieces, const Body& inner, const Body& open) {
+  return one_fits_into(pieces, box_of(open)) ||
+         overlap(inner.shape.mesh(), inner.pose, caps_of(open), {}, {}).any;
 }
 
 /// The relation as far as it is known where one of the parts is open, or both are.
@@ -197,8 +200,8 @@ Relation relation_of_open(const PartBody& a, const PartBody& b,
                  : found;
     }
   }
-  const bool doubtful =
-      (!a.closed && may_hold(pieces_b, a.body)) || (!b.closed && may_hold(pieces_a, b.body));
+  const bool doubtful = (!a.closed && may_hold(pieces_b, b.body, a.body)) ||
+                        (!b.closed && may_hold(pieces_a, a.body, b.body));
   return doubtful ? Relation::undecided : Relation::clear;
 }
 

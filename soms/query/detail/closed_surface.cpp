@@ -16,9 +16,9 @@ std::uint64_t ClosedSurface::odd_count() const {
       std::count_if(odd.begin(), odd.end(), [](const OddEdge& edge) { return edge.among_all; }));
 }
 
-std::vector<Box> ClosedSurface::openings(const Body& body) const {
+Mesh ClosedSurface::caps(const Body& body) const {
   const PlainArithmetic plain;
-  // Each vertex leads to another of its group, the first one to itself.
+  // Each vertex leads to another of its opening, the first one to itself.
   std::unordered_map<std::uint32_t, std::uint32_t> leads;
   const auto first_of = [&](std::uint32_t vertex) {
     std::uint32_t at = leads.try_emplace(vertex, vertex).first->second;
@@ -37,21 +37,27 @@ std::vector<Box> ClosedSurface::openings(const Body& body) const {
       leads[first_of(edge.ends[1])] = from;
     }
   }
+  const auto place = [&](std::uint32_t vertex) {
+    return body.pose.apply(body.shape.mesh().vertices[vertex]);
+  };
   std::map<std::uint32_t, Box> boxes;
   for (const OddEdge& edge : odd) {
-    if (!counts(edge)) {
-      continue;
-    }
-    Box& box = boxes[first_of(edge.ends[0])];
-    for (const std::uint32_t end : edge.ends) {
-      box.grow(body.pose.apply(body.shape.mesh().vertices[end]));
+    if (counts(edge)) {
+      Box& box = boxes[first_of(edge.ends[0])];
+      box.grow(place(edge.ends[0]));
+      box.grow(place(edge.ends[1]));
     }
   }
-  std::vector<Box> all;
-  for (const auto& [vertex, box] : boxes) {
-    all.push_back(box);
+  Mesh mesh;
+  for (const OddEdge& edge : odd) {
+    if (counts(edge)) {
+      const auto at = static_cast<std::uint32_t>(mesh.vertices.size());
+      mesh.vertices.insert(mesh.vertices.end(), {place(edge.ends[0]), place(edge.ends[1]),
+                                                 boxes.at(first_of(edge.ends[0])).center()});
+      mesh.triangles.push_back({at, at + 1, at + 2});
+    }
   }
-  return all;
+  return mesh;
 }
 
 bool ClosedSurface::is_closed(const Mesh& mesh, const Pose& pose) const {

@@ -2,7 +2,6 @@
 /// What is found of a surface while its closedness is checked, and holds at every pose.
 #pragma once
 
-#include "soms/base/box.h"
 #include "soms/base/parallel.h"
 #include "soms/geometry/detail/odd_edges.h"
 #include "soms/geometry/mesh.h"
@@ -32,9 +31,10 @@ struct ClosedSurface {
   /// Edges of an odd number of triangles, those without area among them.
   [[nodiscard]] std::uint64_t odd_count() const;
 
-  /// Boxes around odd edges that hang together by vertices in one place, where the body's pose
-  /// moves them. \pre The surface is that of the body's mesh.
-  [[nodiscard]] std::vector<Box> openings(const Body& body) const;
+  /// What closes the surface: a triangle from each odd edge to the middle of the box around the odd
+  /// edges that hang together with it by vertices in one place, all where the body's pose moves it.
+  /// \pre The surface is that of the body's mesh.
+  [[nodiscard]] Mesh caps(const Body& body) const;
 
   /// True if the surface is closed where a pose moves the mesh that it is of.
   [[nodiscard]] bool is_closed(const Mesh& mesh, const Pose& pose) const;
