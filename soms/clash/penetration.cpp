@@ -177,7 +177,8 @@ class WayOut {
 
  private:
   void take(double overlap, const Vec3& direction) {
-    const double depth = overlap <= 0 ? 0 : overlap + rounding_;
+    // What rounding may have hidden counts, too: parts that cross by less are not 0 deep.
+    const double depth = std::max(0.0, overlap + rounding_);
     if (depth < found_.depth) {
       found_ = {depth, direction};
     }

@@ -45,7 +45,7 @@ class ConvexPart {
 /// can separate convex polyhedra: across each face, and across each pair of an edge of `a` and an
 /// edge of `b`. After it they are separate for certain: rounding makes it longer by a few 1e-15 of
 /// the extents. It may exceed the least one by about a millionth of the extents, where faces or
-/// edges that are so nearly parallel count as one. Parts that are apart have depth 0.
+/// edges that are so nearly parallel count as one. Parts that are surely apart have depth 0.
 ///
 /// Nothing where the axes times the corners are more than `kMostPenetrationWork`: bodies with some
 /// hundred edges each in directions of their own.

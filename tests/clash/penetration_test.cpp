@@ -65,10 +65,26 @@ TEST(Penetration, AcrossTwoEdgesIsFound) {
 }
 
 TEST(Penetration, IsZeroOfPartsThatAreApart) {
-  const std::optional<Penetration> found = between(convex_part(box_body({0, 0, 0}, {1, 1, 1})),
-                                                   convex_part(box_body({1, 0, 0}, {2, 1, 1})));
+  const ConvexPart box = convex_part(box_body({0, 0, 0}, {1, 1, 1}));
+  const std::optional<Penetration> apart =
+      between(box, convex_part(box_body({2, 0, 0}, {3, 1, 1})));
+  ASSERT_TRUE(apart);
+  EXPECT_EQ(apart->depth, 0);
+  // Those that touch may cross by less than rounding.
+  const std::optional<Penetration> beside =
+      between(box, convex_part(box_body({1, 0, 0}, {2, 1, 1})));
+  ASSERT_TRUE(beside);
+  EXPECT_GT(beside->depth, 0);
+  EXPECT_LT(beside->depth, 1e-13);
+}
+
+TEST(Penetration, IsNotZeroOfPartsThatCrossByLessThanRounding) {
+  const std::optional<Penetration> found =
+      between(convex_part(box_body({-1e9, -1e9, -1}, {0, 1e9, 1})),
+              convex_part(box_body({-1e-9, -1, -1}, {1e9, 1, 1})));
   ASSERT_TRUE(found);
-  EXPECT_EQ(found->depth, 0);
+  EXPECT_GE(found->depth, 1e-9);
+  EXPECT_LT(found->depth, 1e-4);
 }
 
 TEST(Penetration, IsOfConvexPartsOnly) {
