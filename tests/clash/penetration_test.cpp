@@ -65,7 +65,7 @@ TEST(Penetration, AcrossTwoEdgesIsFound) {
 }
 
 TEST(Penetration, IsZeroOfPartsThatAreApart) {
-  const ConvexPart box = convex_part(box_body({0, 0, 0}, {1, 1, 1}));
+  const PartBody box = convex_part(box_body({0, 0, 0}, {1, 1, 1}));
   const std::optional<Penetration> apart =
       between(box, convex_part(box_body({2, 0, 0}, {3, 1, 1})));
   ASSERT_TRUE(apart);
