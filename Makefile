@@ -82,16 +82,16 @@ asan:
 	cmake --build --preset $@ -j $(JOBS)
 	ctest --preset $@ -j $(JOBS)
 
-# The tests of the library only, by their labels: under ASan+UBSan with the fuzzers' inputs, and under TSan,
+# The tests of the library only, by their labels: under clang's ASan+UBSan with the fuzzers' inputs, and under TSan,
 # with std::jthread in place of TBB.
 LIBRARY = base geometry kinematics tree query thesis scene clash robot io generate properties regressions
 asan-library: TESTED = $(LIBRARY) fuzz
 tsan: TESTED = $(LIBRARY)
 asan-library tsan:
-	@tools/install_packages.sh run import test
-	cmake --preset $(@:-library=) -D SOMS_BUILD_VIEW=OFF
-	cmake --build --preset $(@:-library=) -j $(JOBS) --target $(TESTED:%=%_test)
-	ctest --preset $(@:-library=) -j $(JOBS) -L '^($(shell echo $(TESTED) | tr ' ' '|'))$$'
+	@tools/install_packages.sh run import test $(if $(filter asan-library,$@),sanitize)
+	cmake --preset $@ -D SOMS_BUILD_VIEW=OFF
+	cmake --build --preset $@ -j $(JOBS) --target $(TESTED:%=%_test)
+	ctest --preset $@ -j $(JOBS) -L '^($(shell echo $(TESTED) | tr ' ' '|'))$$'
 
 # The Python package, the library in it included, under ASan+UBSan and LeakSanitizer. The interpreter is not built
 # with them, so their libraries are loaded first. Leaks are named by two frames, so that tests/python/leaks.txt can
