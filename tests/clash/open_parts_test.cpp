@@ -259,7 +259,6 @@ TEST(OpenParts, DoNotCrossADoubledSheet) {
 
 TEST(OpenParts, MayBeEnteredThroughAnOpening) {
   Mesh tank = box_body({0, 0, 0}, {4, 4, 4});
-  Box opening;
   const auto on_lid = [&](const std::array<std::uint32_t, 3>& t) {
     return tank.vertices[t[0]].z == 4 && tank.vertices[t[1]].z == 4 && tank.vertices[t[2]].z == 4;
   };
