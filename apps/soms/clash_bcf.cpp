@@ -50,7 +50,7 @@ std::string status_in_bcf(const std::string& status) {
   if (status.empty() || status == "new") {
     return "Open";
   }
-  if (status == "resolved") {
+  if (status == kResolved) {
     return "Closed";
   }
   std::string words = status;

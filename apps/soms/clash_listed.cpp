@@ -91,21 +91,18 @@ std::string side_label(const Json& row, std::string_view side) {
   return file.empty() ? "a part without a name" : std::filesystem::path(file).stem().string();
 }
 
-ListedClashes::Numbers ListedClashes::numbers_of(const ClashSet& set) {
-  Numbers numbers;
+MarkedParts marked_parts(const ClashSet& set) {
+  MarkedParts parts;
   for (std::uint32_t part = 0; part < set.parts.size(); ++part) {
-    const auto [at, added] = numbers.try_emplace(side_mark(clash_side(set, part)), part);
-    if (!added) {
-      at->second.reset();
-    }
+    parts[side_mark(clash_side(set, part))].push_back(part);
   }
-  return numbers;
+  return parts;
 }
 
 ListedClashes::ListedClashes(const ClashReport& report) : report_(report) {
   if (!report.resolved.empty()) {
-    of_a_ = numbers_of(report.models.a);
-    of_b_ = report.models.two_sets ? numbers_of(report.models.b) : of_a_;
+    of_a_ = marked_parts(report.models.a);
+    of_b_ = report.models.two_sets ? marked_parts(report.models.b) : of_a_;
   }
 }
 
@@ -115,11 +112,12 @@ ListedClash ListedClashes::at(std::size_t k) const {
     return {row_as_json(report_, row), row.clash.a, row.clash.b, row.clash.place, row.clash.box};
   }
   ListedClash listed{.row = report_.resolved[k - report_.rows.size()]};
-  listed.row["status"] = "resolved";
-  const auto number = [&](const Numbers& numbers,
+  listed.row["status"] = kResolved;
+  const auto number = [&](const MarkedParts& parts,
                           const char* side) -> std::optional<std::uint32_t> {
-    const auto at = numbers.find(side_mark(side_of(listed.row, side)));
-    return at == numbers.end() ? std::nullopt : at->second;
+    const auto at = parts.find(side_mark(side_of(listed.row, side)));
+    return at == parts.end() || at->second.size() > 1 ? std::nullopt
+                                                      : std::optional(at->second.front());
   };
   listed.a = number(of_a_, "a");
   listed.b = number(of_b_, "b");

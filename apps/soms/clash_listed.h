@@ -13,8 +13,16 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <vector>
 
 namespace soms::command {
+
+/// By which a part is found again: "i" and its id, or "p" and its path.
+[[nodiscard]] std::string side_mark(const Json& side);
+
+/// Numbers of the parts of a set, by their marks.
+using MarkedParts = std::unordered_map<std::string, std::vector<std::uint32_t>>;
+[[nodiscard]] MarkedParts marked_parts(const ClashSet& set);
 
 /// A row of the list.
 struct ListedClash {
@@ -40,17 +48,10 @@ class ListedClashes {
   [[nodiscard]] const ClashReport& report() const { return report_; }
 
  private:
-  using Numbers = std::unordered_map<std::string, std::optional<std::uint32_t>>;
-
-  [[nodiscard]] static Numbers numbers_of(const ClashSet& set);
-
   const ClashReport& report_;
-  Numbers of_a_;  ///< parts by id, else by path of names; nothing where several have it
-  Numbers of_b_;
+  MarkedParts of_a_;  ///< of no use where nothing is resolved
+  MarkedParts of_b_;
 };
-
-/// By which a part is found again: "i" and its id, or "p" and its path.
-[[nodiscard]] std::string side_mark(const Json& side);
 
 /// A text of a row or of one of its sides, or a number as text; empty where it has none.
 [[nodiscard]] std::string text_of(const Json& row, std::string_view key);

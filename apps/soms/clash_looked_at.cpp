@@ -2,8 +2,12 @@
 
 #include "soms/clash/part_keys.h"
 
-#include "apps/soms/clash_listed.h"
 #include "apps/soms/clash_rows.h"
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace soms::command {
 
@@ -11,25 +15,17 @@ LookedAt::LookedAt(const ClashModels& models, const ClashSetOptions& sets,
                    const std::optional<double>& within)
     : models_(models), sets_(sets), within_(within) {
   if (!sets.between.empty()) {
-    of_a_ = numbers_of(models.a);
-    of_b_ = models.two_sets ? numbers_of(models.b) : of_a_;
+    of_a_ = marked_parts(models.a);
+    of_b_ = models.two_sets ? marked_parts(models.b) : of_a_;
   }
-}
-
-LookedAt::Numbers LookedAt::numbers_of(const ClashSet& set) {
-  Numbers numbers;
-  for (std::uint32_t part = 0; part < set.parts.size(); ++part) {
-    numbers[side_mark(clash_side(set, part))].push_back(part);
-  }
-  return numbers;
 }
 
 bool LookedAt::is_left_out(const Json& row) const {
-  const auto sides = [&](const Numbers& numbers, const char* side) {
+  const auto sides = [&](const MarkedParts& parts, const char* side) {
     const auto found = row.contains(side) && row[side].is_object()
-                           ? numbers.find(side_mark(row[side]))
-                           : numbers.end();
-    return found == numbers.end() ? std::vector<std::uint32_t>() : found->second;
+                           ? parts.find(side_mark(row[side]))
+                           : parts.end();
+    return found == parts.end() ? std::vector<std::uint32_t>() : found->second;
   };
   const std::string key = row.value("key", "");
   // Sides may have been named in the other order.

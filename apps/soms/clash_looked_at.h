@@ -2,14 +2,11 @@
 /// What this list would have if it were still there: the rest of an older list is not resolved.
 #pragma once
 
+#include "apps/soms/clash_listed.h"
 #include "apps/soms/clash_models.h"
 #include "apps/soms/clash_sets.h"
 
-#include <cstdint>
 #include <optional>
-#include <string>
-#include <unordered_map>
-#include <vector>
 
 namespace soms::command {
 
@@ -25,16 +22,13 @@ class LookedAt {
   [[nodiscard]] bool operator()(const Json& row) const;
 
  private:
-  using Numbers = std::unordered_map<std::string, std::vector<std::uint32_t>>;
-
-  [[nodiscard]] static Numbers numbers_of(const ClashSet& set);
   [[nodiscard]] bool is_left_out(const Json& row) const;
 
   const ClashModels& models_;
   const ClashSetOptions& sets_;
   const std::optional<double>& within_;
-  Numbers of_a_;  ///< parts by id, else by path of names; of no use where all are compared
-  Numbers of_b_;
+  MarkedParts of_a_;  ///< of no use where all are compared
+  MarkedParts of_b_;
 };
 
 }  // namespace soms::command

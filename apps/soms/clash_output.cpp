@@ -331,7 +331,7 @@ void write_clashes_as_json(const ClashReport& report, bool verified, std::ostrea
     out << json_line(row_as_json(report, row));
   }
   for (Json row : report.resolved) {
-    row["status"] = "resolved";
+    row["status"] = kResolved;
     out << json_line(row);
   }
   Json totals = totals_as_json(report);
@@ -350,7 +350,7 @@ void write_clashes_as_csv(const ClashReport& report, std::ostream& out) {
     out << csv_row(row_as_json(report, row), status_name(row.status));
   }
   for (const Json& row : report.resolved) {
-    out << csv_row(row, "resolved");
+    out << csv_row(row, kResolved);
   }
 }
 

@@ -142,7 +142,7 @@ ClashBaseline::ClashBaseline(const std::string& file) {
           "give a list that was written by -o FILE.json or --json; a CSV list cannot be compared");
     }
     if (row.contains("key") && row["key"].is_string()) {
-      if (row.value("status", "") != "resolved") {
+      if (row.value("status", "") != kResolved) {
         rows_.emplace(row["key"].get<std::string>(), row);
       }
     } else {

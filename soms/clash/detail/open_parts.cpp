@@ -137,11 +137,6 @@ bool leaves_uncovered(const Edge& edge, const Triangle& s, const Triangle& t,
 
 }  // namespace
 
-bool pass_through(const Triangle& s, const Triangle& t) {
-  const auto always = [](const Edge&) { return true; };
-  return any_edge_through(s, t, always) || any_edge_through(t, s, always);
-}
-
 bool edge_crosses(const Triangle& s, const Triangle& t, const TriangleLoop& beside_s,
                   const TriangleLoop& beside_t) {
   return any_edge_through(s, t, [&](const Edge& edge) {

@@ -12,21 +12,17 @@
 
 namespace soms::detail {
 
-/// True if an edge of one triangle goes through the plane of the other strictly inside it, and the
-/// triangle of the edge has area: the two surfaces go on to both sides of each other. Where
-/// triangles share no more than corners, points of edges or area in one plane, it is false.
-/// Symmetric. Exact.
-[[nodiscard]] bool pass_through(const Triangle& s, const Triangle& t);
-
 /// Calls its argument for triangles of one body, all that may matter, until it is false.
 using TriangleLoop = std::function<bool(const std::function<bool(const Triangle&)>&)>;
 
-/// The same of an edge of `s`, but only where both triangles bound something there for sure: in the
-/// point in which the edge goes through `t`, no other triangle of the body of `t` lies, and beside
-/// the edge, none of the body of `s` covers `s`. Two triangles in one place, or two faces that are
-/// glued together, bound nothing. `beside_s` has all triangles of the body of `s`, but `s`, that
-/// overlap `t`, and `beside_t` those of the other body, but `t`, that overlap `s`; more do no harm.
-/// May be false where it is true: of signs that double precision does not tell.
+/// True if an edge of `s`, which has area, goes through the plane of `t` strictly inside it, so
+/// that the two surfaces go on to both sides of each other, and both triangles bound something
+/// there for sure: in the point in which the edge goes through `t`, no other triangle of the body
+/// of `t` lies, and beside the edge, none of the body of `s` covers `s`. Two triangles in one
+/// place, or two faces that are glued together, bound nothing. `beside_s` has all triangles of the
+/// body of `s`, but `s`, that overlap `t`, and `beside_t` those of the other body, but `t`, that
+/// overlap `s`; more do no harm. Exact without others; with them it may be false where it is true:
+/// of signs that double precision does not tell.
 [[nodiscard]] bool edge_crosses(const Triangle& s, const Triangle& t, const TriangleLoop& beside_s,
                                 const TriangleLoop& beside_t);
 
