@@ -35,6 +35,8 @@ namespace {
 //
 #include "soms/query/detail/kernels/triangle_pairs.h"
 //
+#include "soms/query/detail/kernels/box_triangles.h"
+//
 constexpr std::size_t kDoubles = 4;
 #include "soms/query/detail/kernels/lanes_double.h"
 //
@@ -161,10 +163,11 @@ void test_nodes(NodeTask* tasks, std::size_t count) {
 }  // namespace
 
 const Kernels& kernels() {
-  static constexpr Kernels kTable{
-      "avx2",          test_nodes,      test_larger, append,        test_slabs, test_boxes,
-      judge,           judge_in_double, bound_nodes, near_boxes,    near_pairs, bound_boxes,
-      bound_triangles, ray_nodes,       ray_blocks,  line_descents, line_node,  line_block};
+  static constexpr Kernels kTable{"avx2",          test_nodes,      test_larger, append,
+                                  test_slabs,      test_boxes,      meet_box,    judge,
+                                  judge_in_double, bound_nodes,     near_boxes,  near_pairs,
+                                  bound_boxes,     bound_triangles, ray_nodes,   ray_blocks,
+                                  line_descents,   line_node,       line_block};
   return kTable;
 }
 

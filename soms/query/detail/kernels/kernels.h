@@ -141,6 +141,16 @@ struct alignas(64) NodeKeys {
   std::uint32_t near;  ///< wanted pairs whose keys do not exceed the limit
 };
 
+/// A box seen from a block of triangles.
+struct SeenBox {
+  std::array<float, 3> center;
+  std::array<float, 3> half;
+  std::array<std::array<float, 4>, 3> axis;  ///< axis j of the box is column j; rows padded to four
+  std::array<float, 3> radius;               ///< along the block's axes, margin and reach included
+  float margin;
+  float reach;  ///< what may lie between, beside the margin
+};
+
 /// Distances of pairs of triangles.
 struct alignas(64) PairGaps {
   std::array<float, kJudged> lower;                ///< proved lower bounds, some below 0
@@ -204,6 +214,10 @@ struct Kernels {
   /// Triangles of two blocks that passed the slabs, by their boxes: bit k of byte i for lane i of x
   /// and lane k of y. Fills the slot unless there is none.
   std::uint64_t (*test_boxes)(const BlockTask& task, TriangleSlot& slot);
+
+  /// Triangles of a block, multiplied by `ratio`, that may meet a box: bit k for lane k. Seven
+  /// axes: three of each, and the triangle's normal; those in its plane if the block is larger.
+  std::uint32_t (*meet_box)(const SeenBox& box, const TriangleBlock& block, float ratio);
 
   /// Judges `count` pairs of triangles, at most kJudged. Each list has kJudged places in the slots,
   /// counted in floats from the first one's x; those from `count` on may be any in use.

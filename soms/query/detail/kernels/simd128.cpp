@@ -31,6 +31,8 @@ namespace {
 //
 #include "soms/query/detail/kernels/triangle_pairs.h"
 //
+#include "soms/query/detail/kernels/box_triangles.h"
+//
 constexpr std::size_t kDoubles = 2;
 #include "soms/query/detail/kernels/lanes_double.h"
 //
@@ -47,10 +49,11 @@ constexpr std::size_t kDoubles = 2;
 }  // namespace
 
 const Kernels& kernels() {
-  static constexpr Kernels kTable{
-      "simd128",       test_nodes,      test_larger, append,        test_slabs, test_boxes,
-      judge,           judge_in_double, bound_nodes, near_boxes,    near_pairs, bound_boxes,
-      bound_triangles, ray_nodes,       ray_blocks,  line_descents, line_node,  line_block};
+  static constexpr Kernels kTable{"simd128",       test_nodes,      test_larger, append,
+                                  test_slabs,      test_boxes,      meet_box,    judge,
+                                  judge_in_double, bound_nodes,     near_boxes,  near_pairs,
+                                  bound_boxes,     bound_triangles, ray_nodes,   ray_blocks,
+                                  line_descents,   line_node,       line_block};
   return kTable;
 }
 
