@@ -3,6 +3,7 @@
 #include "soms/query/distance.h"
 
 #include "bench/peers/core/machine.h"
+#include "bench/peers/links.h"
 #include "bench/peers/scenarios/solids.h"
 
 #include <algorithm>
@@ -62,13 +63,20 @@ Ready prepare(const Library& library, std::span<const FloatMesh> movers, const F
   });
 }
 
+/// The bodies that move: one, or an arm's links.
+std::span<const FloatMesh> movers_of(const Scene& scene) {
+  return scene.links.empty() ? std::span(&scene.mover, 1) : std::span(scene.links);
+}
+
 Cell new_cell(const Scene& scene, Job job, const std::string& set) {
   Cell cell;
   cell.job = job;
   cell.scene = scene.name;
   cell.set = set;
   cell.triangles = scene.fixed.triangles.size();
-  cell.mover = scene.mover.triangles.size();
+  for (const FloatMesh& mover : movers_of(scene)) {
+    cell.mover += mover.triangles.size();
+  }
   return cell;
 }
 
@@ -108,7 +116,16 @@ Cell settle(Cell cell, std::span<const Ready> ready, std::span<const Lane> lanes
 using QuestionJudge = std::function<std::vector<Verdict>(const Questions& questions,
                                                          std::span<const Answers> answers)>;
 
-/// The libraries for the job, with lanes that ask their only match.
+/// Has a library answer by its only match, or by one for each link.
+void answer(const Ready& ready, const Questions& questions, std::span<double> answers) {
+  if (ready.matches.size() == 1) {
+    ready.matches.front()->answer(questions, answers);
+  } else {
+    answer_links(ready.matches, questions, ready.library->batches(), answers);
+  }
+}
+
+/// The libraries for the job, in lanes.
 void run_questions(const Scene& scene, const std::string& set, const Questions& questions,
                    std::span<const Ready> ready, const QuestionJudge& judge,
                    const RunOptions& options, const Sink& sink) {
@@ -116,9 +133,8 @@ void run_questions(const Scene& scene, const std::string& set, const Questions& 
   std::vector<Ready> racing;
   for (const Ready& r : ready) {
     if (r.library->does(questions.job)) {
-      Match* match = r.matches.front().get();
-      lanes.push_back({r.library->name(), [match, &questions](std::span<double> answers) {
-                         match->answer(questions.first(answers.size()), answers);
+      lanes.push_back({r.library->name(), [&r, &questions](std::span<double> answers) {
+                         answer(r, questions.first(answers.size()), answers);
                        }});
       racing.push_back({r.library, {}, r.build, r.bytes});
     }
@@ -225,13 +241,16 @@ void run_moving_boxes(const Scene& scene, const MovingBoxSet& set, const Roster&
 
 std::vector<Ready> prepare_all(const Scene& scene, const Roster& roster, std::span<const Job> jobs,
                                const RunOptions& options) {
-  const std::size_t larger = std::max(scene.mover.triangles.size(), scene.fixed.triangles.size());
+  std::size_t larger = scene.fixed.triangles.size();
+  for (const FloatMesh& mover : movers_of(scene)) {
+    larger = std::max(larger, mover.triangles.size());
+  }
   std::vector<Ready> ready;
   for (const auto& library : roster) {
     const bool requested =
         std::any_of(jobs.begin(), jobs.end(), [&](Job job) { return library->does(job); });
     if (requested && library->takes(larger) && wanted(options, *library)) {
-      ready.push_back(prepare(*library, {&scene.mover, 1}, scene.fixed));
+      ready.push_back(prepare(*library, movers_of(scene), scene.fixed));
     }
   }
   return ready;
@@ -264,7 +283,9 @@ void run_group(const Scene& scene, const Roster& roster, std::initializer_list<J
     if (job == Job::within) {
       run_clearances(scene, *set, ready, judge, options, sink);
     } else {
-      run_questions(scene, set->name, {job, set->poses}, ready, judge, options, sink);
+      Questions questions{job, set->poses};
+      questions.links = movers_of(scene).size();
+      run_questions(scene, set->name, questions, ready, judge, options, sink);
     }
   }
 }
@@ -323,9 +344,12 @@ void run_scene(const Scene& scene, const Roster& roster, const RunOptions& optio
     }
   }
   const auto of_counts = [&]() -> QuestionJudge {
-    const auto counter = std::make_shared<PairCounter>(scene.mover, scene.fixed);
-    return [counter, &options](const Questions& questions, std::span<const Answers> answers) {
-      return judge(*counter, questions.job, questions.poses, answers, options.judge);
+    const auto counters = std::make_shared<std::vector<PairCounter>>();
+    for (const FloatMesh& mover : movers_of(scene)) {
+      counters->emplace_back(mover, scene.fixed);
+    }
+    return [counters, &options](const Questions& questions, std::span<const Answers> answers) {
+      return judge(*counters, questions, answers, options.judge);
     };
   };
   const auto of_distances = [&]() -> QuestionJudge {

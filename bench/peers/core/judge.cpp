@@ -123,11 +123,21 @@ Rules rules_of_counts(const std::function<std::uint64_t(std::size_t)>& count) {
           differ, [](std::size_t) { return true; }};
 }
 
-std::vector<Verdict> judge(const PairCounter& counter, Job job, std::span<const Pose> poses,
+std::vector<Verdict> judge(std::span<const PairCounter> links, const Questions& questions,
                            std::span<const Answers> answers, double budget) {
-  const std::size_t stride = stride_of(longest(answers), counter.mover_triangles(), budget);
-  Rules rules =
-      rules_of_counts([&](std::size_t i) { return counter.count(poses[i], job == Job::any); });
+  std::size_t triangles = 0;
+  for (const PairCounter& link : links) {
+    triangles += link.mover_triangles();
+  }
+  const std::size_t stride = stride_of(longest(answers), triangles, budget);
+  Rules rules = rules_of_counts([&](std::size_t i) {
+    const bool any = questions.job == Job::any;
+    std::uint64_t count = 0;
+    for (std::size_t k = 0; k < links.size() && !(any && count != 0); ++k) {
+      count += links[k].count(questions.poses[i * links.size() + k], any);
+    }
+    return count;
+  });
   rules.sampled = [stride](std::size_t i) { return i % stride == 0; };
   return judge(answers, rules);
 }

@@ -161,6 +161,10 @@ class Soms final : public Library {
     return job < Job::closest || answers_probes(job);
   }
 
+  [[nodiscard]] bool batches() const override {
+    return manner_ == Manner::batch || manner_ == Manner::any_batch;
+  }
+
   [[nodiscard]] bool keeps_tree() const override { return true; }
 
   [[nodiscard]] bool watertight() const override { return true; }
