@@ -27,6 +27,9 @@ struct Answers {
 struct Verdict {
   std::size_t checked = 0;  ///< of its answers, those that the judge decided
   std::size_t wrong = 0;    ///< of these, wrong ones
+  /// Of all its answers, about this part is wrong. Where libraries contradict each other every
+  /// answer is decided, elsewhere a sample, so that `wrong` of `checked` would be too many.
+  double share = 0;
   std::vector<std::size_t> wrong_questions;
 };
 

@@ -155,7 +155,7 @@ FloatMesh work_piece() {
 /// A machine with a knotted hose on it.
 FloatMesh machine() {
   FloatMesh mesh = box({0.3, 2.3, 0.6}, {0.8, 0.4, 0.6});
-  FloatMesh hose = torus_knot(600, 60);
+  FloatMesh hose = torus_knot(700, 70);
   for (auto& v : hose.vertices) {
     v = narrow(0.45 * wide(v) + Vec3{0.3, 2.2, 1.6});
   }

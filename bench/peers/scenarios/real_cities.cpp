@@ -92,16 +92,19 @@ class CityAndMover {
     }
   }
 
-  FloatMesh fixed;
-  FloatMesh moving;
+  [[nodiscard]] const FloatMesh& city() const { return fixed_; }
+
+  [[nodiscard]] const FloatMesh& mover() const { return moving_; }
 
  private:
   CityAndMover(const Mesh& city, const Mesh& mover, double scale)
-      : fixed(float_mesh(city, city_bounds(city).center())),
-        moving(float_mesh(mover, {}, scale)),
-        town_(widened(fixed)),
-        car_(widened(moving)) {}
+      : fixed_(float_mesh(city, city_bounds(city).center())),
+        moving_(float_mesh(mover, {}, scale)),
+        town_(widened(fixed_)),
+        car_(widened(moving_)) {}
 
+  FloatMesh fixed_;
+  FloatMesh moving_;
   Body town_;
   Body car_;
 };
@@ -121,8 +124,8 @@ Scene real_city_scene(const std::string& name, const std::filesystem::path& city
                       const std::filesystem::path& mover, std::uint64_t seed) {
   CityAndMover bodies(city, mover, 1);
   Scene scene{name,
-              bodies.moving,
-              bodies.fixed,
+              bodies.mover(),
+              bodies.city(),
               {{"street", bodies.on_streets(rng_of(31, seed)), kNear},
                {"grazing", {}},
                {"near", {}, kNear}}};
@@ -139,8 +142,8 @@ Scene unlike_city_scene(const std::string& name, const std::filesystem::path& ci
   CityAndMover bodies(city, mover, scale);
   Scene scene{
       name,
-      bodies.moving,
-      bodies.fixed,
+      bodies.mover(),
+      bodies.city(),
       {{"random", bodies.on_streets(rng_of(33, seed)), kAnyAndAll}, {"grazing", {}, kAnyAndAll}}};
   Rng rng = rng_of(34, seed);
   bodies.drive(scene.sets[0].poses, rng, [&](const Drive& drive) {
