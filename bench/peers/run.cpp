@@ -51,14 +51,17 @@ Ready prepare(const Library& library, std::size_t triangles, const Build& build)
   return ready;
 }
 
-Ready prepare(const Library& library, std::span<const FloatMesh> movers, const FloatMesh& fixed) {
-  std::size_t triangles = 0;
+/// A match for each mover, with fixed bodies of their own or, where the library can, with one.
+Ready prepare(const Library& library, std::span<const FloatMesh> movers, const FloatMesh& fixed,
+              bool shared) {
+  std::size_t triangles = shared ? fixed.triangles.size() : 0;
   for (const FloatMesh& mover : movers) {
-    triangles += mover.triangles.size() + fixed.triangles.size();
+    triangles += mover.triangles.size() + (shared ? 0 : fixed.triangles.size());
   }
   return prepare(library, triangles, [&](auto& matches) {
     for (const FloatMesh& mover : movers) {
-      matches.push_back(library.prepare(mover, fixed));
+      auto match = shared && !matches.empty() ? matches.front()->with(mover) : nullptr;
+      matches.push_back(match ? std::move(match) : library.prepare(mover, fixed));
     }
   });
 }
@@ -189,7 +192,7 @@ void run_still(const Scene& scene, const PoseSet& set, const Roster& roster,
   std::vector<Lane> lanes;
   for (const auto& library : roster) {
     if (library->does(Job::still) && wanted(options, *library)) {
-      ready.push_back(prepare(*library, movers, scene.fixed));
+      ready.push_back(prepare(*library, movers, scene.fixed, false));
     }
   }
   lanes.reserve(ready.size());
@@ -250,7 +253,7 @@ std::vector<Ready> prepare_all(const Scene& scene, const Roster& roster, std::sp
     const bool requested =
         std::any_of(jobs.begin(), jobs.end(), [&](Job job) { return library->does(job); });
     if (requested && library->takes(larger) && wanted(options, *library)) {
-      ready.push_back(prepare(*library, movers_of(scene), scene.fixed));
+      ready.push_back(prepare(*library, movers_of(scene), scene.fixed, true));
     }
   }
   return ready;

@@ -71,6 +71,60 @@ TEST(AnswerLinks, AddsUpThePairsOfAllLinks) {
   }
 }
 
+/// Has matches of its own body and, where it shares, of that of another.
+class Sharing final : public Match {
+ public:
+  explicit Sharing(std::size_t& bodies) : bodies_(bodies) {}
+
+  void answer(const Questions& /*questions*/, std::span<double> answers) override {
+    std::fill(answers.begin(), answers.end(), 0.0);
+  }
+
+  [[nodiscard]] std::unique_ptr<Match> with(const FloatMesh& /*mover*/) const override {
+    return std::make_unique<Sharing>(bodies_);
+  }
+
+ private:
+  std::size_t& bodies_;
+};
+
+/// Counts the fixed bodies that it builds.
+class Builder final : public Library {
+ public:
+  explicit Builder(std::size_t& bodies) : bodies_(bodies) {}
+
+  [[nodiscard]] std::string name() const override { return "builder"; }
+
+  [[nodiscard]] std::string version() const override { return "0"; }
+
+  [[nodiscard]] bool does(Job job) const override { return job == Job::any || job == Job::still; }
+
+  [[nodiscard]] std::unique_ptr<Match> prepare(const FloatMesh& /*mover*/,
+                                               const FloatMesh& /*fixed*/) const override {
+    ++bodies_;
+    return std::make_unique<Sharing>(bodies_);
+  }
+
+ private:
+  std::size_t& bodies_;
+};
+
+TEST(RunScene, BuildsTheCellOnceForAllLinks) {
+  std::size_t bodies = 0;
+  Roster roster;
+  roster.push_back(std::make_unique<Builder>(bodies));
+  RunOptions options;
+  options.race = {.rounds = 1, .budget = 1, .least_pass = 0};
+  const FloatMesh cube = box({0, 0, 0}, {1, 1, 1});
+  Scene scene{"arm", {}, cube, {{"row", std::vector<Pose>(6, Pose::translation(9, 0, 0))}}};
+  scene.links = {cube, cube, cube};
+  std::vector<Cell> cells;
+  run_scene(scene, roster, options, [&](Cell cell) { cells.push_back(std::move(cell)); });
+  ASSERT_EQ(cells.size(), 1U);
+  EXPECT_EQ(cells[0].questions, 2U);
+  EXPECT_EQ(bodies, 1U);
+}
+
 TEST(Questions, AreCutByWholeConfigurations) {
   const std::vector<Pose> poses(12);
   Questions questions{Job::any, poses};

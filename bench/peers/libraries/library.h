@@ -112,6 +112,12 @@ class Match {
   /// One answer a question, as the enumerators of `Job` say.
   virtual void answer(const Questions& questions, std::span<double> answers) = 0;
 
+  /// A match of another mover with the same fixed body, which is built once; null where the library
+  /// builds it for each mover.
+  [[nodiscard]] virtual std::unique_ptr<Match> with(const FloatMesh& /*mover*/) const {
+    return nullptr;
+  }
+
   /// Bytes that it holds and that malloc does not know of.
   [[nodiscard]] virtual std::size_t unseen_bytes() const { return 0; }
 };
