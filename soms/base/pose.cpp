@@ -79,6 +79,19 @@ bool is_rigid(const Pose& pose) {
   return (near & (sum == sum ? 1U : 0U) & (determinant(pose) > 0 ? 1U : 0U)) != 0;
 }
 
+/// What a moved vertex of a mesh with bounds `box` may reach on each axis.
+std::array<double, 3> reach_of(const Pose& pose, const Box& box) {
+  const std::array<double, 3> far = {std::max(std::abs(box.lower.x), std::abs(box.upper.x)),
+                                     std::max(std::abs(box.lower.y), std::abs(box.upper.y)),
+                                     std::max(std::abs(box.lower.z), std::abs(box.upper.z))};
+  std::array<double, 3> reach;
+  for (std::size_t row = 0; row < 3; ++row) {
+    reach[row] = std::abs(pose.m[4 * row]) * far[0] + std::abs(pose.m[4 * row + 1]) * far[1] +
+                 std::abs(pose.m[4 * row + 2]) * far[2] + std::abs(pose.m[4 * row + 3]);
+  }
+  return reach;
+}
+
 /// What to do about a matrix with another length of its columns, or another angle between them;
 /// `off` is the greatest magnitude in RtR - I.
 std::string remedy_for(const Pose& pose, double off) {
@@ -326,19 +339,22 @@ void check_range(const Pose& pose, const Box& box) {
   if (box.empty()) {
     return;
   }
-  const std::array<double, 3> far = {std::max(std::abs(box.lower.x), std::abs(box.upper.x)),
-                                     std::max(std::abs(box.lower.y), std::abs(box.upper.y)),
-                                     std::max(std::abs(box.lower.z), std::abs(box.upper.z))};
+  const std::array<double, 3> reach = reach_of(pose, box);
   for (std::size_t row = 0; row < 3; ++row) {
-    const double most = std::abs(pose.m[4 * row]) * far[0] +
-                        std::abs(pose.m[4 * row + 1]) * far[1] +
-                        std::abs(pose.m[4 * row + 2]) * far[2] + std::abs(pose.m[4 * row + 3]);
-    if (!(most <= kMaxCoordinate)) {
+    if (!(reach[row] <= kMaxCoordinate)) {
       throw Error(ErrorKind::out_of_range,
                   std::string("pose: a moved vertex may exceed 2^300 along ") + "xyz"[row],
                   "use coordinates of magnitude at most 2^300");
     }
   }
+}
+
+bool passes_checks(const Pose& pose, const Box& box) {
+  const auto [x, y, z] = reach_of(pose, box);
+  const unsigned in_range = (x <= kMaxCoordinate ? 1U : 0U) & (y <= kMaxCoordinate ? 1U : 0U) &
+                            (z <= kMaxCoordinate ? 1U : 0U);
+  // Bodies that do not move mostly have the identity.
+  return (pose == Pose() || is_rigid(pose)) && (in_range != 0 || box.empty());
 }
 
 }  // namespace soms

@@ -109,4 +109,7 @@ void check(const Pose& pose);
 /// \errors ErrorKind::out_of_range.
 void check_range(const Pose& pose, const Box& box);
 
+/// Whether `check` and `check_range` both pass. For callers that hold a `PlainArithmetic`.
+[[nodiscard]] bool passes_checks(const Pose& pose, const Box& box);
+
 }  // namespace soms

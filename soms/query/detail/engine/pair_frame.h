@@ -24,7 +24,8 @@ struct PosedShape {
 /// One of two shapes at least is compact.
 [[nodiscard]] bool any_compact(const Shape& a, const Shape& b);
 
-/// Throws unless the pose is rigid and keeps the shape within range.
+/// Throws unless the pose is rigid and keeps the shape within range. \pre The caller holds a
+/// PlainArithmetic.
 void check_pose(const Pose& pose, const Shape& shape);
 
 /// Two posed shapes. Side y is the reference frame: the tree of the coarser unit, or else the
