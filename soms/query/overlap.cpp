@@ -86,11 +86,16 @@ void run_parallel(PairFrame& frame, const OverlapOptions& options, const Paralle
 template <class Source>
 void run_single(PairFrame& frame, const OverlapOptions& options, const Parallel& parallel,
                 Overlap& answer) {
-  TraversalMemory memory;
   Limit limit(options.deadline, parallel);
-  OverlapTraversal<Source> traversal(frame, options.mode, memory);
   Collector collector(options.mode, options.limit, answer.pairs);
-  traversal.start();
+  if (clear_at_root<Source>(frame)) {
+    answer.coverage = coverage_of(options.mode, collector, limit.late());
+    answer.cost.node_tests = 1;
+    return;
+  }
+  TraversalMemory memory;
+  OverlapTraversal<Source> traversal(frame, options.mode, memory);
+  traversal.start_unclear();
   traversal.run(collector, limit);
   collector.finish();
   answer.any = collector.any();

@@ -2,10 +2,12 @@ set(SOMS_HEADERS
   build.h
   build_options.h
   check.h
+  layout/ground_plan.h
   layout/min_max_grid.h
   layout/compact_node.h
   layout/node_axes.h
   layout/pages.h
+  layout/start_nodes.h
   layout/wide_tree.h
   option_names.h
   print.h
@@ -36,6 +38,7 @@ set(SOMS_SOURCES
   layout/detail/widen.cpp
   layout/node_axes.cpp
   layout/pages.cpp
+  layout/start_nodes.cpp
   layout/wide_tree.cpp
   option_names.cpp
   print.cpp

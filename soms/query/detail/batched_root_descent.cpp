@@ -61,7 +61,7 @@ void BatchedRootDescent::look(const WideTree& y) {
     // Without a branch on what was found, so that the next look need not wait for this one.
     std::array<bool, kMost> clear = {};
     for (std::size_t i = 0; i < going; ++i) {
-      clear[i] = going_[i]->box.clear_of(y.min_max_grid());
+      clear[i] = going_[i]->box.clear_of(y);
     }
     std::size_t left = 0;
     for (std::size_t i = 0; i < going; ++i) {
@@ -70,6 +70,13 @@ void BatchedRootDescent::look(const WideTree& y) {
     }
     going = left;
   }
+  std::size_t begun = 0;
+  for (std::size_t i = 0; i < going; ++i) {
+    RootDescent& descent = *going_[i];
+    going_[begun] = &descent;
+    begun += descent.box.begin(y, descent.node, descent.stack) ? 1U : 0U;
+  }
+  going = begun;
   while (going > 0) {
     for (std::size_t i = 0; i < going;) {
       RootDescent& descent = *going_[i];

@@ -67,6 +67,22 @@ constexpr CodeTable kCodes;
 }  // namespace
 
 template <class Source>
+bool clear_at_root(const PairFrame& frame) {
+  const RelativePose& relative = frame.relative();
+  if (relative.apart()) {
+    return true;
+  }
+  if constexpr (Source::kInPlace) {
+    const WideTree& y = frame.y().layout();
+    if (!y.min_max_grid().empty()) {
+      const SingleBox box = relative.single_box();
+      return box.pays(y.nodes()[0]) && box.clear_of(y);
+    }
+  }
+  return false;
+}
+
+template <class Source>
 OverlapTraversal<Source>::OverlapTraversal(PairFrame& frame, OverlapMode mode,
                                            TraversalMemory& memory)
     : frame_(frame),
@@ -75,7 +91,6 @@ OverlapTraversal<Source>::OverlapTraversal(PairFrame& frame, OverlapMode mode,
       x_(*frame.x().shape),
       y_(*frame.y().shape),
       large_leaf_(relative_, x_, y_),
-      grid_y_(frame.y().layout().min_max_grid()),
       kernels_(kernels()),
       least_x_(frame.x().layout().least_ids()),
       least_y_(frame.y().layout().least_ids()),
@@ -88,9 +103,7 @@ bool OverlapTraversal<Source>::descend_single_box() {
   if constexpr (Source::kInPlace) {
     const SingleBox box = relative_.single_box();
     if (box.pays(y_.node(0))) {
-      if (grid_y_.empty() || !box.clear_of(grid_y_)) {
-        box.descend(y_.nodes(), memory_.blocks, memory_.node_ids, cost_);
-      }
+      box.descend(frame_.y().layout(), memory_.blocks, memory_.node_ids, cost_);
       return true;
     }
   }
@@ -99,11 +112,18 @@ bool OverlapTraversal<Source>::descend_single_box() {
 
 template <class Source>
 void OverlapTraversal<Source>::start() {
+  if (clear_at_root<Source>(frame_)) {
+    ++cost_.node_tests;
+    memory_.clear();
+  } else {
+    start_unclear();
+  }
+}
+
+template <class Source>
+void OverlapTraversal<Source>::start_unclear() {
   ++cost_.node_tests;
   memory_.clear();
-  if (relative_.apart()) {
-    return;
-  }
   if (!descend_single_box()) {
     memory_.node_ids.push({kRootId, kRootId});
   }
@@ -361,6 +381,8 @@ void OverlapTraversal<Source>::gather_blocks(TraversalRound& round) {
   }
 }
 
+template bool clear_at_root<WideSource>(const PairFrame& frame);
+template bool clear_at_root<CompactSource>(const PairFrame& frame);
 template class OverlapTraversal<WideSource>;
 template class OverlapTraversal<CompactSource>;
 

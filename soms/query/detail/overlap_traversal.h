@@ -56,6 +56,10 @@ struct TraversalRound {
 /// Makes the tests of a round.
 void test_round(const Kernels& kernels, TraversalRound& round);
 
+/// True only if nothing overlaps: a look at the roots' boxes and a few cells of a height grid.
+template <class Source>
+[[nodiscard]] bool clear_at_root(const PairFrame& frame);
+
 /// One query, of layouts that `Source` reads.
 template <class Source>
 class OverlapTraversal {
@@ -64,6 +68,9 @@ class OverlapTraversal {
 
   /// Begins at the roots, or below that of y where x is small beside it and y lies in place.
   void start();
+
+  /// The same where `clear_at_root` is false.
+  void start_unclear();
 
   /// Begins where `start` would have led to, at that cost (see BatchedRootDescent).
   void start(const PairList& seeds, const Cost& cost);
@@ -119,7 +126,6 @@ class OverlapTraversal {
   Source x_;
   Source y_;
   LargeLeaf<Source> large_leaf_;
-  const layout::MinMaxGrid& grid_y_;
   const Kernels& kernels_;
   std::span<const TriangleId> least_x_;
   std::span<const TriangleId> least_y_;

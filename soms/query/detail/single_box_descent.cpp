@@ -22,7 +22,7 @@ bool SingleBox::pays(const WideNode& root) const {
   return scale != 0 && root.l1_radius > kMuchLarger * sum;
 }
 
-bool SingleBox::clear_of(const layout::MinMaxGrid& min_max_grid) const {
+layout::PlanBox SingleBox::above(const layout::GroundPlan& plan) const {
   const auto margin = static_cast<double>(kMargin * sum + slack);
   std::array<double, 3> at;
   std::array<double, 3> half_extent;
@@ -30,7 +30,12 @@ bool SingleBox::clear_of(const layout::MinMaxGrid& min_max_grid) const {
     at[i] = center[i] * scale;
     half_extent[i] = static_cast<double>(half[i]) + margin;
   }
-  return min_max_grid.clear(at, half_extent);
+  return plan.place(at, half_extent);
+}
+
+bool SingleBox::clear_of(const WideTree& y) const {
+  const layout::MinMaxGrid& grid = y.min_max_grid();
+  return !grid.empty() && grid.clear(above(grid.plan()));
 }
 
 std::uint32_t SingleBox::meets(const WideNode& node) const {
@@ -44,9 +49,29 @@ std::uint32_t SingleBox::meets(const WideNode& node) const {
   return ~bits_of(apart) & ((1U << node.count) - 1);
 }
 
-void SingleBox::descend(const WideNode* nodes, PairList& stack, PairList& seeds, Cost& cost) const {
+bool SingleBox::begin(const WideTree& y, std::uint32_t& index, PairList& stack) const {
+  index = 0;
+  const layout::MinMaxGrid& grid = y.min_max_grid();
+  if (grid.empty()) {
+    return true;
+  }
+  const auto starts = y.start_nodes().of(above(grid.plan()));
+  for (const std::uint32_t start : starts) {
+    fetch(y.nodes()[start]);
+    stack.push({0, start});
+  }
+  if (starts.empty()) {
+    return false;
+  }
+  index = stack.pop().y;
+  return true;
+}
+
+void SingleBox::descend(const WideTree& y, PairList& stack, PairList& seeds, Cost& cost) const {
   std::uint32_t index = 0;
-  while (step(nodes, index, stack, seeds, cost)) {
+  bool going = begin(y, index, stack);
+  while (going) {
+    going = step(y.nodes().data(), index, stack, seeds, cost);
   }
 }
 

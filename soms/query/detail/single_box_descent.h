@@ -33,14 +33,20 @@ struct SingleBox {
   /// Whether the box is so small beside a tree that it should go down alone.
   [[nodiscard]] bool pays(const WideNode& root) const;
 
-  /// True only if `min_max_grid` knows that nothing of their mesh meets the box.
-  [[nodiscard]] bool clear_of(const layout::MinMaxGrid& min_max_grid) const;
+  /// The box above the ground plan of y, which has one.
+  [[nodiscard]] layout::PlanBox above(const layout::GroundPlan& plan) const;
+
+  /// True only if y's height grid, if it has one, knows that nothing of its mesh meets the box.
+  [[nodiscard]] bool clear_of(const WideTree& y) const;
 
   /// Appends the nodes and leaves of y that the box may meet, as partners of x's root: leaves,
   /// oriented nodes, and nodes about as large as the box. `stack` is empty before and after.
-  void descend(const WideNode* nodes, PairList& stack, PairList& seeds, Cost& cost) const;
+  void descend(const WideTree& y, PairList& stack, PairList& seeds, Cost& cost) const;
 
-  /// One node of the way of `descend`, which begins at node 0 and an empty stack. Turns `index`
+  /// Puts where `descend` begins into `index` and the empty stack; false where nothing is met.
+  [[nodiscard]] bool begin(const WideTree& y, std::uint32_t& index, PairList& stack) const;
+
+  /// One node of the way of `descend`. Turns `index`
   /// into the next node, which starts to load; false where there is none.
   [[nodiscard]] bool step(const WideNode* nodes, std::uint32_t& index, PairList& stack,
                           PairList& seeds, Cost& cost) const;

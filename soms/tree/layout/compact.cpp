@@ -71,10 +71,10 @@ std::pair<std::size_t, bool> read_ids(const std::uint32_t* from,
 }  // namespace
 
 bool WideTree::operator==(const WideTree& other) const {
-  const bool same = nodes_ == other.nodes_ && blocks_ == other.blocks_ &&
-                    min_max_grid_ == other.min_max_grid_ && origin_ == other.origin_ &&
-                    bounds_ == other.bounds_ && exponent_ == other.exponent_ &&
-                    (compact_ != nullptr) == (other.compact_ != nullptr);
+  const bool same =
+      nodes_ == other.nodes_ && blocks_ == other.blocks_ && min_max_grid_ == other.min_max_grid_ &&
+      start_nodes_ == other.start_nodes_ && origin_ == other.origin_ && bounds_ == other.bounds_ &&
+      exponent_ == other.exponent_ && (compact_ != nullptr) == (other.compact_ != nullptr);
   return same && (!compact_ || (compact_->nodes == other.compact_->nodes &&
                                 compact_->ids == other.compact_->ids));
 }
@@ -159,7 +159,7 @@ WideTree WideTree::expanded(const Mesh& mesh, const Parallel& parallel) const {
           result.nodes_[i] = node;
         }
       });
-  result.min_max_grid_ = layout::MinMaxGrid(result.blocks_, bounds_, scale_, parallel);
+  result.make_plan(parallel);
   return result;
 }
 

@@ -2,7 +2,8 @@
 
 #include "soms/base/box.h"
 #include "soms/base/portable.h"
-#include "soms/tree/layout/detail/frame.h"
+#include "soms/tree/layout/detail/block_bands.h"
+#include "soms/tree/layout/detail/height_mask.h"
 #include "soms/tree/layout/wide_tree.h"
 
 #include <algorithm>
@@ -17,29 +18,95 @@ namespace soms::layout {
 namespace {
 
 constexpr double kFlat = 4;              // sides of the ground plan over the third one, at least
-constexpr double kCellsABlock = 1.5;     // about four triangles a cell
+constexpr double kCellsABlock = 1;       // about six triangles a cell
 constexpr double kMostCells = 1U << 20;  // of a row or a column
+constexpr std::uint64_t kCellsATriangle = 64;  // at most
+constexpr std::uint64_t kCellsOfSmall = 4;     // of a block
+constexpr std::uint32_t kColumnBits = 2;       // a cell has four columns along each axis
+constexpr std::uint32_t kColumn = (1U << kColumnBits) - 1;
 constexpr std::size_t kChunk = 4096;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-// Corners in a block are rounded to nearest.
-constexpr double kCornerRounding = 0x1p-23;
 
-/// Widens a bound that other threads widen too; the outcome has no order.
-template <bool kShared, class Closer>
-void widen(float& bound, float to, Closer closer) {
+/// Changes a number that other threads may change too, to one that has no order.
+template <bool kShared, class T, class Change>
+void change(T& number, const Change& changed) {
   if constexpr (kShared) {
-    const AtomicRef<float> shared(bound);
-    float now = shared.load(std::memory_order_relaxed);
-    while (closer(to, now) && !shared.compare_exchange_weak(now, to, std::memory_order_relaxed)) {
+    const AtomicRef<T> shared(number);
+    T now = shared.load(std::memory_order_relaxed);
+    while (changed(now) != now &&
+           !shared.compare_exchange_weak(now, changed(now), std::memory_order_relaxed)) {
     }
   } else {
-    bound = closer(to, bound) ? to : bound;
+    number = changed(number);
   }
 }
 
-/// Grid in which an interval of so many cells more than one lies in two cells at most.
-std::uint32_t grid_for(std::uint32_t span) {
-  return span <= 1 ? 0 : static_cast<std::uint32_t>(std::bit_width(span - 1));
+/// Columns of a cell that a band has, which begins and ends in the given ones.
+QuarterRange columns_of(std::uint32_t cell, std::uint32_t from, std::uint32_t to) {
+  return {cell == from >> kColumnBits ? from & kColumn : 0,
+          cell == to >> kColumnBits ? to & kColumn : kColumn};
+}
+
+/// Slices of `to` that the slices of `from` reach into, one of `from` after the other.
+class SliceMap {
+ public:
+  template <class Cell>
+  SliceMap(const Cell& own, const Cell& other)
+      : SliceMap(slice_ends(own.lower, own.upper), slice_ends(other.lower, other.upper)) {}
+
+  SliceMap(const std::array<double, 5>& from, const std::array<double, 5>& to) {
+    for (std::size_t a = 0; a < 4; ++a) {
+      const QuarterRange range{slice_of(from[a], to), slice_of(from[a + 1], to)};
+      slices_[a] = mask_of({0, 0}, {0, 0}, range);
+    }
+  }
+
+  /// \p columns, bits of 16, in all slices that `slice` reaches into.
+  [[nodiscard]] std::uint64_t put(std::uint64_t columns, std::size_t slice) const {
+    return columns * slices_[slice];
+  }
+
+ private:
+  std::array<std::uint64_t, 4> slices_;
+};
+
+/// Sixteen columns of one slice.
+std::uint64_t columns_in(std::uint64_t taken, std::size_t slice) {
+  return taken >> (16 * slice) & 0xFFFF;
+}
+
+/// Columns of a quarter, each made into two by two.
+std::uint64_t widened(std::uint64_t columns, std::uint32_t quarter_x, std::uint32_t quarter_y) {
+  const std::uint64_t own = columns >> (2 * quarter_x + 8 * quarter_y);
+  return ((own & 1) * 0x33) | ((own >> 1 & 1) * 0xCC) | ((own >> 4 & 1) * 0x3300) |
+         ((own >> 5 & 1) * 0xCC00);
+}
+
+/// Columns two by two made into one, in their quarter.
+std::uint64_t narrowed(std::uint64_t columns, std::uint32_t quarter_x, std::uint32_t quarter_y) {
+  const auto any = [&](std::uint64_t four) -> std::uint64_t {
+    return (columns & four) != 0 ? 1 : 0;
+  };
+  const std::uint64_t own = any(0x33) | any(0xCC) << 1 | any(0x3300) << 4 | any(0xCC00) << 5;
+  return own << (2 * quarter_x + 8 * quarter_y);
+}
+
+/// Cells of the grid of a level that a band takes up.
+std::uint64_t cells_of(const ColumnBand& band, std::uint32_t level) {
+  const std::uint32_t shift = level + kColumnBits;
+  const auto along = [&](std::size_t k) {
+    return std::uint64_t{(band.to[k] >> shift) - (band.from[k] >> shift)} + 1;
+  };
+  return along(0) * along(1);
+}
+
+/// Finest grid in which a triangle of such bounds takes up no more cells than it may.
+std::uint32_t grid_for(const ColumnBand& bounds) {
+  std::uint32_t level = 0;
+  while (cells_of(bounds, level) > kCellsATriangle) {
+    ++level;
+  }
+  return level;
 }
 
 }  // namespace
@@ -50,140 +117,187 @@ MinMaxGrid::MinMaxGrid(std::span<const TriangleBlock> blocks, const Box& bounds,
   std::array<std::uint8_t, 3> order = {0, 1, 2};
   std::stable_sort(order.begin(), order.end(),
                    [&](std::uint8_t a, std::uint8_t b) { return extent[a] > extent[b]; });
-  axis_ = order;
+  plan_.axis = order;
   if (blocks.empty() || !(extent[order[1]] > 0) || extent[order[2]] * kFlat > extent[order[1]]) {
     return;
   }
   lay_grids(bounds, scale, blocks.size());
   const Parallel silent{parallel.threads, parallel.stop, {}};
-  for_each_chunk(blocks.size(), kChunk, silent, [&](std::size_t begin, std::size_t end) {
-    for (const TriangleBlock& block : blocks.subspan(begin, end - begin)) {
-      if (parallel.threads == 1) {
-        put<false>(block, scale);
-      } else {
-        put<true>(block, scale);
-      }
-    }
-  });
-  hand_down();
-  hand_up();
+  parallel.threads == 1 ? fill<false>(blocks, scale, silent) : fill<true>(blocks, scale, silent);
 }
 
 void MinMaxGrid::lay_grids(const Box& bounds, double scale, std::size_t blocks) {
   const Vec3 extent = bounds.extent();
-  const std::array<double, 2> sides = {extent[axis_[0]] * scale, extent[axis_[1]] * scale};
+  const std::array<double, 2> sides = {extent[plan_.axis[0]] * scale,
+                                       extent[plan_.axis[1]] * scale};
   const double cells = kCellsABlock * static_cast<double>(blocks);
   // By the longer side and the number of its cells, so that no product of sides is needed.
   const double row =
       std::clamp(std::sqrt(cells * (sides[0] / sides[1])), 1.0, std::min(cells, kMostCells));
-  cells_a_unit_ = row / sides[0];
-  Grid grid;
+  plan_.columns_a_unit = (1U << kColumnBits) * (row / sides[0]);
+  plan_.rounding = 0x1p-45 * sides[0];
   for (std::size_t k = 0; k < 2; ++k) {
-    corner_[k] = -0.5 * sides[k];
-    last_[k] = std::floor(std::min(sides[k] * cells_a_unit_, kMostCells));
+    plan_.origin[k] = -0.5 * sides[k];
+    plan_.last[k] =
+        std::floor(std::min(sides[k] * plan_.columns_a_unit, (1U << kColumnBits) * kMostCells));
   }
-  grid.width = static_cast<std::uint32_t>(last_[0]) + 1;
-  grid.height = static_cast<std::uint32_t>(last_[1]) + 1;
+  const std::uint32_t width = (static_cast<std::uint32_t>(plan_.last[0]) >> kColumnBits) + 1;
+  const std::uint32_t height = (static_cast<std::uint32_t>(plan_.last[1]) >> kColumnBits) + 1;
   std::size_t first = 0;
   for (std::uint32_t k = 0;; ++k) {
     Grid& here = grids_[grid_count_++];
-    here = {first, ((grid.width - 1) >> k) + 1, ((grid.height - 1) >> k) + 1};
+    here = {first, ((width - 1) >> k) + 1, ((height - 1) >> k) + 1};
     first += std::size_t{here.width} * here.height;
     if (here.width == 1 && here.height == 1) {
       break;
     }
   }
-  ranges_.resize(first);
-  std::fill(ranges_.begin(), ranges_.end(), Range{kInfinity, -kInfinity});
+  cells_.resize(first);
+  std::fill(cells_.begin(), cells_.end(), Cell{kInfinity, -kInfinity, 0});
 }
 
 template <bool kShared>
-void MinMaxGrid::put(const TriangleBlock& block, double scale) {
-  const double give = kCornerRounding * static_cast<double>(block.l1_radius);
-  for (std::size_t lane = 0; lane < block.count; ++lane) {
-    std::array<double, 3> lower;
-    std::array<double, 3> upper;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t axis = axis_[i];
-      const double at = block.origin[axis] * scale;
-      const auto& q = block.corner;
-      const auto [least, most] = std::minmax({q[axis][lane], q[3 + axis][lane], q[6 + axis][lane]});
-      lower[i] = at + (static_cast<double>(least) - give);
-      upper[i] = at + (static_cast<double>(most) + give);
+void MinMaxGrid::fill(std::span<const TriangleBlock> blocks, double scale,
+                      const Parallel& parallel) {
+  const auto put_range = [](Cell& cell, std::uint32_t, std::uint32_t, const ColumnBand& band) {
+    change<kShared>(cell.lower, [&](float now) { return std::min(now, band.lower); });
+    change<kShared>(cell.upper, [&](float now) { return std::max(now, band.upper); });
+  };
+  for_each_block(blocks, scale, parallel, [&](const BlockBands& bands, std::size_t count) {
+    // Where a block is small, its triangles have about one range: slices tell them apart.
+    const ColumnBand whole = bands.whole();
+    if (cells_of(whole, 0) <= kCellsOfSmall) {
+      put_band(0, whole, put_range);
+      return;
     }
-    put<kShared>(lower, upper);
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      put_triangle(bands, lane, put_range);
+    }
+  });
+  hand_down([](Cell& fine, const Cell& coarse, std::uint32_t, std::uint32_t) {
+    fine.lower = std::min(fine.lower, coarse.lower);
+    fine.upper = std::max(fine.upper, coarse.upper);
+  });
+  hand_up([](const Cell& fine, Cell& coarse, std::uint32_t, std::uint32_t) {
+    coarse.lower = std::min(coarse.lower, fine.lower);
+    coarse.upper = std::max(coarse.upper, fine.upper);
+  });
+  const auto take_up = [](Cell& cell, std::uint32_t x, std::uint32_t y, const ColumnBand& band) {
+    const auto ends = slice_ends(cell.lower, cell.upper);
+    const std::uint64_t taken =
+        mask_of(columns_of(x, band.from[0], band.to[0]), columns_of(y, band.from[1], band.to[1]),
+                {slice_of(static_cast<double>(band.lower), ends),
+                 slice_of(static_cast<double>(band.upper), ends)});
+    change<kShared>(cell.taken, [=](std::uint64_t now) { return now | taken; });
+  };
+  for_each_block(blocks, scale, parallel, [&](const BlockBands& bands, std::size_t count) {
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      put_triangle(bands, lane, take_up);
+    }
+  });
+  hand_down([](Cell& fine, const Cell& coarse, std::uint32_t quarter_x, std::uint32_t quarter_y) {
+    if (coarse.taken != 0) {
+      const SliceMap map(coarse, fine);
+      for (std::size_t slice = 0; slice < 4; ++slice) {
+        fine.taken |=
+            map.put(widened(columns_in(coarse.taken, slice), quarter_x, quarter_y), slice);
+      }
+    }
+  });
+  hand_up([](const Cell& fine, Cell& coarse, std::uint32_t quarter_x, std::uint32_t quarter_y) {
+    if (fine.taken != 0) {
+      const SliceMap map(fine, coarse);
+      for (std::size_t slice = 0; slice < 4; ++slice) {
+        coarse.taken |=
+            map.put(narrowed(columns_in(fine.taken, slice), quarter_x, quarter_y), slice);
+      }
+    }
+  });
+}
+
+template <class Put>
+void MinMaxGrid::for_each_block(std::span<const TriangleBlock> blocks, double scale,
+                                const Parallel& parallel, const Put& put) {
+  for_each_chunk(blocks.size(), kChunk, parallel, [&](std::size_t begin, std::size_t end) {
+    for (const TriangleBlock& block : blocks.subspan(begin, end - begin)) {
+      put(BlockBands(block, scale, plan_), block.count);
+    }
+  });
+}
+
+template <class Put>
+void MinMaxGrid::put_triangle(const BlockBands& bands, std::size_t lane, const Put& put) {
+  const ColumnBand bounds = bands.band(lane);
+  const std::uint32_t level = grid_for(bounds);
+  const ColumnBand joined = bounds.joined(level);
+  if (joined.few()) {
+    put_band(level, joined, put);
+  } else {
+    for_each_band(bands.triangle(lane), joined, plan_, level,
+                  [&](const ColumnBand& band) { put_band(level, band, put); });
   }
 }
 
-template <bool kShared>
-void MinMaxGrid::put(const std::array<double, 3>& lower, const std::array<double, 3>& upper) {
-  const std::array<std::uint32_t, 2> from = {cell(0, lower[0]), cell(1, lower[1])};
-  const std::array<std::uint32_t, 2> to = {cell(0, upper[0]), cell(1, upper[1])};
-  const std::uint32_t k = grid_for(std::max(to[0] - from[0], to[1] - from[1]));
-  const Grid& grid = grids_[k];
-  const float least = -rounded_up(-lower[2]);
-  const float most = rounded_up(upper[2]);
-  for (std::size_t y = from[1] >> k; y <= to[1] >> k; ++y) {
-    for (std::size_t x = from[0] >> k; x <= to[0] >> k; ++x) {
-      Range& range = ranges_[grid.first + y * grid.width + x];
-      widen<kShared>(range.lower, least, [](float a, float b) { return a < b; });
-      widen<kShared>(range.upper, most, [](float a, float b) { return a > b; });
+template <class Put>
+void MinMaxGrid::put_band(std::uint32_t level, const ColumnBand& band, const Put& put) {
+  const Grid& grid = grids_[level];
+  for (std::uint32_t y = band.from[1] >> kColumnBits; y <= band.to[1] >> kColumnBits; ++y) {
+    for (std::uint32_t x = band.from[0] >> kColumnBits; x <= band.to[0] >> kColumnBits; ++x) {
+      put(cells_[grid.first + std::size_t{y} * grid.width + x], x, y, band);
     }
   }
 }
 
-void MinMaxGrid::hand_down() {
+template <class Visit>
+void MinMaxGrid::hand_down(const Visit& visit) {
   for (std::size_t k = grid_count_ - 1; k-- > 0;) {
-    const Grid& fine = grids_[k];
-    const Grid& coarse = grids_[k + 1];
-    for (std::size_t y = 0; y < fine.height; ++y) {
-      const Range* above = &ranges_[coarse.first + (y >> 1) * coarse.width];
-      Range* row = &ranges_[fine.first + y * fine.width];
-      for (std::size_t x = 0; x < fine.width; ++x) {
-        row[x].lower = std::min(row[x].lower, above[x >> 1].lower);
-        row[x].upper = std::max(row[x].upper, above[x >> 1].upper);
-      }
-    }
+    visit_grid(k, visit);
   }
 }
 
-void MinMaxGrid::hand_up() {
+template <class Visit>
+void MinMaxGrid::hand_up(const Visit& visit) {
   for (std::size_t k = 0; k + 1 < grid_count_; ++k) {
-    const Grid& fine = grids_[k];
-    const Grid& coarse = grids_[k + 1];
-    for (std::size_t y = 0; y < fine.height; ++y) {
-      const Range* row = &ranges_[fine.first + y * fine.width];
-      Range* above = &ranges_[coarse.first + (y >> 1) * coarse.width];
-      for (std::size_t x = 0; x < fine.width; ++x) {
-        above[x >> 1].lower = std::min(above[x >> 1].lower, row[x].lower);
-        above[x >> 1].upper = std::max(above[x >> 1].upper, row[x].upper);
-      }
+    visit_grid(k, visit);
+  }
+}
+
+template <class Visit>
+void MinMaxGrid::visit_grid(std::size_t k, const Visit& visit) {
+  const Grid& fine = grids_[k];
+  const Grid& coarse = grids_[k + 1];
+  for (std::uint32_t y = 0; y < fine.height; ++y) {
+    Cell* const row = &cells_[fine.first + std::size_t{y} * fine.width];
+    Cell* const above = &cells_[coarse.first + std::size_t{y >> 1} * coarse.width];
+    for (std::uint32_t x = 0; x < fine.width; ++x) {
+      visit(row[x], above[x >> 1], x & 1, y & 1);
     }
   }
 }
 
-bool MinMaxGrid::clear(const std::array<double, 3>& center,
-                       const std::array<double, 3>& half) const {
-  std::array<std::uint32_t, 2> from;
-  std::array<std::uint32_t, 2> to;
-  for (std::size_t k = 0; k < 2; ++k) {
-    const std::size_t axis = axis_[k];
-    from[k] = cell(k, center[axis] - half[axis]);
-    to[k] = cell(k, center[axis] + half[axis]);
-  }
-  const std::uint32_t k = grid_for(std::max(to[0] - from[0], to[1] - from[1]));
-  const Grid& grid = grids_[k];
-  const double lower = center[axis_[2]] - half[axis_[2]];
-  const double upper = center[axis_[2]] + half[axis_[2]];
-  bool meets = false;
-  for (std::size_t y = from[1] >> k; y <= to[1] >> k; ++y) {
-    for (std::size_t x = from[0] >> k; x <= to[0] >> k; ++x) {
-      const Range& range = ranges_[grid.first + y * grid.width + x];
-      meets |=
-          static_cast<double>(range.lower) <= upper && static_cast<double>(range.upper) >= lower;
+bool MinMaxGrid::clear(const PlanBox& box) const {
+  const auto span = [&](std::size_t k) {
+    return (box.to[k] >> kColumnBits) - (box.from[k] >> kColumnBits);
+  };
+  const std::uint32_t most = std::max(span(0), span(1));
+  // The finest grid in which that is two cells at most.
+  const std::uint32_t level = most <= 1 ? 0 : static_cast<std::uint32_t>(std::bit_width(most - 1));
+  const Grid& grid = grids_[level];
+  const std::array<std::uint32_t, 2> from = {box.from[0] >> level, box.from[1] >> level};
+  const std::array<std::uint32_t, 2> to = {box.to[0] >> level, box.to[1] >> level};
+  std::uint64_t meets = 0;
+  for (std::uint32_t y = from[1] >> kColumnBits; y <= to[1] >> kColumnBits; ++y) {
+    for (std::uint32_t x = from[0] >> kColumnBits; x <= to[0] >> kColumnBits; ++x) {
+      const Cell& cell = cells_[grid.first + std::size_t{y} * grid.width + x];
+      const auto ends = slice_ends(cell.lower, cell.upper);
+      const std::uint64_t covered =
+          mask_of(columns_of(x, from[0], to[0]), columns_of(y, from[1], to[1]),
+                  {slice_of(box.lower, ends), slice_of(box.upper, ends)});
+      const bool in_range = (ends[0] <= box.upper) & (ends[4] >= box.lower);
+      meets |= in_range ? covered & cell.taken : 0;
     }
   }
-  return !meets;
+  return meets == 0;
 }
 
 }  // namespace soms::layout

@@ -1,11 +1,12 @@
 /// \file
-/// How far down and up a mesh that lies flat, such as a city, reaches at each place of its ground
-/// plan. What flies above it, drives below a bridge's deck but beside its piers, or stands in a
-/// yard is known to be clear by a look at four numbers.
+/// Where a mesh that lies flat, such as a city, reaches above each place of its ground plan. What
+/// flies above it, drives below a bridge's deck but beside its piers, or stands in a yard is known
+/// to be clear by a look at four cells.
 #pragma once
 
 #include "soms/base/parallel.h"
 #include "soms/base/vector.h"
+#include "soms/tree/layout/ground_plan.h"
 #include "soms/tree/layout/pages.h"
 
 #include <array>
@@ -20,19 +21,23 @@ struct TriangleBlock;
 
 namespace layout {
 
-/// A grid over the two longer axes of a mesh's box, about four triangles a cell, and coarser ones
+class BlockBands;
+struct ColumnBand;
+
+/// A grid over the two longer axes of a mesh's box, about six triangles a cell, and coarser ones
 /// above it, each cell of which is four of the grid below. A cell holds the least and the greatest
-/// third coordinate of all triangles whose bounds reach into it.
+/// third coordinate of what reaches into it, and which of its 4 x 4 columns are taken up in which
+/// of four slices of that range.
 ///
 /// All coordinates are in units of the layout, relative to the tree's origin.
 ///
-/// Proof. A coordinate's cell is found by steps of which each is monotone in it, rounding included:
-/// less a number, times a positive one, cut to a range, cut to an integer. So intervals that share
-/// a number have a cell in common, and so have they in a coarser grid, whose cells are those of the
-/// finest one divided by a power of two. A triangle is put into every cell that its bounds reach
-/// into of the finest grid in which these are at most four; what is in a grid is handed down to all
-/// finer ones, and then up to all coarser ones. So a cell of any grid knows all that reaches into
-/// it.
+/// Proof. By column_bands.h every point of a triangle lies in a column of one of its bands, and
+/// between that band's heights. Bands are put into the finest grid in which the triangle's bounds
+/// take up at most 64 cells. What is in a grid is handed down to all finer ones, and then up to all
+/// coarser ones: ranges first, then, once they are final, the slices. A height's slice is found by
+/// comparing it with three numbers of its cell, which is monotone in it; so a point in a slice of
+/// one grid lies between the slices of that slice's ends in another. So in each grid the column and
+/// slice of the point are marked, and a box that holds the point covers both.
 class MinMaxGrid {
  public:
   /// An empty grid: nothing is known to be clear.
@@ -40,32 +45,35 @@ class MinMaxGrid {
 
   /// The grid of the triangles of `blocks`, or none where their box, in the mesh's units, is not
   /// flat: its least side is more than a quarter of the next. The same bytes for any number of
-  /// threads. \errors cancelled. \cost O(n) time; 3 bytes a triangle.
+  /// threads. \errors cancelled. \cost O(n) time; 4 bytes a triangle.
   MinMaxGrid(std::span<const TriangleBlock> blocks, const Box& bounds, double scale,
              const Parallel& parallel);
 
-  [[nodiscard]] bool empty() const { return ranges_.empty(); }
+  [[nodiscard]] bool empty() const { return cells_.empty(); }
 
-  /// True only if no triangle has a point in the box `center +- half`.
-  /// \pre not empty
-  [[nodiscard]] bool clear(const std::array<double, 3>& center,
-                           const std::array<double, 3>& half) const;
+  /// True only if no triangle has a point in the box.
+  /// \pre not empty; the box is of `plan()`
+  [[nodiscard]] bool clear(const PlanBox& box) const;
+
+  /// Four columns a cell of the finest grid along each axis.
+  [[nodiscard]] const GroundPlan& plan() const { return plan_; }
 
   [[nodiscard]] bool operator==(const MinMaxGrid&) const = default;
 
-  [[nodiscard]] std::size_t memory() const { return ranges_.capacity() * sizeof(Range); }
+  [[nodiscard]] std::size_t memory() const { return cells_.capacity() * sizeof(Cell); }
 
  private:
-  struct Range {
+  struct Cell {
     float lower;
     float upper;
+    std::uint64_t taken;  ///< columns and slices: see height_mask.h
 
-    [[nodiscard]] bool operator==(const Range&) const = default;
+    [[nodiscard]] bool operator==(const Cell&) const = default;
   };
 
   /// One grid, finest first.
   struct Grid {
-    std::size_t first = 0;  ///< of its cells in `ranges_`
+    std::size_t first = 0;  ///< of its cells in `cells_`
     std::uint32_t width = 0;
     std::uint32_t height = 0;
 
@@ -74,27 +82,36 @@ class MinMaxGrid {
 
   static constexpr std::size_t kMostGrids = 32;
 
-  /// Cell of the finest grid along axis k of the ground plan.
-  [[nodiscard]] std::uint32_t cell(std::size_t k, double x) const {
-    const double place = (x - corner_[k]) * cells_a_unit_;
-    return static_cast<std::uint32_t>(place > 0 ? (place < last_[k] ? place : last_[k]) : 0);
-  }
-
   void lay_grids(const Box& bounds, double scale, std::size_t blocks);
-  template <bool kShared>
-  void put(const TriangleBlock& block, double scale);
-  template <bool kShared>
-  void put(const std::array<double, 3>& lower, const std::array<double, 3>& upper);
-  void hand_down();
-  void hand_up();
 
-  Pages<Range> ranges_;
+  /// \tparam kShared several threads fill
+  template <bool kShared>
+  void fill(std::span<const TriangleBlock> blocks, double scale, const Parallel& parallel);
+
+  /// Calls `put` with the bands of each block and the number of its triangles.
+  template <class Put>
+  void for_each_block(std::span<const TriangleBlock> blocks, double scale, const Parallel& parallel,
+                      const Put& put);
+
+  /// Calls `put` with each cell of a triangle's bands, or of one band.
+  template <class Put>
+  void put_triangle(const BlockBands& bands, std::size_t lane, const Put& put);
+  template <class Put>
+  void put_band(std::uint32_t level, const ColumnBand& band, const Put& put);
+
+  /// Calls `visit` with each cell but the coarsest, the cell above it, and which of that one's
+  /// quarters it is: from the coarsest grid down, or from the finest up.
+  template <class Visit>
+  void hand_down(const Visit& visit);
+  template <class Visit>
+  void hand_up(const Visit& visit);
+  template <class Visit>
+  void visit_grid(std::size_t k, const Visit& visit);
+
+  Pages<Cell> cells_;
   std::array<Grid, kMostGrids> grids_ = {};
   std::size_t grid_count_ = 0;
-  std::array<std::uint8_t, 3> axis_ = {};  ///< the two of the ground plan, and the least
-  std::array<double, 2> corner_ = {};      ///< of the ground plan
-  std::array<double, 2> last_ = {};        ///< number of the last cell of a row, of a column
-  double cells_a_unit_ = 0;
+  GroundPlan plan_;
 };
 
 }  // namespace layout

@@ -93,7 +93,7 @@ WideTree::WideTree(layout::Parts tree, const Mesh& mesh, const Parallel& paralle
   const double size = settle();
   layout::widen(std::move(tree), mesh, {origin_, scale_, size}, parallel, nodes_, blocks_);
   least_ids_ = layout::least_ids(nodes_, blocks_);
-  min_max_grid_ = layout::MinMaxGrid(blocks_, bounds_, scale_, parallel);
+  make_plan(parallel);
 }
 
 WideTree::WideTree(const WideTree& tree, const Mesh& mesh, const Parallel& parallel) {
@@ -107,7 +107,14 @@ WideTree::WideTree(const WideTree& tree, const Mesh& mesh, const Parallel& paral
     blocks_.resize(tree.blocks_.size());
     least_ids_ = tree.least_ids_;
     layout::refit_layout(tree, mesh, {origin_, scale_, size}, parallel, nodes_, blocks_);
-    min_max_grid_ = layout::MinMaxGrid(blocks_, bounds_, scale_, parallel);
+    make_plan(parallel);
+  }
+}
+
+void WideTree::make_plan(const Parallel& parallel) {
+  min_max_grid_ = layout::MinMaxGrid(blocks_, bounds_, scale_, parallel);
+  if (!min_max_grid_.empty()) {
+    start_nodes_ = layout::StartNodes(nodes_, min_max_grid_.plan(), scale_);
   }
 }
 
@@ -134,7 +141,7 @@ double WideTree::sah_area_ratio(const Mesh& mesh, const Parallel& parallel) cons
 std::size_t WideTree::memory() const {
   return sizeof *this + nodes_.capacity() * sizeof(WideNode) +
          blocks_.capacity() * sizeof(TriangleBlock) + least_ids_.capacity() * sizeof(TriangleId) +
-         min_max_grid_.memory() +
+         min_max_grid_.memory() + start_nodes_.memory() +
          (compact_ ? sizeof *compact_ + compact_->nodes.capacity() * sizeof(CompactNode) +
                          compact_->ids.capacity() * sizeof(std::uint32_t)
                    : 0);

@@ -8,6 +8,7 @@
 #include "soms/tree/layout/min_max_grid.h"
 #include "soms/tree/layout/node_axes.h"
 #include "soms/tree/layout/pages.h"
+#include "soms/tree/layout/start_nodes.h"
 #include "soms/tree/tree.h"
 
 #include <array>
@@ -142,6 +143,9 @@ class WideTree {
   /// Where a tree of a flat mesh has nothing; empty for others, and where the tree is compact.
   [[nodiscard]] const layout::MinMaxGrid& min_max_grid() const { return min_max_grid_; }
 
+  /// Where small boxes begin; only beside a height grid.
+  [[nodiscard]] const layout::StartNodes& start_nodes() const { return start_nodes_; }
+
   /// The block that begins at entry `first` of `CompactParts::ids`. Where `following` is 1 the leaf
   /// goes on kWidth entries later.
   /// \pre The tree is compact; `mesh` is its mesh.
@@ -173,10 +177,14 @@ class WideTree {
   /// Takes place and unit from the bounds; returns the longest side in that unit.
   [[nodiscard]] double settle();
 
+  /// Makes what flat meshes have beside nodes and blocks.
+  void make_plan(const Parallel& parallel);
+
   layout::Pages<WideNode> nodes_;
   layout::Pages<TriangleBlock> blocks_;
   layout::Pages<TriangleId> least_ids_;
   layout::MinMaxGrid min_max_grid_;
+  layout::StartNodes start_nodes_;
   std::shared_ptr<const CompactParts> compact_;
   Vec3 origin_;
   Box bounds_;

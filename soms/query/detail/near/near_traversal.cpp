@@ -127,10 +127,10 @@ void NearTraversal<Source>::start() {
     box.slack = pose_.numbers().slack;
     const WideNode* const nodes = y_.nodes();
     if (!pose_.far() && box.pays(nodes[0]) && nodes[0].l1_radius > kWithinReach * box.slack) {
-      const layout::MinMaxGrid& grid = frame_->y().layout().min_max_grid();
+      const WideTree& y = frame_->y().layout();
       ++cost_.node_tests;
-      if (grid.empty() || !box.clear_of(grid)) {
-        box.descend(nodes, memory_.stack, memory_.seeds, cost_);
+      if (!box.clear_of(y)) {
+        box.descend(y, memory_.stack, memory_.seeds, cost_);
       }
       for (std::size_t i = 0; i < memory_.seeds.size(); ++i) {
         memory_.pairs.push({kNoBound, memory_.seeds.at(i)});

@@ -1,0 +1,138 @@
+/// \file
+/// Columns and heights that the triangles of a block reach into, four lanes at once.
+///
+/// Proof. In units of columns, with q a corner's coordinate about the block's origin, s the columns
+/// a unit, L the block's largest |q| and f < 1 what the origin's column has of a fraction: f and s
+/// are rounded once, their product with q and the sum with f once each, and corners are known to
+/// 2^-23 L. So a place is off by less than 2^-21 (L s + 1), of which columns of doubles, places of
+/// at most 2^22, are off by 2^-28. Moved outward by 2^-20 (L s + 1), which is rounded twice, it
+/// lies on the right side of every column that ground_plan.h finds for a point of the triangle.
+#pragma once
+
+#include "soms/base/lanes.h"
+#include "soms/tree/layout/detail/column_bands.h"
+#include "soms/tree/layout/wide_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+namespace soms::layout {
+
+class BlockBands {
+ public:
+  /// \param scale turns the mesh's units into those of the layout
+  BlockBands(const TriangleBlock& block, double scale, const GroundPlan& plan)
+      : block_(&block), axes_(plan.axis), scale_(scale) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double origin = (block.origin[axes_[k]] * scale - plan.origin[k]) * plan.columns_a_unit;
+      const double whole = std::floor(std::clamp(origin, 0.0, plan.last[k]));
+      const auto columns_a_unit = static_cast<float>(plan.columns_a_unit);
+      const float outward = 0x1p-20F * (block.l1_radius * columns_a_unit + 1);
+      const auto part = static_cast<float>(origin - whole);
+      const I4 base = splat(static_cast<std::int32_t>(whole));
+      const I4 last = splat(static_cast<std::int32_t>(plan.last[k]));
+      for (std::size_t first = 0; first < kWidth; first += 4) {
+        const auto [least, most] = ends(k, first);
+        const F4 from = least * columns_a_unit + lanes::splat(part - outward);
+        const F4 to = most * columns_a_unit + lanes::splat(part + outward);
+        store(within(base + floor(from), last), from_[k], first);
+        store(within(base + floor(to), last), to_[k], first);
+      }
+    }
+    const double place = block.origin[axes_[2]] * scale;
+    for (std::size_t first = 0; first < kWidth; first += 4) {
+      const auto [least, most] = ends(2, first);
+      for (std::size_t i = 0; i < 4; ++i) {
+        const int lane = static_cast<int>(i);
+        lower_[first + i] = float_below(place + (static_cast<double>(least[lane]) - give()));
+        upper_[first + i] = float_above(place + (static_cast<double>(most[lane]) + give()));
+      }
+    }
+  }
+
+  /// The bounds of a triangle.
+  [[nodiscard]] ColumnBand band(std::size_t lane) const {
+    return {
+        {from_[0][lane], from_[1][lane]}, {to_[0][lane], to_[1][lane]}, lower_[lane], upper_[lane]};
+  }
+
+  /// The bounds of all triangles.
+  [[nodiscard]] ColumnBand whole() const {
+    const auto least = [](const auto& row) { return *std::min_element(row.begin(), row.end()); };
+    const auto most = [](const auto& row) { return *std::max_element(row.begin(), row.end()); };
+    return {{least(from_[0]), least(from_[1])},
+            {most(to_[0]), most(to_[1])},
+            least(lower_),
+            most(upper_)};
+  }
+
+  [[nodiscard]] PlanTriangle triangle(std::size_t lane) const {
+    PlanTriangle triangle;
+    triangle.give = give();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double place = block_->origin[axes_[i]] * scale_;
+      for (std::size_t c = 0; c < 3; ++c) {
+        triangle.corner[c][i] = place + static_cast<double>(block_->corner[3 * c + axes_[i]][lane]);
+      }
+    }
+    return triangle;
+  }
+
+ private:
+  using F4 = lanes::F4;
+  using I4 [[gnu::vector_size(16)]] = std::int32_t;
+  static constexpr std::size_t kWidth = TriangleBlock::kWidth;
+
+  struct Ends {
+    F4 least;
+    F4 most;
+  };
+
+  // Corners in a block are rounded to nearest.
+  [[nodiscard]] double give() const { return 0x1p-23 * static_cast<double>(block_->l1_radius); }
+
+  [[nodiscard]] F4 row(std::size_t row, std::size_t first) const {
+    F4 v;
+    std::memcpy(&v, block_->corner[row].data() + first, sizeof v);
+    return v;
+  }
+
+  [[nodiscard]] Ends ends(std::size_t k, std::size_t first) const {
+    const F4 a = row(axes_[k], first);
+    const F4 b = row(axes_[k] + std::size_t{3}, first);
+    const F4 c = row(axes_[k] + std::size_t{6}, first);
+    return {lanes::min(lanes::min(a, b), c), lanes::max(lanes::max(a, b), c)};
+  }
+
+  static I4 splat(std::int32_t x) { return I4{x, x, x, x}; }
+
+  static I4 floor(F4 x) {
+    const I4 toward_zero = __builtin_convertvector(x, I4);
+    return toward_zero + (__builtin_convertvector(toward_zero, F4) > x);
+  }
+
+  /// At least 0, at most `last`.
+  static I4 within(I4 x, I4 last) {
+    const I4 positive = x & ~(x >> 31);
+    const I4 over = positive > last;
+    return (positive & ~over) | (last & over);
+  }
+
+  static void store(I4 v, std::array<std::uint32_t, kWidth>& to, std::size_t first) {
+    std::memcpy(to.data() + first, &v, sizeof v);
+  }
+
+  const TriangleBlock* block_;
+  std::array<std::uint8_t, 3> axes_;
+  double scale_;
+  std::array<std::array<std::uint32_t, kWidth>, 2> from_;
+  std::array<std::array<std::uint32_t, kWidth>, 2> to_;
+  std::array<float, kWidth> lower_;
+  std::array<float, kWidth> upper_;
+};
+
+}  // namespace soms::layout
