@@ -13,7 +13,7 @@ dl.facts{display:grid;grid-template-columns:max-content 1fr;gap:.2rem 1rem;margi
 max-width:60rem}
 dl.facts dt{color:var(--faint)}
 dl.facts dd{margin:0;overflow-wrap:anywhere}
-h1,.lead,#picked,.note{overflow-wrap:anywhere}
+h1,.lead,#picked,.note,.warn{overflow-wrap:anywhere}
 #look{display:grid;grid-template-columns:minmax(0,1fr) 24rem;gap:.75rem 1rem;align-items:stretch}
 #stage{position:relative;min-height:26rem;height:min(40rem,72vh);border:1px solid var(--line);
 border-radius:.4rem;overflow:hidden}

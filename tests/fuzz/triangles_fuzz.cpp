@@ -1,5 +1,5 @@
-// Two triangles, posed: the exact verdict, and what the float kernels of each instruction set say,
-// against whole numbers.
+// Two triangles, posed: the exact verdict, and what the kernels of each instruction set say in
+// float and in double, against whole numbers.
 #include "soms/geometry/triangle_overlap.h"
 #include "soms/query/detail/kernels/instruction_set.h"
 #include "soms/query/detail/relative_pose.h"
@@ -109,7 +109,7 @@ Shape shape_of(const Triangle& t) {
   return Shape(std::move(mesh));
 }
 
-/// Slabs, boxes and float verdicts of each instruction set: sure answers are right.
+/// Slabs, boxes and verdicts of each instruction set: sure answers are right.
 void check_kernels(const Body& a, const Body& b, bool truth) {
   const WideTree& x = a.shape.layout();
   const WideTree& y = b.shape.layout();
@@ -139,6 +139,9 @@ void check_kernels(const Body& a, const Body& b, bool truth) {
       require(verdicts.open == 1 || (verdicts.hit == 1) == truth, "a verdict in float");
       first.swap(second);
     }
+    const std::uint16_t pair = 0;
+    const detail::Verdicts closer = kernels->judge_in_double(&slot, relative.numbers(), &pair, 1);
+    require(closer.open == 1 || (closer.hit == 1) == truth, "a verdict in double");
   }
 }
 

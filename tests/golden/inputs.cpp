@@ -45,7 +45,7 @@ Hash& Hash::operator<<(const Mesh& mesh) {
 }
 
 Hash& Hash::operator<<(const Overlap& answer) {
-  return *this << answer.any << answer.hash() << answer.coverage << answer.cost;
+  return *this << answer.any << answer.hash() << answer.coverage;
 }
 
 Hash& Hash::operator<<(const WideTree& tree) {

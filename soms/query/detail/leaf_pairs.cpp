@@ -57,9 +57,38 @@ std::size_t LeafQueue::fill(std::size_t begin) {
   return count;
 }
 
-Verdicts LeafQueue::judge(const Kernels& kernels, std::size_t begin) {
-  const std::size_t count = fill(begin);
-  return kernels.judge(slots_.data(), first_.data() + begin, second_.data() + begin, count);
+void LeafQueue::judge(const Kernels& kernels, std::size_t begin, std::size_t end) {
+  for (; begin < end; begin += kJudged) {
+    const std::size_t count = fill(begin);
+    in_float_[begin / kJudged] =
+        kernels.judge(slots_.data(), first_.data() + begin, second_.data() + begin, count);
+  }
+}
+
+void LeafQueue::judge_open(const Kernels& kernels, const PoseNumbers& pose, std::size_t begin,
+                           std::size_t end) {
+  std::size_t count = 0;
+  for (std::size_t set = begin; set < end; set += kJudged) {
+    in_double_[set / kJudged] = {0, 0};
+    for (std::uint32_t open = in_float(set).open; open != 0; open &= open - 1) {
+      const std::size_t at = set + static_cast<std::size_t>(std::countr_zero(open));
+      open_[count++] = static_cast<std::uint16_t>(at);
+    }
+  }
+  for (std::size_t first = 0; first < count; first += kJudged) {
+    const std::size_t some = std::min(kJudged, count - first);
+    std::array<std::uint16_t, kJudged> pairs;
+    for (std::size_t k = 0; k < some; ++k) {
+      pairs[k] = pair_[open_[first + k]];
+    }
+    const Verdicts verdicts = kernels.judge_in_double(slots_.data(), pose, pairs.data(), some);
+    for (std::size_t k = 0; k < some; ++k) {
+      const std::size_t at = open_[first + k];
+      Verdicts& of_set = in_double_[at / kJudged];
+      of_set.hit |= (verdicts.hit >> k & 1U) << at % kJudged;
+      of_set.open |= (verdicts.open >> k & 1U) << at % kJudged;
+    }
+  }
 }
 
 void LeafQueue::gaps(const Kernels& kernels, std::size_t begin, float reach, PairGaps& gaps) {
@@ -93,21 +122,18 @@ bool LeafPairs::decide(std::span<const BlockTask> tasks, bool last, Collector& c
 }
 
 bool LeafPairs::decide_queue(Collector& collector, Cost& cost) {
-  for (std::size_t begin = 0; begin < queue_->size(); begin += kJudged) {
-    const Verdicts verdicts = queue_->judge(*kernels_, begin);
-    for (std::uint32_t hit = verdicts.hit; hit != 0; hit &= hit - 1) {
-      ++cost.triangle_tests;
-      const auto lane = static_cast<std::size_t>(std::countr_zero(hit));
-      const auto [x, y] = queue_->ids(begin + lane);
-      if (collector.add(frame_->in_callers_order(x, y))) {
-        return true;
-      }
+  // Where one pair may be enough, a few are decided at a time.
+  const bool steers = collector.steers();
+  const std::size_t step = steers ? kJudged : queue_->size();
+  for (std::size_t begin = 0; begin < queue_->size(); begin += step) {
+    const std::size_t end = std::min(begin + step, queue_->size());
+    queue_->judge(*kernels_, begin, end);
+    if (steers && take_sure(begin, collector, cost)) {
+      return true;
     }
-    for (std::uint32_t open = verdicts.open; open != 0; open &= open - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(open));
-      const TrianglePair ids = queue_->ids(begin + lane);
-      const TrianglePair pair = frame_->in_callers_order(ids.first, ids.second);
-      if (collector.wants(pair) && overlap(ids, cost) && collector.add(pair)) {
+    queue_->judge_open(*kernels_, frame_->relative().numbers(), begin, end);
+    for (std::size_t set = begin; set < end; set += kJudged) {
+      if ((!steers && take_sure(set, collector, cost)) || take_open(set, collector, cost)) {
         return true;
       }
     }
@@ -116,14 +142,41 @@ bool LeafPairs::decide_queue(Collector& collector, Cost& cost) {
   return false;
 }
 
+bool LeafPairs::take_sure(std::size_t begin, Collector& collector, Cost& cost) const {
+  for (std::uint32_t hit = queue_->in_float(begin).hit; hit != 0; hit &= hit - 1) {
+    ++cost.triangle_tests;
+    const auto lane = static_cast<std::size_t>(std::countr_zero(hit));
+    const auto [x, y] = queue_->ids(begin + lane);
+    if (collector.add(frame_->in_callers_order(x, y))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool LeafPairs::take_open(std::size_t begin, Collector& collector, Cost& cost) const {
+  const Verdicts& in_double = queue_->in_double(begin);
+  for (std::uint32_t left = queue_->in_float(begin).open; left != 0; left &= left - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+    const TrianglePair ids = queue_->ids(begin + lane);
+    const TrianglePair pair = frame_->in_callers_order(ids.first, ids.second);
+    if (!collector.wants(pair)) {
+      continue;
+    }
+    ++cost.triangle_tests;
+    const bool open = (in_double.open >> lane & 1U) != 0;
+    const bool hit = open ? overlap(ids, cost) : (in_double.hit >> lane & 1U) != 0;
+    if (hit && collector.add(pair)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 bool LeafPairs::overlap(const TrianglePair& ids, Cost& cost) const {
   const Triangle s = moved(frame_->x(), ids.first);
   const Triangle t = moved(frame_->y(), ids.second);
-  if (!overlaps(bounds(s), bounds(t))) {
-    return false;
-  }
-  ++cost.triangle_tests;
-  return triangles_overlap(s, t, &cost.exact_tests);
+  return overlaps(bounds(s), bounds(t)) && triangles_overlap(s, t, &cost.exact_tests);
 }
 
 }  // namespace soms::detail

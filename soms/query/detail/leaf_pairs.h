@@ -44,8 +44,22 @@ class LeafQueue {
 
   [[nodiscard]] std::size_t size() const { return size_; }
 
-  /// Judges pairs `begin` to `begin + kJudged`, or as many as there are.
-  [[nodiscard]] Verdicts judge(const Kernels& kernels, std::size_t begin);
+  /// Judges the pairs from `begin`, a multiple of kJudged, to `end` in float.
+  void judge(const Kernels& kernels, std::size_t begin, std::size_t end);
+
+  /// Judges in double what floats left open of the pairs from `begin` to `end`.
+  void judge_open(const Kernels& kernels, const PoseNumbers& pose, std::size_t begin,
+                  std::size_t end);
+
+  /// What floats said of the kJudged pairs from `begin` on.
+  [[nodiscard]] const Verdicts& in_float(std::size_t begin) const {
+    return in_float_[begin / kJudged];
+  }
+
+  /// What doubles said of those that floats left open.
+  [[nodiscard]] const Verdicts& in_double(std::size_t begin) const {
+    return in_double_[begin / kJudged];
+  }
 
   /// Bounds the distances of pairs `begin` to `begin + kJudged`, or as many as there are.
   void gaps(const Kernels& kernels, std::size_t begin, float reach, PairGaps& gaps);
@@ -74,6 +88,9 @@ class LeafQueue {
   std::array<std::uint32_t, kRoom> first_;  // places in the slots: see Kernels::judge
   std::array<std::uint32_t, kRoom> second_;
   std::array<std::uint16_t, kRoom> pair_;  // slot, lane of x, lane of y
+  std::array<std::uint16_t, kRoom> open_;  // places in the lists above
+  std::array<Verdicts, kRoom / kJudged> in_float_;
+  std::array<Verdicts, kRoom / kJudged> in_double_;
   std::size_t size_ = 0;
   std::size_t slots_used_ = 0;
 };
@@ -94,7 +111,13 @@ class LeafPairs {
   /// Empties the queue.
   [[nodiscard]] bool decide_queue(Collector& collector, Cost& cost);
 
-  /// Decides exactly what floats left open.
+  /// Adds what floats are sure of in the kJudged pairs from `begin` on.
+  [[nodiscard]] bool take_sure(std::size_t begin, Collector& collector, Cost& cost) const;
+
+  /// Adds what else overlaps of them.
+  [[nodiscard]] bool take_open(std::size_t begin, Collector& collector, Cost& cost) const;
+
+  /// Decides exactly what floats and doubles left open.
   [[nodiscard]] bool overlap(const TrianglePair& ids, Cost& cost) const;
 
   const PairFrame* frame_;

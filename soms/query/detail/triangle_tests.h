@@ -3,6 +3,7 @@
 /// not set means surely apart; one that is set decides nothing. relative_pose.h proves the margins.
 #pragma once
 
+#include "soms/query/detail/kernels/kernels.h"
 #include "soms/query/detail/relative_pose.h"
 #include "soms/tree/layout/wide_tree.h"
 
@@ -10,6 +11,15 @@
 #include <cstdint>
 
 namespace soms::detail {
+
+/// A box about the origin of x's node, as blocks of y see it. What is at most `reach` apart, in
+/// units of y, counts as meeting.
+[[nodiscard]] SeenBox seen_by_y(const Relation& relation, const std::array<float, 3>& half_x,
+                                float reach);
+
+/// A box about the origin of y's node, as blocks of x see it.
+[[nodiscard]] SeenBox seen_by_x(const Relation& relation, const std::array<float, 3>& half_y,
+                                float reach);
 
 /// Triangles of y's block against a box about the origin of x's node: bit k for lane k. Seven
 /// axes: three of each, and the triangle's normal. What is at most `reach` apart, in units of y,

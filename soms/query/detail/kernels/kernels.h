@@ -32,15 +32,21 @@ struct alignas(64) PoseNumbers {
 
   [[nodiscard]] float n(std::size_t i, std::size_t j) const { return rows[4 * i + j]; }
 
+  [[nodiscard]] std::array<double, 3> offset_in_double(const std::array<double, 3>& x,
+                                                       const std::array<double, 3>& y) const {
+    std::array<double, 3> d = {};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double rotated = (column[0][i] * x[0] + column[1][i] * x[1]) + column[2][i] * x[2];
+      d[i] = ((rotated + shift[i]) - y[i]) * scale;
+    }
+    return d;
+  }
+
   /// From the origin of a node or block in y to that of one in x, in y's units and axes.
   [[nodiscard]] std::array<float, 3> offset(const std::array<double, 3>& x,
                                             const std::array<double, 3>& y) const {
-    std::array<float, 3> d = {};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double rotated = (column[0][i] * x[0] + column[1][i] * x[1]) + column[2][i] * x[2];
-      d[i] = static_cast<float>(((rotated + shift[i]) - y[i]) * scale);
-    }
-    return d;
+    const std::array<double, 3> d = offset_in_double(x, y);
+    return {static_cast<float>(d[0]), static_cast<float>(d[1]), static_cast<float>(d[2])};
   }
 };
 
@@ -85,6 +91,12 @@ struct alignas(64) TriangleSlot {
 
   Corners x;  ///< row 3 * corner + axis, lane; the last row is the error, the same in all lanes
   Corners y;
+  /// What `judge_in_double` takes in place of x: corners about their block's origin, in y's units,
+  /// where that is seen from y's, and errors of moved corners of x and of corners of y.
+  std::array<std::array<float, TriangleBlock::kWidth>, kErrorRow> own;
+  std::array<double, 3> offset;
+  double error_x;
+  double error_y;
   std::array<TriangleId, TriangleBlock::kWidth> id_x;
   std::array<TriangleId, TriangleBlock::kWidth> id_y;
 };
@@ -127,6 +139,16 @@ inline void put_last(const PairSink& sink, std::size_t which, std::size_t count)
 struct alignas(64) NodeKeys {
   std::array<float, 16> key;
   std::uint32_t near;  ///< wanted pairs whose keys do not exceed the limit
+};
+
+/// A box seen from a block of triangles.
+struct SeenBox {
+  std::array<float, 3> center;
+  std::array<float, 3> half;
+  std::array<std::array<float, 4>, 3> axis;  ///< axis j of the box is column j; rows padded to four
+  std::array<float, 3> radius;               ///< along the block's axes, margin and reach included
+  float margin;
+  float reach;  ///< what may lie between, beside the margin
 };
 
 /// Distances of pairs of triangles.
@@ -193,10 +215,20 @@ struct Kernels {
   /// and lane k of y. Fills the slot unless there is none.
   std::uint64_t (*test_boxes)(const BlockTask& task, TriangleSlot& slot);
 
+  /// Triangles of a block, multiplied by `ratio`, that may meet a box: bit k for lane k. Seven
+  /// axes: three of each, and the triangle's normal; those in its plane if the block is larger.
+  std::uint32_t (*meet_box)(const SeenBox& box, const TriangleBlock& block, float ratio);
+
   /// Judges `count` pairs of triangles, at most kJudged. Each list has kJudged places in the slots,
   /// counted in floats from the first one's x; those from `count` on may be any in use.
   Verdicts (*judge)(const TriangleSlot* slots, const std::uint32_t* first,
                     const std::uint32_t* second, std::size_t count);
+
+  /// Judges `count` pairs of triangles, at most kJudged, that `judge` left open, more closely
+  /// (triangle_pairs_double.h). A pair is 64 times its slot, eight times the lane of x and that of
+  /// y. \pre `test_boxes` filled the slots.
+  Verdicts (*judge_in_double)(const TriangleSlot* slots, const PoseNumbers& pose,
+                              const std::uint16_t* pairs, std::size_t count);
 
   /// Bounds the distances of pairs of lanes (near_nodes.h).
   void (*bound_nodes)(const NodeTask* tasks, std::size_t count, float limit, NodeKeys* keys);

@@ -162,8 +162,8 @@ inline Wide gap_along(const Facet& a, const Facet& b, const Vectors& v, Wide err
 
 inline void near_wide(const float* slots, const std::uint32_t* first, const std::uint32_t* second,
                       Wide reach, std::size_t begin, PairGaps& gaps) {
-  const Facet a(slots, first);
-  const Facet b(slots, second);
+  const Facet a = facet_at(slots, first);
+  const Facet b = facet_at(slots, second);
   const Wide error = Wide::gather(slots + TriangleBlock::kWidth * TriangleSlot::kErrorRow, first);
   const Wide planes =
       max(gap_along(a, b, a.normal, error), gap_along(a, b, b.normal, error)) * Wide(1 - 0x1p-20F);

@@ -5,8 +5,10 @@
 #if defined(__aarch64__)
 #include <arm_neon.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -29,6 +31,13 @@ namespace {
 //
 #include "soms/query/detail/kernels/triangle_pairs.h"
 //
+#include "soms/query/detail/kernels/box_triangles.h"
+//
+constexpr std::size_t kDoubles = 2;
+#include "soms/query/detail/kernels/lanes_double.h"
+//
+#include "soms/query/detail/kernels/triangle_pairs_double.h"
+//
 #include "soms/query/detail/kernels/near_nodes.h"
 #include "soms/query/detail/kernels/near_triangles.h"
 //
@@ -40,10 +49,11 @@ namespace {
 }  // namespace
 
 const Kernels& kernels() {
-  static constexpr Kernels kTable{
-      "neon",    test_nodes,  test_larger,   append,     test_slabs,  test_boxes,
-      judge,     bound_nodes, near_boxes,    near_pairs, bound_boxes, bound_triangles,
-      ray_nodes, ray_blocks,  line_descents, line_node,  line_block};
+  static constexpr Kernels kTable{"neon",          test_nodes,      test_larger, append,
+                                  test_slabs,      test_boxes,      meet_box,    judge,
+                                  judge_in_double, bound_nodes,     near_boxes,  near_pairs,
+                                  bound_boxes,     bound_triangles, ray_nodes,   ray_blocks,
+                                  line_descents,   line_node,       line_block};
   return kTable;
 }
 

@@ -2,8 +2,10 @@
 #include "soms/query/detail/engine/fetch.h"
 #include "soms/query/detail/kernels/instruction_set.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -138,6 +140,13 @@ F4 with_last(F4 a, float x) {
 //
 #include "soms/query/detail/kernels/triangle_pairs.h"
 //
+#include "soms/query/detail/kernels/box_triangles.h"
+//
+constexpr std::size_t kDoubles = 2;
+#include "soms/query/detail/kernels/lanes_double.h"
+//
+#include "soms/query/detail/kernels/triangle_pairs_double.h"
+//
 #include "soms/query/detail/kernels/near_nodes.h"
 #include "soms/query/detail/kernels/near_triangles.h"
 //
@@ -149,10 +158,11 @@ F4 with_last(F4 a, float x) {
 }  // namespace
 
 const Kernels& kernels() {
-  static constexpr Kernels kTable{
-      "scalar",  test_nodes,  test_larger,   append,     test_slabs,  test_boxes,
-      judge,     bound_nodes, near_boxes,    near_pairs, bound_boxes, bound_triangles,
-      ray_nodes, ray_blocks,  line_descents, line_node,  line_block};
+  static constexpr Kernels kTable{"scalar",        test_nodes,      test_larger, append,
+                                  test_slabs,      test_boxes,      meet_box,    judge,
+                                  judge_in_double, bound_nodes,     near_boxes,  near_pairs,
+                                  bound_boxes,     bound_triangles, ray_nodes,   ray_blocks,
+                                  line_descents,   line_node,       line_block};
   return kTable;
 }
 

@@ -49,54 +49,71 @@ inline constexpr float kLeastProduct = 0x1p-140F;
 inline constexpr float kLeastSide = 0x1p-139F;
 inline constexpr std::size_t kWide = sizeof(Wide) / sizeof(float);
 
-inline Vectors cross(const Vectors& a, const Vectors& b) {
+template <class F>
+inline Coordinates<F> cross(const Coordinates<F>& a, const Coordinates<F>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-inline Vectors minus(const Vectors& a, const Vectors& b) {
+template <class F>
+inline Coordinates<F> minus(const Coordinates<F>& a, const Coordinates<F>& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-inline Vectors select(WideMask where, const Vectors& a, const Vectors& b) {
+template <class Mask, class F>
+inline Coordinates<F> select(const Mask& where, const Coordinates<F>& a, const Coordinates<F>& b) {
   return {select(where, a[0], b[0]), select(where, a[1], b[1]), select(where, a[2], b[2])};
 }
 
-inline Wide sum_of_magnitudes(const Vectors& v) {
+template <class F>
+inline F sum_of_magnitudes(const Coordinates<F>& v) {
   return (abs(v[0]) + abs(v[1])) + abs(v[2]);
 }
 
-inline Wide largest(const Vectors& v) {
+template <class F>
+inline F largest(const Coordinates<F>& v) {
   return greatest(abs(v[0]), abs(v[1]), abs(v[2]));
 }
 
 /// One triangle in each lane: corners, edges from the first one, and their product.
-struct Facet {
-  Facet(const float* slots, const std::uint32_t* at) {
-    for (std::size_t row = 0; row < 9; ++row) {
-      corner[row / 3][row % 3] = Wide::gather(slots + TriangleBlock::kWidth * row, at);
-    }
-    edge = {minus(corner[1], corner[0]), minus(corner[2], corner[0])};
-    normal = cross(edge[0], edge[1]);
-    longest = max(largest(edge[0]), largest(edge[1]));
-  }
+template <class F>
+struct FacetOf {
+  explicit FacetOf(const std::array<Coordinates<F>, 3>& corners)
+      : corner(corners),
+        edge{minus(corner[1], corner[0]), minus(corner[2], corner[0])},
+        normal(cross(edge[0], edge[1])),
+        longest(max(largest(edge[0]), largest(edge[1]))) {}
 
-  std::array<Vectors, 3> corner;
-  std::array<Vectors, 2> edge;
-  Vectors normal;
-  Wide longest;
+  std::array<Coordinates<F>, 3> corner;
+  std::array<Coordinates<F>, 2> edge;
+  Coordinates<F> normal;
+  F longest;
 };
 
+using Facet = FacetOf<Wide>;
+
+inline Facet facet_at(const float* slots, const std::uint32_t* at) {
+  std::array<Vectors, 3> corner;
+  for (std::size_t row = 0; row < 9; ++row) {
+    corner[row / 3][row % 3] = Wide::gather(slots + TriangleBlock::kWidth * row, at);
+  }
+  return Facet(corner);
+}
+
 /// A facet turned so that its tip, alone on its side of the other's plane, comes first.
+template <class F>
 struct OrientedFacet {
-  Vectors tip;
-  Vectors left;
-  Vectors right;
+  Coordinates<F> tip;
+  Coordinates<F> left;
+  Coordinates<F> right;
 };
 
 /// Sides of a facet's corners beside another facet's plane.
+template <class F>
 struct Sides {
-  Sides(const std::array<Wide, 3>& det, Wide bound) {
-    const Wide below = Wide(0.0F) - bound;
+  using Mask = decltype(F() > F());
+
+  Sides(const std::array<F, 3>& det, const F& bound) {
+    const F below = F(0.0F) - bound;
     for (std::size_t i = 0; i < 3; ++i) {
       above[i] = det[i] > bound;
       certain[i] = above[i] | (below > det[i]);
@@ -108,91 +125,121 @@ struct Sides {
     return bits(certain[0] & certain[1] & certain[2]);
   }
 
-  [[nodiscard]] OrientedFacet turn(const Facet& f) const {
-    const WideMask second = above[1] ^ most_above;
-    const WideMask third = above[2] ^ most_above;
+  [[nodiscard]] OrientedFacet<F> turn(const FacetOf<F>& f) const {
+    const Mask second = above[1] ^ most_above;
+    const Mask third = above[2] ^ most_above;
     const auto& [a, b, c] = f.corner;
     return {select(second, b, select(third, c, a)), select(second, c, select(third, a, b)),
             select(second, a, select(third, b, c))};
   }
 
-  std::array<WideMask, 3> above;
-  std::array<WideMask, 3> certain;
-  WideMask most_above;
+  std::array<Mask, 3> above;
+  std::array<Mask, 3> certain;
+  Mask most_above;
 };
 
 /// Determinants of a facet's corners against a plane, and the plane's own corners but the first.
+template <class F>
 struct Heights {
-  Heights(const Vectors& normal, Wide first, const Facet& facet, const Facet& own)
-      : of{first, first + dot<Wide>(normal, facet.edge[0]),
-           first + dot<Wide>(normal, facet.edge[1])} {
-    const Wide a = dot<Wide>(normal, own.edge[0]);
-    const Wide b = dot<Wide>(normal, own.edge[1]);
-    const Wide zero(0.0F);
+  Heights(const Coordinates<F>& normal, const F& first, const FacetOf<F>& facet,
+          const FacetOf<F>& own)
+      : of{first, first + dot<F>(normal, facet.edge[0]), first + dot<F>(normal, facet.edge[1])} {
+    const F a = dot<F>(normal, own.edge[0]);
+    const F b = dot<F>(normal, own.edge[1]);
+    const F zero(0.0F);
     lower = least(zero, a, b);
     upper = greatest(zero, a, b);
   }
 
   /// The plane's normal parts the facets.
-  [[nodiscard]] WideMask apart(Wide margin) const {
+  [[nodiscard]] auto apart(const F& margin) const {
     return (least(of[0], of[1], of[2]) > upper + margin) |
            (lower > greatest(of[0], of[1], of[2]) + margin);
   }
 
-  std::array<Wide, 3> of;
-  Wide lower;
-  Wide upper;
+  std::array<F, 3> of;
+  F lower;
+  F upper;
 };
-
-inline Wide direction_margin(Wide error, const Vectors& n) {
-  return Wide(5.0F) * error * sum_of_magnitudes(n) + Wide(kLeastProduct);
-}
 
 /// Sign of `edge.m` where it is certain: lanes in which it is above, and below.
 struct Turning {
-  Turning(const Vectors& edge, const Vectors& m, Wide error, Wide bound) {
-    const Wide det = dot<Wide>(edge, m);
-    const Wide limit = Wide(4.0F) * error * sum_of_magnitudes(m) + bound;
+  template <class F>
+  Turning(const Coordinates<F>& edge, const Coordinates<F>& m, const F& limit) {
+    const F det = dot<F>(edge, m);
     above = bits(det > limit);
-    below = bits(Wide(0.0F) - limit > det);
+    below = bits(F(0.0F) - limit > det);
   }
 
   std::uint32_t above;
   std::uint32_t below;
 };
 
-/// Judges kWide pairs.
-inline Verdicts judge_wide(const float* slots, const std::uint32_t* first,
-                           const std::uint32_t* second) {
-  const Facet a(slots, first);
-  const Facet b(slots, second);
-  const Wide error = Wide::gather(slots + TriangleBlock::kWidth * TriangleSlot::kErrorRow, first);
-  const Vectors w = minus(a.corner[0], b.corner[0]);
-  const Heights on_b(b.normal, dot<Wide>(b.normal, w), a, b);
-  const Heights on_a(a.normal, Wide(0.0F) - dot<Wide>(a.normal, w), b, a);
-  const std::uint32_t apart = bits(on_b.apart(direction_margin(error, b.normal)) |
-                                   on_a.apart(direction_margin(error, a.normal)));
-  constexpr std::uint32_t kAll = (1U << kWide) - 1;
+/// Bounds of the proof above, for facets a and b and w = a0 - b0.
+class FloatBounds {
+ public:
+  FloatBounds(const Facet& a, const Facet& b, Wide error)
+      : error_(error),
+        length_a_(a.longest + Wide(2.0F) * error),
+        length_b_(b.longest + Wide(2.0F) * error) {}
+
+  [[nodiscard]] Wide direction(const Vectors& n) const {
+    return Wide(5.0F) * error_ * sum_of_magnitudes(n) + Wide(kLeastProduct);
+  }
+
+  /// For what depends on w. Called once, unless all lanes are apart.
+  void set_distance(const Vectors& w) {
+    lever_ = error_ * ((largest(w) + length_a_) + length_b_);
+    edges_ = Wide(65.0F) * lever_ * length_a_ + Wide(kLeastProduct);
+  }
+
+  /// Of the corners of a beside the plane of b.
+  [[nodiscard]] Wide sides_of_a(const Vectors& /*normal of b*/) const {
+    return Wide(50.0F) * lever_ * length_b_ + Wide(kLeastSide);
+  }
+
+  [[nodiscard]] Wide sides_of_b(const Vectors& /*normal of a*/) const {
+    return Wide(50.0F) * lever_ * length_a_ + Wide(kLeastSide);
+  }
+
+  /// Of an edge of a times m.
+  [[nodiscard]] Wide edges(const Vectors& m) const {
+    return Wide(4.0F) * error_ * sum_of_magnitudes(m) + edges_;
+  }
+
+ private:
+  Wide error_;
+  Wide length_a_;
+  Wide length_b_;
+  Wide lever_;
+  Wide edges_;
+};
+
+/// Judges a pair in each of `kCount` lanes.
+template <std::size_t kCount, class F, class Bounds>
+inline Verdicts judge_facets(const FacetOf<F>& a, const FacetOf<F>& b, Bounds bounds) {
+  const Coordinates<F> w = minus(a.corner[0], b.corner[0]);
+  const Heights<F> on_b(b.normal, dot<F>(b.normal, w), a, b);
+  const Heights<F> on_a(a.normal, F(0.0F) - dot<F>(a.normal, w), b, a);
+  const std::uint32_t apart =
+      bits(on_b.apart(bounds.direction(b.normal)) | on_a.apart(bounds.direction(a.normal)));
+  constexpr std::uint32_t kAll = (1U << kCount) - 1;
   if (apart == kAll) {
     return {0, 0};
   }
-  const Wide length_a = a.longest + Wide(2.0F) * error;
-  const Wide length_b = b.longest + Wide(2.0F) * error;
-  const Wide lever = error * ((largest(w) + length_a) + length_b);
-  const Wide least_side(kLeastSide);
-  const Sides sides_a(on_b.of, Wide(50.0F) * lever * length_b + least_side);
-  const Sides sides_b(on_a.of, Wide(50.0F) * lever * length_a + least_side);
-  const OrientedFacet p = sides_a.turn(a);
-  const OrientedFacet q = sides_b.turn(b);
+  bounds.set_distance(w);
+  const Sides<F> sides_a(on_b.of, bounds.sides_of_a(b.normal));
+  const Sides<F> sides_b(on_a.of, bounds.sides_of_b(a.normal));
+  const OrientedFacet<F> p = sides_a.turn(a);
+  const OrientedFacet<F> q = sides_b.turn(b);
   // Guigue and Devillers: with both tips above, the intervals on the planes' common line meet if
   // left.m >= 0 and right.m <= 0. A tip below turns the other facet over.
-  const WideMask flipped = sides_a.most_above ^ sides_b.most_above;
-  const Vectors between = minus(q.tip, p.tip);
-  const Vectors left = cross(minus(select(flipped, q.right, q.left), q.tip), between);
-  const Vectors right = cross(minus(select(flipped, q.left, q.right), q.tip), between);
-  const Wide bound = Wide(65.0F) * lever * length_a + Wide(kLeastProduct);
-  const Turning at_left(minus(p.left, p.tip), left, error, bound);
-  const Turning at_right(minus(p.right, p.tip), right, error, bound);
+  const auto flipped = sides_a.most_above ^ sides_b.most_above;
+  const Coordinates<F> between = minus(q.tip, p.tip);
+  const Coordinates<F> left = cross(minus(select(flipped, q.right, q.left), q.tip), between);
+  const Coordinates<F> right = cross(minus(select(flipped, q.left, q.right), q.tip), between);
+  const Turning at_left(minus(p.left, p.tip), left, bounds.edges(left));
+  const Turning at_right(minus(p.right, p.tip), right, bounds.edges(right));
   const std::uint32_t below = bits(sides_b.most_above);  // tips of b
   const std::uint32_t meets =
       (~below & at_left.above & at_right.below) | (below & at_left.below & at_right.above);
@@ -207,7 +254,11 @@ inline Verdicts judge(const TriangleSlot* slots, const std::uint32_t* first,
   const auto* floats = reinterpret_cast<const float*>(slots);
   Verdicts all{0, 0};
   for (std::size_t begin = 0; begin < count; begin += kWide) {
-    const Verdicts some = judge_wide(floats, first + begin, second + begin);
+    const Facet a = facet_at(floats, first + begin);
+    const Facet b = facet_at(floats, second + begin);
+    const Wide error =
+        Wide::gather(floats + TriangleBlock::kWidth * TriangleSlot::kErrorRow, first + begin);
+    const Verdicts some = judge_facets<kWide>(a, b, FloatBounds(a, b, error));
     all.hit |= some.hit << begin;
     all.open |= some.open << begin;
   }

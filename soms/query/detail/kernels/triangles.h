@@ -138,6 +138,25 @@ inline void complete_slot(const BlockTask& task, const Corners& y, TriangleSlot&
   slot.id_y = task.y->id;
 }
 
+/// What `judge_in_double` needs of a slot beside the corners of y; triangle_pairs_double.h proves
+/// the errors.
+inline void complete_for_double(const BlockTask& task, TriangleSlot& slot) {
+  const PoseNumbers& pose = *task.pose;
+  const Corners own = corners_of(*task.x);
+  const F8 ratio(pose.ratio);
+  for (std::size_t row = 0; row < 9; ++row) {
+    (own[row / 3][row % 3] * ratio).store(slot.own[row].data());
+  }
+  slot.offset = pose.offset_in_double(task.x->origin, task.y->origin);
+  const auto& d = slot.offset;
+  const double radius_x = double{task.x->l1_radius} * double{pose.ratio};
+  const double radius_y = task.y->l1_radius;
+  const double reach = (radius_x + radius_y) + ((std::abs(d[0]) + std::abs(d[1])) + std::abs(d[2]));
+  const double shared = 0.5 * double{pose.rounding} + 0x1p-48 * reach;
+  slot.error_x = 1.05 * 0x1p-24 * radius_x + shared;
+  slot.error_y = 1.05 * 0x1p-24 * radius_y + shared;
+}
+
 inline std::uint64_t test_boxes(const BlockTask& task, TriangleSlot& slot) {
   const std::array<Row8, 6> box = move_corners(task, slot);
   const Corners q = corners_of(*task.y);
@@ -159,6 +178,7 @@ inline std::uint64_t test_boxes(const BlockTask& task, TriangleSlot& slot) {
   }
   if (rows != 0) {
     complete_slot(task, q, slot);
+    complete_for_double(task, slot);
   }
   return rows;
 }

@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 #include "soms/query/detail/kernels/instruction_set.h"
 #include "soms/query/detail/relative_pose.h"
+#include "soms/query/detail/triangle_tests.h"
 #include "soms/tree/shape.h"
 
 #include "tests/query/margins/touch.h"
@@ -125,6 +126,38 @@ TEST(Kernels, GiveTheSameBitsOnEveryInstructionSet) {
 }
 
 // The distance is taken again in double, in the mesh's axes instead of the node's.
+TEST(Kernels, HoldBoxesAgainstTrianglesTheSameOnEveryInstructionSet) {
+  std::size_t met = 0;
+  std::size_t parted = 0;
+  test::for_each_case("kernels/boxes", 400, [&](Rng& rng) {
+    const Pair pair(rng);
+    const WideTree& x = pair.other.layout();
+    const WideTree& y = pair.reference.layout();
+    for (int repeat = 0; repeat < 20; ++repeat) {
+      Relation relation;
+      const TriangleBlock& block_x = pick(rng, x.blocks());
+      const TriangleBlock& block_y = pick(rng, y.blocks());
+      const WideNode& node_x = pick(rng, x.nodes());
+      const WideNode& node_y = pick(rng, y.nodes());
+      const float reach = rng.below(2) == 0 ? 0 : static_cast<float>(0x1p20 * rng.unit());
+      pair.relative->relate(node_x, block_y, relation);
+      const SeenBox by_y = seen_by_y(relation, node_x.own_half(), reach);
+      pair.relative->relate(block_x, node_y, relation);
+      const SeenBox by_x = seen_by_x(relation, node_y.own_half(), reach);
+      const std::uint32_t in_y = scalar::kernels().meet_box(by_y, block_y, 1);
+      const std::uint32_t in_x = scalar::kernels().meet_box(by_x, block_x, relation.ratio);
+      met += (in_y | in_x) != 0 ? 1 : 0;
+      parted += in_y != (1U << block_y.count) - 1 || in_x != (1U << block_x.count) - 1 ? 1 : 0;
+      for (const Kernels* kernels : kernels_here()) {
+        ASSERT_EQ(kernels->meet_box(by_y, block_y, 1), in_y) << kernels->name;
+        ASSERT_EQ(kernels->meet_box(by_x, block_x, relation.ratio), in_x) << kernels->name;
+      }
+    }
+  });
+  EXPECT_GT(met, 400U);
+  EXPECT_GT(parted, 2000U);
+}
+
 TEST(Kernels, FindTheNearestPairThatMeets) {
   std::size_t found = 0;
   test::for_each_case("kernels/nearest", 200, [&](Rng& rng) {

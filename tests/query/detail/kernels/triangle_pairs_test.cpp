@@ -1,5 +1,5 @@
-// Verdicts of floats on pairs of triangles that touch, nearly touch or just miss, against the exact
-// answer on moved vertices.
+// Verdicts of floats and of doubles on pairs of triangles that touch, nearly touch or just miss,
+// against the exact answer on moved vertices.
 #include "soms/geometry/triangle_overlap.h"
 #include "soms/query/detail/kernels/instruction_set.h"
 #include "soms/query/detail/relative_pose.h"
@@ -23,7 +23,10 @@ struct Tally {
   std::size_t hit = 0;
   std::size_t apart = 0;
   std::size_t open = 0;
-  std::size_t overlapping = 0;  // of all
+  std::size_t open_in_double = 0;  // of all
+  std::size_t hit_in_double = 0;
+  std::size_t apart_in_double = 0;
+  std::size_t overlapping = 0;
 };
 
 Vec3 between(Rng& rng, const Triangle& t) {
@@ -86,7 +89,7 @@ Triangle touching(Rng& rng, const Triangle& t, double gap, double size) {
 
 /// Two bodies of few triangles, each of one near one of the other's.
 struct Near {
-  Near(Rng& rng, double scale, double far) {
+  Near(Rng& rng, double scale, double far, double spread = 6) {
     pose_a = test::awkward_rotation(rng);
     pose_b = test::awkward_rotation(rng);
     for (Pose* const pose : {&pose_a, &pose_b}) {
@@ -98,7 +101,7 @@ struct Near {
     Mesh a;
     Mesh b;
     for (std::size_t i = 0; i < 1 + rng.below(16); ++i) {
-      const double size = scale * std::exp2(-rng.uniform(0, 6));
+      const double size = scale * std::exp2(-rng.uniform(0, spread));
       const Vec3 at = anywhere(rng, 0.2 * scale);
       const Triangle t{at, at + anywhere(rng, size), at + anywhere(rng, size)};
       append(a, t);
@@ -107,7 +110,7 @@ struct Near {
               ? 0
               : size * std::exp2(-(rng.below(2) == 0 ? rng.uniform(12, 26) : rng.uniform(2, 54)));
       const Triangle near = touching(rng, {pose_a.apply(t.a), pose_a.apply(t.b), pose_a.apply(t.c)},
-                                     gap, scale * std::exp2(-rng.uniform(0, 6)));
+                                     gap, scale * std::exp2(-rng.uniform(0, spread)));
       append(b, {back(pose_b, near.a), back(pose_b, near.b), back(pose_b, near.c)});
     }
     shape_a = Shape(std::move(a));
@@ -119,6 +122,25 @@ struct Near {
   Pose pose_a;
   Pose pose_b;
 };
+
+/// What doubles say of some pairs of lanes, the same by all kernels.
+Verdicts judge_in_double(const BlockTask& task, const TriangleSlot& slot,
+                         const std::vector<std::uint32_t>& lanes, std::size_t begin,
+                         std::size_t count) {
+  std::array<std::uint16_t, kJudged> pairs;
+  for (std::size_t k = 0; k < count; ++k) {
+    pairs[k] = static_cast<std::uint16_t>(lanes[begin + k]);
+  }
+  const Verdicts verdicts =
+      scalar::kernels().judge_in_double(&slot, *task.pose, pairs.data(), count);
+  EXPECT_EQ(verdicts.hit & verdicts.open, 0U);
+  for (const Kernels* kernels : kernels_here()) {
+    const Verdicts there = kernels->judge_in_double(&slot, *task.pose, pairs.data(), count);
+    EXPECT_EQ(there.hit, verdicts.hit) << kernels->name;
+    EXPECT_EQ(there.open, verdicts.open) << kernels->name;
+  }
+  return verdicts;
+}
 
 /// Judges all pairs of two blocks, whether their boxes meet or not.
 void judge_blocks(const Near& near, const BlockTask& task, Tally& tally) {
@@ -148,6 +170,7 @@ void judge_blocks(const Near& near, const BlockTask& task, Tally& tally) {
       ASSERT_EQ(there.hit, verdicts.hit) << kernels->name;
       ASSERT_EQ(there.open, verdicts.open) << kernels->name;
     }
+    const Verdicts in_double = judge_in_double(task, slot, lanes, begin, count);
     for (std::size_t k = 0; k < count; ++k) {
       const TriangleId i = task.x->id[lanes[begin + k] >> 3];
       const TriangleId j = task.y->id[lanes[begin + k] & 7];
@@ -158,6 +181,14 @@ void judge_blocks(const Near& near, const BlockTask& task, Tally& tally) {
       ASSERT_TRUE(open || hit == exact)
           << "triangles " << i << " and " << j << " overlap: " << exact << ", judged: " << hit;
       ++(hit ? tally.hit : open ? tally.open : tally.apart);
+      const bool closer_hit = (in_double.hit >> k & 1U) != 0;
+      const bool closer_open = (in_double.open >> k & 1U) != 0;
+      ASSERT_TRUE(closer_open || closer_hit == exact)
+          << "triangles " << i << " and " << j << " overlap: " << exact
+          << ", judged in double: " << closer_hit;
+      ++(closer_hit    ? tally.hit_in_double
+         : closer_open ? tally.open_in_double
+                       : tally.apart_in_double);
       tally.overlapping += exact ? 1 : 0;
     }
   }
@@ -188,6 +219,8 @@ TEST(TrianglePairs, AreJudgedAsTheyAreOrLeftOpen) {
   EXPECT_GT(tally.hit, tally.open / 4);
   EXPECT_GT(tally.apart, tally.open / 2);
   EXPECT_GT(tally.overlapping, tally.apart / 4);
+  EXPECT_GT(tally.hit_in_double, tally.hit);
+  EXPECT_GT(tally.apart_in_double, tally.apart);
 }
 
 TEST(TrianglePairs, AreJudgedAsTheyAreFarFromTheOrigin) {
@@ -221,6 +254,24 @@ TEST(TrianglePairs, AreJudgedAsTheyAreWhereSizesDiffer) {
   });
   EXPECT_GT(tally.hit, 300U);
   EXPECT_GT(tally.apart, 1000U);
+}
+
+/// Where floats leave most pairs open, and doubles few of them.
+TEST(TrianglePairs, AreJudgedAsTheyAreIfOneIsFarLargerThanTheOther) {
+  Tally tally;
+  test::for_each_case("triangle-pairs/unlike", 3000,
+                      [&](Rng& rng) { judge_bodies(Near(rng, 1, 0, 24), tally); });
+  EXPECT_GT(tally.hit_in_double, 2 * tally.hit);
+  EXPECT_GT(tally.open, tally.open_in_double);
+}
+
+TEST(TrianglePairs, AreJudgedAsTheyAreIfUnlikeOnesAreFarFromTheOrigin) {
+  Tally tally;
+  test::for_each_case("triangle-pairs/unlike-far", 3000, [&](Rng& rng) {
+    judge_bodies(Near(rng, 1, std::exp2(rng.uniform(0, 45)), 24), tally);
+  });
+  EXPECT_GT(tally.hit_in_double, tally.hit);
+  EXPECT_GT(tally.open_in_double, 1000U);
 }
 
 }  // namespace
