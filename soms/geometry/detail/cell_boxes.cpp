@@ -97,12 +97,12 @@ bool CellBoxes::may_meet(const Segment& segment, const Rectangle& box) const {
   const auto side = [&](double u, double v) {
     return du * (v - segment.from[1]) - dv * (u - segment.from[0]);
   };
-  const double least = side(dv > 0 ? box[0].upper : box[0].lower,
-                            du > 0 ? box[1].lower : box[1].upper);
-  const double most = side(dv > 0 ? box[0].lower : box[0].upper,
-                           du > 0 ? box[1].upper : box[1].lower);
-  const double largest = std::max({largest_, -box[0].lower, box[0].upper, -box[1].lower,
-                                   box[1].upper});
+  const double least =
+      side(dv > 0 ? box[0].upper : box[0].lower, du > 0 ? box[1].lower : box[1].upper);
+  const double most =
+      side(dv > 0 ? box[0].lower : box[0].upper, du > 0 ? box[1].upper : box[1].lower);
+  const double largest =
+      std::max({largest_, -box[0].lower, box[0].upper, -box[1].lower, box[1].upper});
   const double bound = kBound * largest * largest + kUnderflowOfArea;
   return least <= bound && most >= -bound;
 }

@@ -35,6 +35,7 @@ class CellBoxes {
     double lower;
     double upper;
   };
+
   using Rectangle = std::array<Range, 2>;
 
   /// A segment in doubles.
