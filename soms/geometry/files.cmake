@@ -24,10 +24,12 @@ set(SOMS_SOURCES
   crossing_segment.cpp
   defects.cpp
   detail/axis_gap.cpp
+  detail/cell_boxes.cpp
   detail/common_corners.cpp
   detail/connected_parts.cpp
   detail/crossing.cpp
   detail/distance_ends.cpp
+  detail/convex_cell.cpp
   detail/exact_distance.cpp
   detail/exact_point.cpp
   detail/exact_ray.cpp
@@ -43,6 +45,7 @@ set(SOMS_SOURCES
   detail/packed_distance.cpp
   detail/pair_distance.cpp
   detail/plane_cells.cpp
+  detail/plane_form.cpp
   detail/point_feature.cpp
   detail/point_to_triangle.cpp
   frames.cpp

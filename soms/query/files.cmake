@@ -56,6 +56,7 @@ set(SOMS_SOURCES
   detail/parity/parity_traversal.cpp
   detail/parity/triangle_crossing.cpp
   detail/solid/box_search.cpp
+  detail/solid/edge_sums.cpp
   detail/solid/planar_triangles.cpp
   detail/solid/quarter_points.cpp
   detail/solid/solid_regions.cpp

@@ -71,8 +71,9 @@ struct Solid {
 /// \errors  ErrorKind::cancelled.
 /// \cost    Where surfaces do not meet or cross plainly, that of `overlap` with mode `any` and of
 ///          one `contains` for each connected part. Where they touch or have faces in a plane, of
-///          the order of 0.1 ms for each triangle that takes part. `cost.exact_tests` counts
-///          triangles that exact arithmetic looked at.
+///          the order of 0.1 ms for each triangle that takes part, also where thousands meet one;
+///          more where they cross each other in it. `cost.exact_tests` counts triangles that exact
+///          arithmetic looked at.
 /// \threads Any number of callers.
 /// \source  Edelsbrunner and Muecke 1990, Simulation of Simplicity, section 4, for points on lines.
 [[nodiscard]] Solid solid(const ClosedBody& a, const ClosedBody& b,

@@ -8,11 +8,14 @@
 #include "tests/properties/meshes.h"
 #include "tests/properties/property.h"
 #include "tests/support/bodies.h"
+#include "tests/support/slow_build.h"
 #include "tests/support/support.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace soms {
@@ -22,6 +25,8 @@ using test::box_body;
 using test::check_property;
 using test::closed_mesh;
 using test::mapped;
+
+constexpr int kManyCases = 20;
 
 Relation exchanged_relation(Relation relation) {
   return relation == Relation::a_in_b   ? Relation::b_in_a
@@ -86,6 +91,60 @@ TEST(SolidProperty, AnswersAsBruteForceAndTheOtherWayRound) {
     RC_ASSERT(answer.relation == truth.relation);
     RC_ASSERT(answer.surfaces_meet == truth.surfaces_meet);
     RC_ASSERT(solid(b, a).relation == exchanged_relation(answer.relation));
+  });
+}
+
+/// Boxes on a lattice of 12 x 12 x 3, most of them between heights 1 and 2: far more triangles on
+/// one face than anywhere else, which overlap each other too, if `apart` is false.
+Mesh many_boxes(Rng& rng, bool apart) {
+  Mesh mesh;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      Box box;
+      const std::array<int, 2> place{i, j};
+      for (std::size_t k = 0; k < 2; ++k) {
+        box.lower[k] = 4.0 * place[k] + static_cast<double>(rng.below(2));
+        box.upper[k] = box.lower[k] + static_cast<double>(1 + rng.below(apart ? 2 : 5));
+      }
+      box.lower.z = rng.below(40) == 0 ? 0 : 1;
+      box.upper.z = rng.below(80) == 0 ? 3 : 2;
+      if (rng.below(8) != 0) {
+        mesh = test::joined(std::move(mesh),
+                            box_body(box.lower, box.upper, rng.below(4) == 0 ? 2 : 1));
+      }
+    }
+  }
+  return mesh;
+}
+
+/// A box around these, on top or below, that may have one of its own faces where they have theirs.
+Mesh slab_at_boxes(Rng& rng) {
+  const bool on_top = rng.below(4) != 0;
+  const double rim = static_cast<double>(rng.below(4)) - 1;
+  return box_body({-rim, -rim, on_top ? 2.0 : 0}, {14 + rim, 14 + rim, on_top ? 3.0 : 1});
+}
+
+// Segments are found in boxes here, and edges that part nothing left out.
+TEST(SolidProperty, OfManyTrianglesOnOneFaceIsAsBruteForceFinds) {
+  test::for_each_case("solid/many", test::some_of(kManyCases), [](Rng& rng) {
+    const auto skewed = [&](const Mesh& mesh) {
+      return mapped(mesh, [](const Vec3& v) {
+        return Vec3{v.x + 2 * v.z, 3 * v.y - v.z, v.z + v.x - 2 * v.y};
+      });
+    };
+    const bool skew = rng.below(2) == 0;
+    Mesh a = many_boxes(rng, rng.below(2) == 0);
+    Mesh b = slab_at_boxes(rng);
+    if (rng.below(3) == 0) {
+      b = test::joined(b, many_boxes(rng, true));
+    }
+    const Body body_a(skew ? skewed(a) : a);
+    const Body body_b(skew ? skewed(b) : b);
+    const Solid answer = solid(body_a, body_b);
+    const Solid truth = reference::solid_by_brute_force(body_a, body_b);
+    ASSERT_EQ(answer.relation, truth.relation);
+    ASSERT_EQ(answer.surfaces_meet, truth.surfaces_meet);
+    ASSERT_EQ(solid(body_b, body_a).relation, exchanged_relation(answer.relation));
   });
 }
 

@@ -1,16 +1,22 @@
 #include "soms/geometry/detail/plane_cells.h"
 
+#include "soms/geometry/detail/cell_boxes.h"
 #include "soms/geometry/detail/exact_distance.h"
 #include "soms/geometry/detail/exact_point.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace soms::detail {
 
 namespace {
+
+/// So few cuts are tried all on all cells.
+constexpr std::size_t kFewCuts = 16;
 
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
@@ -26,91 +32,24 @@ Integer with_sign(const Integer& value, int sign) {
   return sign < 0 ? -value : value;
 }
 
-/// Where two lines meet. \pre They are not parallel.
-PlanePoint meeting(const PlaneForm& a, const PlaneForm& b) {
-  PlanePoint p{a.v * b.w - a.w * b.v, a.w * b.u - a.u * b.w, a.u * b.v - a.v * b.u};
-  return p.w.sign() < 0 ? PlanePoint{-p.u, -p.v, -p.w} : p;
+/// The plane of the other two coordinates than `axis`, in order.
+Projection across(std::size_t axis) {
+  return axis == 0 ? Projection::yz : axis == 1 ? Projection::zx : Projection::xy;
 }
 
-/// A corner of a cell, and the edge from it to the next one.
-struct CellCorner {
-  PlanePoint at;
-  const PlaneForm* line;
-  int inner;  // the form's sign inside the cell
+/// A point without one coordinate.
+struct FlatPoint {
+  double u;
+  double v;
 };
 
-using Cell = std::vector<CellCorner>;
-
-/// The part of a cell on one side of a line, given the signs of the corners.
-Cell part_of(const Cell& cell, const std::vector<int>& signs, const PlaneForm& line, int side) {
-  Cell part;
-  for (std::size_t i = 0; i < cell.size(); ++i) {
-    const int here = signs[i] * side;
-    const int next = signs[(i + 1) % cell.size()] * side;
-    if (here >= 0) {
-      part.push_back(cell[i]);
-      if (here == 0 && next < 0) {
-        part.back().line = &line;
-        part.back().inner = side;
-      }
-    }
-    if (here > 0 && next < 0) {
-      part.push_back({meeting(*cell[i].line, line), &line, side});
-    } else if (here < 0 && next > 0) {
-      part.push_back({meeting(*cell[i].line, line), cell[i].line, cell[i].inner});
-    }
-  }
-  return part;
-}
-
-/// True if an edge of the cell has the segment on its outer side.
-bool is_beside(const PlaneCut& cut, const Cell& cell) {
-  return std::any_of(cell.begin(), cell.end(), [&](const CellCorner& corner) {
-    return corner.line->sign(cut.from) * corner.inner <= 0 &&
-           corner.line->sign(cut.to) * corner.inner <= 0;
-  });
-}
-
-/// Signs of a cell's corners if the cut's segment passes through its interior, else none.
-std::vector<int> signs_if_parted(const PlaneCut& cut, const Cell& cell) {
-  std::vector<int> signs;
-  bool below = false;
-  bool above = false;
-  for (const CellCorner& corner : cell) {
-    signs.push_back(cut.line.sign(corner.at));
-    below = below || signs.back() < 0;
-    above = above || signs.back() > 0;
-  }
-  // A convex set and a segment are apart if an edge of either parts them.
-  return below && above && !is_beside(cut, cell) ? signs : std::vector<int>();
-}
-
-/// A cell that may still be cut, and where among the cuts to go on.
-struct OpenCell {
-  Cell cell;
-  std::vector<std::uint32_t> cuts;
-};
-
-PlanePoint inside_of(const Cell& cell) {
-  const PlanePoint& a = cell[0].at;
-  const PlanePoint& b = cell[1].at;
-  const PlanePoint& c = cell[2].at;
-  return {a.u + b.u + c.u, a.v + b.v + c.v, a.w + b.w + c.w};
-}
-
-/// Cuts a cell in two, if a cut does, and keeps the first part; nothing left to cut: nothing.
-std::optional<OpenCell> cut_off(OpenCell& open, std::span<const PlaneCut> cuts) {
-  while (!open.cuts.empty()) {
-    const PlaneCut& cut = cuts[open.cuts.back()];
-    open.cuts.pop_back();
-    const std::vector<int> signs = signs_if_parted(cut, open.cell);
-    if (!signs.empty()) {
-      OpenCell other{part_of(open.cell, signs, cut.line, -1), open.cuts};
-      open.cell = part_of(open.cell, signs, cut.line, 1);
-      return other;
-    }
-  }
-  return std::nullopt;
+/// Sign of `orientation2d` where its filter suffices, else 0.
+int certain_turn(const FlatPoint& a, const FlatPoint& b, const FlatPoint& c) {
+  const double left = (b.u - a.u) * (c.v - a.v);
+  const double right = (b.v - a.v) * (c.u - a.u);
+  const double det = left - right;
+  const double bound = kBound2d * (std::abs(left) + std::abs(right)) + kUnderflow;
+  return det > bound ? 1 : det < -bound ? -1 : 0;
 }
 
 double up(double x) {
@@ -122,19 +61,6 @@ double down(double x) {
 }
 
 }  // namespace
-
-int PlaneForm::sign(const PlanePoint& p) const {
-  return (u * p.u + v * p.v + w * p.w).sign();
-}
-
-int PlaneForm::sign_beside(const PlanePoint& p) const {
-  const int there = sign(p);
-  return there != 0 ? there : u.sign() != 0 ? u.sign() : v.sign();
-}
-
-bool PlaneForm::is_zero() const {
-  return u.sign() == 0 && v.sign() == 0 && w.sign() == 0;
-}
 
 PlanePoint SeenTriangle::crossing(std::size_t i) const {
   const std::size_t j = (i + 1) % 3;
@@ -238,22 +164,69 @@ SeenTriangle CellPlane::seen(const Triangle& s) const {
   return seen;
 }
 
-bool CellPlane::for_each_cell(std::span<const PlaneCut> cuts,
-                              const std::function<bool(const PlanePoint&)>& visit) const {
-  std::vector<OpenCell> stack(1);
+Cell CellPlane::whole() const {
+  Cell cell;
   for (std::size_t i = 0; i < 3; ++i) {
-    stack[0].cell.push_back({own_.corner_[i], &own_.edge_[i], own_.turn_});
+    cell.push_back({own_.corner_[i], &own_.edge_[i], own_.turn_});
   }
-  for (std::size_t i = cuts.size(); i-- > 0;) {
-    stack[0].cuts.push_back(static_cast<std::uint32_t>(i));
+  return cell;
+}
+
+bool CellPlane::for_each_cell(std::span<const PlaneCut> cuts, const CellVisit& visit) const {
+  std::vector<std::uint32_t> all(cuts.size());
+  std::iota(all.rbegin(), all.rend(), 0U);
+  return for_each_part(whole(), cuts, std::move(all), visit);
+}
+
+bool CellPlane::for_each_cell_in_boxes(std::span<const PlaneCut> cuts,
+                                       const CellVisit& visit) const {
+  return cuts.size() <= kFewCuts ? for_each_cell(cuts, visit)
+                                 : CellBoxes(cuts, exponent_).for_each_part(whole(), visit);
+}
+
+PlaneCut CellPlane::cut_between(const Vec3& p, const Vec3& q) const {
+  SeenTriangle edge = seen({p, q, q});
+  return {std::move(edge.edge_[0]), std::move(edge.corner_[0]), std::move(edge.corner_[1])};
+}
+
+bool CellPlane::may_part(const Vec3& p, const Vec3& q, Predicates& predicates) const {
+  const Projection plane = across(axis_);
+  const std::array<Vec3, 3> corners{triangle_.a, triangle_.b, triangle_.c};
+  bool above = false;
+  bool below = false;
+  for (const Vec3& corner : corners) {
+    const Sign sign = predicates.orientation2d(p, q, corner, plane);
+    above = above || sign == Sign::positive;
+    below = below || sign == Sign::negative;
   }
-  while (!stack.empty()) {
-    OpenCell open = std::move(stack.back());
-    stack.pop_back();
-    while (std::optional<OpenCell> other = cut_off(open, cuts)) {
-      stack.push_back(std::move(*other));
+  if (!above || !below) {
+    return false;
+  }
+  const Sign inner = own_.turn_ > 0 ? Sign::positive : Sign::negative;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3& a = corners[i];
+    const Vec3& b = corners[(i + 1) % 3];
+    if (predicates.orientation2d(a, b, p, plane) != inner &&
+        predicates.orientation2d(a, b, q, plane) != inner) {
+      return false;
     }
-    if (!visit(inside_of(open.cell))) {
+  }
+  return true;
+}
+
+bool CellPlane::may_cover(const Triangle& s, const Box& ray) const {
+  const std::size_t ku = (axis_ + 1) % 3;
+  const std::size_t kv = (axis_ + 2) % 3;
+  const std::array<FlatPoint, 3> p{FlatPoint{s.a[ku], s.a[kv]}, FlatPoint{s.b[ku], s.b[kv]},
+                                   FlatPoint{s.c[ku], s.c[kv]}};
+  const int turn = certain_turn(p[0], p[1], p[2]);
+  for (std::size_t i = 0; i < 3 && turn != 0; ++i) {
+    const FlatPoint& a = turn > 0 ? p[i] : p[(i + 1) % 3];
+    const FlatPoint& b = turn > 0 ? p[(i + 1) % 3] : p[i];
+    // Of the box, the corner that is farthest to the left.
+    const FlatPoint corner{b.v > a.v ? ray.lower[ku] : ray.upper[ku],
+                           b.u > a.u ? ray.upper[kv] : ray.lower[kv]};
+    if (certain_turn(a, b, corner) < 0) {
       return false;
     }
   }

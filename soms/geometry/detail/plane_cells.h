@@ -6,53 +6,22 @@
 /// grid on which the corners of t lie, relative to a corner of t, as quotients (U / W, V / W) with
 /// W > 0. The side of another triangle's plane, and the side of a projected edge, are linear forms
 /// in (U, V, W): so nothing is rounded, and no number is longer than a product of two forms.
-///
-/// A point that lies on the line of a form is moved by (e, e^2), 0 < e as small as need be
-/// (Edelsbrunner and Muecke 1990): the same for all forms, so answers agree with one another.
 #pragma once
 
 #include "soms/base/box.h"
 #include "soms/base/vector.h"
+#include "soms/geometry/detail/convex_cell.h"
 #include "soms/geometry/detail/integer.h"
+#include "soms/geometry/detail/plane_form.h"
 #include "soms/geometry/detail/predicates.h"
 
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace soms::detail {
-
-/// A point of the plane. W > 0.
-struct PlanePoint {
-  Integer u;
-  Integer v;
-  Integer w;
-};
-
-/// A linear form: its sign at a point tells on which side of a line the point lies.
-struct PlaneForm {
-  Integer u;
-  Integer v;
-  Integer w;
-
-  /// Sign at a point: -1, 0 or 1.
-  [[nodiscard]] int sign(const PlanePoint& p) const;
-
-  /// Sign at the moved point: 0 only if the form is 0 everywhere.
-  [[nodiscard]] int sign_beside(const PlanePoint& p) const;
-
-  [[nodiscard]] bool is_zero() const;
-};
-
-/// A segment in the plane that parts cells, and its line.
-struct PlaneCut {
-  PlaneForm line;
-  PlanePoint from;
-  PlanePoint to;
-};
 
 /// Another triangle s as the plane of t sees it.
 class SeenTriangle {
@@ -100,8 +69,23 @@ class CellPlane {
   /// Calls `visit` with a point inside each cell that the cuts leave of the triangle, until it
   /// returns false. Returns false if it did.
   /// \cost Grows with the number of cells times that of the cuts.
-  bool for_each_cell(std::span<const PlaneCut> cuts,
-                     const std::function<bool(const PlanePoint&)>& visit) const;
+  bool for_each_cell(std::span<const PlaneCut> cuts, const CellVisit& visit) const;
+
+  /// The same in boxes of few cuts, which cut, too: large cells are visited more than once.
+  /// \cost As `CellBoxes`.
+  bool for_each_cell_in_boxes(std::span<const PlaneCut> cuts, const CellVisit& visit) const;
+
+  /// The segment between two points of the plane, of which one is not above the other in the sense
+  /// of axis k.
+  [[nodiscard]] PlaneCut cut_between(const Vec3& p, const Vec3& q) const;
+
+  /// False only if the segment between two points of the plane does not pass through the interior
+  /// of the triangle.
+  [[nodiscard]] bool may_part(const Vec3& p, const Vec3& q, Predicates& predicates) const;
+
+  /// False only if a triangle, seen along axis k, does not cover the moved point to which a ray
+  /// belongs.
+  [[nodiscard]] bool may_cover(const Triangle& s, const Box& ray) const;
 
   /// True if no point of the triangle is above the plane, in the sense of axis k, so that no ray
   /// from it crosses the triangle.
@@ -112,6 +96,9 @@ class CellPlane {
 
  private:
   CellPlane(const Triangle& t, std::size_t axis);
+
+  /// The whole triangle.
+  [[nodiscard]] Cell whole() const;
 
   Triangle triangle_;
   std::size_t axis_;  // k

@@ -74,24 +74,30 @@ bool has_area(const Triangle& t, Predicates& predicates) {
   });
 }
 
-bool may_cut(const Triangle& t, const Triangle& s, Predicates& predicates) {
+TriangleCut cut_of(const Triangle& t, const Triangle& s, Predicates& predicates) {
   const auto sides = sides_of(t, s, predicates);
   const auto zeros = count_of(sides, Sign::zero);
   const bool mixed = count_of(sides, Sign::positive) > 0 && count_of(sides, Sign::negative) > 0;
   if (!mixed && zeros < 2) {
-    return false;
-  }
-  if (zeros == 2) {
-    // An edge lies in the plane: it cuts nothing if it is an edge of t.
-    const auto q = corners_of(s);
-    const auto shared = [&](std::size_t i) { return sides[i] != Sign::zero || is_corner(q[i], t); };
-    return !(shared(0) && shared(1) && shared(2));
+    return {};
   }
   if (zeros == 3) {
-    return share_area(t, s, predicates);
+    return {share_area(t, s, predicates) ? CutKind::coplanar : CutKind::none};
+  }
+  if (zeros == 2) {
+    const auto off = static_cast<std::size_t>(
+        std::find_if(sides.begin(), sides.end(), [](Sign side) { return side != Sign::zero; }) -
+        sides.begin());
+    const auto q = corners_of(s);
+    const std::size_t edge = (off + 1) % 3;
+    if (is_corner(q[edge], t) && is_corner(q[(edge + 1) % 3], t)) {
+      return {};
+    }
+    return {sides[off] == Sign::positive ? CutKind::above : CutKind::below, edge};
   }
   const auto back = sides_of(s, t, predicates);
-  return count_of(back, Sign::positive) != 3 && count_of(back, Sign::negative) != 3;
+  const bool crosses = count_of(back, Sign::positive) != 3 && count_of(back, Sign::negative) != 3;
+  return {crosses ? CutKind::across : CutKind::none};
 }
 
 bool may_share_area(const Triangle& t, const Triangle& s, Predicates& predicates) {

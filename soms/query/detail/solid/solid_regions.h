@@ -11,12 +11,19 @@
 ///  - odd of both: two rays tell one side, and on the other both have changed.
 /// Cells are cut by the other body's triangles, and by the own body's, since either may change what
 /// is seen beside the triangle.
+///
+/// An edge in the plane of the triangle cuts it only where it parts something. What changes across
+/// it is, of each body, whether the number of coplanar triangles is odd, and whether the ray
+/// crosses an odd number of others: each coplanar triangle along the edge changes the first, and
+/// each triangle that stands on the edge above the plane the second. Two that have the very same
+/// edge change nothing together. So the inner edges of a face of many triangles cut nothing.
 #pragma once
 
 #include "soms/base/vector.h"
 #include "soms/geometry/detail/plane_cells.h"
 #include "soms/query/answer.h"
 #include "soms/query/detail/solid/box_search.h"
+#include "soms/query/detail/solid/edge_sums.h"
 #include "soms/query/solid.h"
 
 #include <array>
@@ -56,7 +63,8 @@ struct SolidRegions {
 /// Looks at triangles of two bodies. Refers to the bodies.
 class RegionSearch {
  public:
-  /// `stop`, if any, is called at each cell; once it is true, nothing that was looked at counts.
+  /// `stop`, if any, is called at each cell and between a few hundred triangles; once it is true,
+  /// it has to stay so, and nothing that was looked at counts.
   RegionSearch(const Body& a, const Body& b, std::function<bool()> stop = {});
 
   [[nodiscard]] Triangle moved(std::size_t body, TriangleId id) const {
@@ -79,17 +87,25 @@ class RegionSearch {
   [[nodiscard]] const Cost& cost() const { return cost_; }
 
  private:
-  /// The triangles that may cut one, and its cells.
+  /// What may cut a triangle, and what lies on it.
   struct Cutting {
     std::vector<PlaneCut> cuts;
-    std::array<std::vector<SeenTriangle>, 2> coplanar;  // by body; of its own, the others
-
-    [[nodiscard]] bool odd(std::size_t body, const PlanePoint& p) const;
+    EdgeSums edges;
+    std::array<std::vector<MovedTriangle>, 2> coplanar;  // by body; of its own, the others
   };
+
+  /// The cuts of triangle `id` of `body`, by its own body and, if `both`, by the other. Some are
+  /// missing once it is time to stop.
+  [[nodiscard]] Cutting cutting_of(const CellPlane& plane, const Triangle& t, std::size_t body,
+                                   TriangleId id, bool both);
 
   /// Adds what the triangles of `body` near `t` cut of it, other than number `but`.
   void add_cuts(const CellPlane& plane, const Triangle& t, std::size_t body,
                 std::optional<TriangleId> but, Cutting& cutting);
+
+  /// Whether an odd number of coplanar triangles of a body covers the point.
+  [[nodiscard]] bool odd(const CellPlane& plane, const PlanePoint& p, std::size_t body,
+                         const Cutting& cutting);
 
   /// Whether a body is on that side of the plane to which the ray from the point goes.
   [[nodiscard]] bool inside_above(const CellPlane& plane, const PlanePoint& p, std::size_t body);
