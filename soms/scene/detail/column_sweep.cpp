@@ -153,13 +153,14 @@ bool ColumnSweep::sweep(const PairFilter& filter) {
                              {ends_[0].data(), ends_[1].data(), ends_[2].data(), ends_[3].data()},
                              filter.groups().empty() ? nullptr : groups_.data(),
                              entered_};
+  const SweepKernel kernel = kernel_ != nullptr ? kernel_ : sweep_kernel();
   SweepPlace place;
   while (place.entry < entered_) {
     if (pairs_.size() - place.found < kSweepLanes) {
       pairs_.resize(2 * pairs_.size() + 1024);
     }
     const std::size_t before = place.found;
-    kernel_(entries, pairs_.data(), pairs_.size(), most_compared_, place);
+    kernel(entries, pairs_.data(), pairs_.size(), most_compared_, place);
     if (filter.ignores_any()) {
       place.found = without_ignored(before, place.found, filter);
     }

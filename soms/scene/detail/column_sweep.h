@@ -61,7 +61,7 @@ class ColumnSweep {
   [[nodiscard]] bool sweep(const PairFilter& filter);
   [[nodiscard]] bool compare_wide(std::span<const FloatBox> boxes, const PairFilter& filter);
 
-  SweepKernel kernel_ = sweep_kernel();
+  SweepKernel kernel_ = nullptr;  ///< none: that of the instruction set that queries run on
   ColumnGrid grid_;
   std::vector<std::uint64_t> entries_;  ///< key (32 bits), begins here (2), box (30)
   std::vector<std::uint64_t> scratch_;

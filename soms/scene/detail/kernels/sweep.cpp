@@ -1,7 +1,7 @@
 #include "soms/scene/detail/kernels/sweep.h"
 
 #include "soms/base/lanes.h"
-#include "soms/query/detail/kernels/instruction_set.h"
+#include "soms/query/instruction_set.h"
 
 #include <algorithm>
 #include <cstring>
@@ -141,7 +141,7 @@ SweepKernel sweep_kernel(std::string_view instruction_set) {
 }
 
 SweepKernel sweep_kernel() {
-  static const SweepKernel chosen = sweep_kernel(kernels().name);
+  static const SweepKernel chosen = sweep_kernel(instruction_set());
   return chosen;
 }
 

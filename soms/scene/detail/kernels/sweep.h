@@ -45,7 +45,7 @@ struct SweepPlace {
 using SweepKernel = void (*)(const SweepEntries& entries, std::uint64_t* pairs, std::size_t room,
                              std::uint64_t most_compared, SweepPlace& place);
 
-/// The kernel for an instruction set of `kernels_named`, which this processor has.
+/// The kernel for an instruction set of `instruction_sets`, which this processor has.
 [[nodiscard]] SweepKernel sweep_kernel(std::string_view instruction_set);
 
 /// The kernel for the instruction set that queries run on.
