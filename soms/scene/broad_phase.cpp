@@ -34,10 +34,19 @@ constexpr std::size_t kMostKeptOfABox = 256;
 /// Bytes that a call needs for each box, and for each kept pair, beside its grid.
 constexpr std::size_t kBytesOfABox = 128;
 constexpr std::size_t kBytesOfAPair = 32;
+/// Of so many boxes or fewer all pairs are compared: that costs less than to keep anything.
+constexpr std::size_t kFewBoxes = 20;
+/// Calls of few boxes that share a map to floats.
+constexpr std::uint32_t kCallsOfAMap = 64;
 /// Boxes by which jumps are noticed.
 constexpr std::size_t kMarks = 32;
 /// How many pairs ahead a box is fetched.
 constexpr std::size_t kFetchedPairs = 16;
+
+/// Room for the pairs of boxes of which all pairs are compared.
+std::size_t few_pairs(std::size_t boxes) {
+  return boxes <= kFewBoxes ? boxes * boxes / 2 + 1 : 0;
+}
 
 std::uint32_t first_of(std::uint64_t pair) {
   return static_cast<std::uint32_t>((pair & ~detail::kOpenPair) >> 32);
@@ -75,11 +84,12 @@ struct BroadPhase::State {
   std::uint32_t next_without_grid = 1;
   detail::Growth growth;  ///< of `large`
 
-  std::size_t placed = 0;       ///< boxes of `now` that are those of this call
-  std::vector<FloatBox> now;    ///< the boxes as floats
-  std::vector<FloatBox> base;   ///< the boxes when all was rebuilt, by the same map
-  std::vector<FloatBox> large;  ///< hold those of `now`
-  std::vector<Vec3> marks;      ///< ends of some boxes in the last call
+  std::uint32_t calls_of_few = 0;  ///< with this map
+  std::size_t placed = 0;          ///< boxes of `now` that are those of this call
+  std::vector<FloatBox> now;       ///< the boxes as floats
+  std::vector<FloatBox> base;      ///< the boxes when all was rebuilt, by the same map
+  std::vector<FloatBox> large;     ///< hold those of `now`
+  std::vector<Vec3> marks;         ///< ends of some boxes in the last call
   std::vector<std::uint32_t> escaped;
   std::vector<std::uint8_t> is_escaped;
   std::vector<std::uint64_t> kept;   ///< pairs of `large`, or of the boxes themselves, in order
@@ -89,6 +99,7 @@ struct BroadPhase::State {
   [[nodiscard]] bool keep(std::span<const Box> boxes);
   [[nodiscard]] bool catch_escaped();
   void rebuild(std::span<const Box> boxes);
+  std::span<const BoxPair> compare_few(std::span<const Box> boxes);
   void place(std::span<const Box> boxes);
   void set_marks(std::span<const Box> boxes);
   [[nodiscard]] double way_of_marks(std::span<const Box> boxes) const;
@@ -316,6 +327,40 @@ std::span<const BoxPair> BroadPhase::State::decide(std::span<const Box> boxes) {
   return std::span(answer).first(found);
 }
 
+/// All pairs of a few boxes. Any map is right, and a good one leaves few pairs open.
+std::span<const BoxPair> BroadPhase::State::compare_few(std::span<const Box> boxes) {
+  has_grid = false;
+  base.clear();
+  kept.clear();
+  if (now.size() != boxes.size() || calls_of_few++ % kCallsOfAMap == 0) {
+    map = detail::FloatMap::of(boxes);
+  }
+  placed = 0;
+  place(boxes);
+  answer.resize(std::max(answer.size(), few_pairs(boxes.size())));
+  std::size_t found = 0;
+  for (std::uint32_t a = 0; a < boxes.size(); ++a) {
+    for (std::uint32_t b = a + 1; b < boxes.size(); ++b) {
+      const detail::FloatVerdict verdict = detail::compare(now[a], now[b]);
+      bool meet = verdict.sure;
+      if (verdict.meet != verdict.sure) {
+        meet = overlaps(boxes[a], boxes[b]);
+      }
+      answer[found] = {a, b};
+      found += meet ? 1U : 0U;
+    }
+  }
+  if (!filter.empty()) {
+    const auto end = answer.begin() + static_cast<std::ptrdiff_t>(found);
+    const auto left = std::remove_if(answer.begin(), end, [&](const BoxPair& pair) {
+      return filter.leaves_out(pair.first, pair.second);
+    });
+    found = static_cast<std::size_t>(left - answer.begin());
+  }
+  give_back(boxes.size());
+  return std::span(answer).first(found);
+}
+
 /// What earlier calls needed and this one, of so many boxes, does not.
 void BroadPhase::State::give_back(std::size_t boxes) {
   const std::size_t needed = kBytesOfABox * boxes + kBytesOfAPair * kept.size();
@@ -336,7 +381,7 @@ void BroadPhase::State::give_back(std::size_t boxes) {
   detail::give_back(large);
   detail::give_back(escaped);
   detail::give_back(is_escaped);
-  detail::give_back(answer, kept.size() + 1);
+  detail::give_back(answer, std::max(kept.size() + 1, few_pairs(boxes)));
 }
 
 BroadPhase::BroadPhase() : state_(std::make_unique<State>()) {
@@ -354,6 +399,9 @@ std::span<const BoxPair> BroadPhase::find(std::span<const Box> boxes) {
                 "use fewer boxes at a time");
   }
   state_->used_columns = false;
+  if (boxes.size() <= kFewBoxes) {
+    return state_->compare_few(boxes);
+  }
   if (!state_->keep(boxes)) {
     state_->rebuild(boxes);
   }

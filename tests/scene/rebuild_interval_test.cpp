@@ -52,12 +52,12 @@ TEST(RebuildInterval, MakesNoBoxesLargerThatMoveFarAmongMany) {
 // Boxes just beside each other: few pairs meet, and many larger ones do.
 TEST(RebuildInterval, LooksLessFarWhereMorePairsAreKeptThanExpected) {
   detail::RebuildInterval interval;
-  interval.start(1000, 10);
-  interval.find(10);
+  interval.start(1000, 1000);
+  interval.find(1000);
   interval.pass();
   const std::uint32_t first = interval.next(steady());
   EXPECT_GT(first, 1U);
-  interval.start(1000, 5000);
+  interval.start(1000, 100000);
   for (std::uint32_t call = 0; call <= first; ++call) {
     interval.pass();
   }

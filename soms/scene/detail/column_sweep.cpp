@@ -9,6 +9,8 @@ namespace soms::detail {
 namespace {
 
 constexpr unsigned kDigit = 11;
+/// Fewer entries than this are sorted by comparing.
+constexpr std::size_t kLeastByDigits = 512;
 /// Bytes of an entry in what the sweep reads: key, last key, name, four ends, group.
 constexpr std::size_t kSweepBytes = 8 * sizeof(float);
 
@@ -63,6 +65,10 @@ bool ColumnSweep::enter(std::span<const FloatBox> boxes) {
 
 /// By key, from the least digit to the greatest; all digits are counted in one go.
 void ColumnSweep::sort() {
+  if (entered_ < kLeastByDigits) {
+    std::sort(entries_.begin(), entries_.begin() + static_cast<std::ptrdiff_t>(entered_));
+    return;
+  }
   const std::uint32_t most = grid_.columns << 16;
   unsigned digits = 1;
   while (digits < 3 && (most >> (digits * kDigit)) != 0) {

@@ -10,6 +10,8 @@ namespace {
 // Costs in entries of a grid: to look at a kept pair in a call, and to find and sort one.
 constexpr double kPairCost = 0.25;
 constexpr double kNewPairCost = 0.6;
+/// Rebuilding costs so much besides, however few boxes there are.
+constexpr double kRebuildCost = 1000;
 /// Boxes that move this many times as far as before have jumped: earlier motions predict nothing.
 constexpr double kJump = 4;
 /// Rebuilt so many times in a row without use, boxes are again made larger.
@@ -61,7 +63,8 @@ std::uint32_t RebuildInterval::next(const Outlook& outlook) {
     const double growth = growth_of_pairs(outlook, ahead);
     const double pairs = static_cast<double>(found_ + 1) * growth * (calls > 0 ? error_ : 1);
     const double cost =
-        (static_cast<double>(work_) + kNewPairCost * pairs) / (ahead + 1) + kPairCost * pairs;
+        (kRebuildCost + static_cast<double>(work_) + kNewPairCost * pairs) / (ahead + 1) +
+        kPairCost * pairs;
     if (cost < least) {
       least = cost;
       calls_ = calls;
