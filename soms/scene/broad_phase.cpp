@@ -6,8 +6,9 @@
 #include "soms/scene/detail/column_sweep.h"
 #include "soms/scene/detail/float_box.h"
 #include "soms/scene/detail/kept_memory.h"
+#include "soms/scene/detail/larger_box.h"
 #include "soms/scene/detail/pair_filter.h"
-#include "soms/scene/detail/pair_rows.h"
+#include "soms/scene/detail/pair_order.h"
 #include "soms/scene/detail/rebuild_interval.h"
 
 #include <algorithm>
@@ -28,62 +29,44 @@ using detail::FloatBox;
 constexpr std::uint64_t kComparedForWork = 8;
 /// Calls without a grid once the boxes did not suit one, at most.
 constexpr std::uint32_t kMostCallsWithoutGrid = 64;
-/// A larger box grows by no more than this many boxes.
-constexpr float kMostGrowth = 2;
-/// Sides above this, in widths of the set, do not count.
-constexpr float kLongest = 1e30F;
 /// More kept pairs a box than this, and the call starts from nothing.
 constexpr std::size_t kMostKeptOfABox = 256;
 /// Bytes that a call needs for each box, and for each kept pair, beside its grid.
 constexpr std::size_t kBytesOfABox = 128;
 constexpr std::size_t kBytesOfAPair = 32;
-/// Growth to all sides, as a part of the way ahead.
-constexpr float kAside = 0.25F;
+/// Of so many boxes or fewer all pairs are compared: that costs less than to keep anything.
+constexpr std::size_t kFewBoxes = 20;
+/// Calls of few boxes that share a map to floats.
+constexpr std::uint32_t kCallsOfAMap = 64;
+/// Boxes by which jumps are noticed.
+constexpr std::size_t kMarks = 32;
+/// How many pairs ahead a box is fetched.
+constexpr std::size_t kFetchedPairs = 16;
 
-/// As `overlaps`, without a branch: whether pairs that are near meet cannot be predicted.
-bool meeting(const Box& a, const Box& b) {
-  const auto at_most = [](double x, double y) { return static_cast<unsigned>(x <= y); };
-  return (at_most(a.lower.x, b.upper.x) & at_most(b.lower.x, a.upper.x) &
-          at_most(a.lower.y, b.upper.y) & at_most(b.lower.y, a.upper.y) &
-          at_most(a.lower.z, b.upper.z) & at_most(b.lower.z, a.upper.z)) != 0;
+/// Room for the pairs of boxes of which all pairs are compared.
+std::size_t few_pairs(std::size_t boxes) {
+  return boxes <= kFewBoxes ? boxes * boxes / 2 + 1 : 0;
 }
 
-/// Motion of both ends of a box in one call.
-struct Motion {
-  std::array<float, 3> lower{};
-  std::array<float, 3> upper{};
-  float farthest = 0;
-};
+std::uint32_t first_of(std::uint64_t pair) {
+  return static_cast<std::uint32_t>((pair & ~detail::kOpenPair) >> 32);
+}
 
-Motion motion_of(const Box& from, const Box& to, double scale) {
-  Motion motion;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    motion.lower[axis] = static_cast<float>((to.lower[axis] - from.lower[axis]) * scale);
-    motion.upper[axis] = static_cast<float>((to.upper[axis] - from.upper[axis]) * scale);
-    motion.farthest =
-        std::max({motion.farthest, std::abs(motion.lower[axis]), std::abs(motion.upper[axis])});
+std::uint32_t second_of(std::uint64_t pair) {
+  return static_cast<std::uint32_t>(pair);
+}
+
+/// Adds pairs to others, both in order, from the last to the first, so that no more memory is
+/// needed than for the answer.
+void merge_into(std::vector<std::uint64_t>& pairs, const std::vector<std::uint64_t>& others) {
+  std::size_t own = pairs.size();
+  pairs.resize(own + others.size());
+  std::size_t to = pairs.size();
+  for (std::size_t other = others.size(); other > 0;) {
+    const bool takes_own =
+        own > 0 && (pairs[own - 1] & ~detail::kOpenPair) > (others[other - 1] & ~detail::kOpenPair);
+    pairs[--to] = takes_own ? pairs[--own] : others[--other];
   }
-  return motion;
-}
-
-/// Nothing for a box beyond the range of floats, so that no sum of growth overflows.
-float longest_side(const FloatBox& box) {
-  const float side = std::max(
-      {box.upper[0] - box.lower[0], box.upper[1] - box.lower[1], box.upper[2] - box.lower[2]});
-  return side < kLongest ? side : 0;
-}
-
-/// `box` made larger for `calls` more calls of such ways, by at most `most`.
-FloatBox grown(const FloatBox& box, const Motion& motion, float calls, float aside, float most) {
-  // A way beyond the range of floats is endless, and no call of it is no number: no growth.
-  const auto bounded = [most](float side) { return side > 0 ? std::min(side, most) : 0.0F; };
-  FloatBox large = box;
-  const float margin = aside * bounded(calls * motion.farthest);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    large.lower[axis] -= bounded(-calls * motion.lower[axis]) + margin;
-    large.upper[axis] += bounded(calls * motion.upper[axis]) + margin;
-  }
-  return large;
 }
 
 }  // namespace
@@ -93,77 +76,81 @@ struct BroadPhase::State {
   detail::FloatMap map;
   detail::ColumnSweep column_sweep;
   detail::BoxIndex index;
-  detail::PairRows rows;  ///< pairs of `large`, or without a grid of the boxes themselves
   detail::RebuildInterval interval;
   bool has_grid = false;
   bool used_columns = false;             ///< in this call
+  bool is_enlarged = false;              ///< `large`, by motion
   std::uint32_t calls_without_grid = 0;  ///< in a row, to come
   std::uint32_t next_without_grid = 1;
-  float usual_side = 0;
+  detail::Growth growth;  ///< of `large`
 
-  std::vector<Box> base;        ///< the boxes when all was rebuilt
-  std::vector<FloatBox> large;  ///< hold their boxes as floats
+  std::uint32_t calls_of_few = 0;  ///< with this map
+  std::size_t placed = 0;          ///< boxes of `now` that are those of this call
+  std::vector<FloatBox> now;       ///< the boxes as floats
+  std::vector<FloatBox> base;      ///< the boxes when all was rebuilt, by the same map
+  std::vector<FloatBox> large;     ///< hold those of `now`
+  std::vector<Vec3> marks;         ///< ends of some boxes in the last call
   std::vector<std::uint32_t> escaped;
   std::vector<std::uint8_t> is_escaped;
+  std::vector<std::uint64_t> kept;   ///< pairs of `large`, or of the boxes themselves, in order
   std::vector<std::uint64_t> pairs;  ///< scratch
   std::vector<BoxPair> answer;
 
   [[nodiscard]] bool keep(std::span<const Box> boxes);
-  [[nodiscard]] bool catch_escaped(std::span<const Box> boxes);
+  [[nodiscard]] bool catch_escaped();
   void rebuild(std::span<const Box> boxes);
-  void take_as_they_are(std::span<const Box> boxes);
-  bool enlarge(std::span<const Box> boxes);
+  std::span<const BoxPair> compare_few(std::span<const Box> boxes);
+  void place(std::span<const Box> boxes);
+  void set_marks(std::span<const Box> boxes);
+  [[nodiscard]] double way_of_marks(std::span<const Box> boxes) const;
+  void enlarge(std::span<const Box> boxes);
   void ask_index(std::span<const Box> boxes);
   std::span<const BoxPair> decide(std::span<const Box> boxes);
+  std::size_t decide_kept(std::span<const Box> boxes);
+  std::size_t decide_open(std::span<const Box> boxes);
   void give_back(std::size_t boxes);
 };
 
-/// \returns whether `rows` still hold all pairs, after some work if need be.
+/// \returns whether `kept` still holds all pairs, after some work if need be.
 bool BroadPhase::State::keep(std::span<const Box> boxes) {
-  if (!has_grid || base.size() != boxes.size()) {
+  placed = 0;
+  if (!has_grid || large.size() != boxes.size()) {
     return false;
   }
   interval.pass();
+  is_enlarged = true;  // boxes may have moved inside
   const std::uint64_t most = kComparedForWork * column_sweep.work() / (boxes.size() + 1) + 1;
   escaped.clear();
   for (std::uint32_t k = 0; k < boxes.size(); ++k) {
+    now[k] = map(boxes[k]);
     // All boxes hold an empty one, and `kNoBox` holds none but that.
-    if (!detail::holds(large[k], map(boxes[k]))) {
+    if (!detail::holds(large[k], now[k])) {
       escaped.push_back(k);
       if (escaped.size() > most) {
+        placed = k;
         return false;
       }
     }
   }
-  return escaped.empty() || catch_escaped(boxes);
+  placed = boxes.size();
+  return escaped.empty() || catch_escaped();
 }
 
-/// Gives the escaped new large boxes, and `rows` their pairs. Should memory run short on the way,
+/// Gives the escaped new large boxes, and `kept` their pairs. Should memory run short on the way,
 /// the next call starts from nothing. \returns false if there would be too many pairs.
-bool BroadPhase::State::catch_escaped(std::span<const Box> boxes) {
+bool BroadPhase::State::catch_escaped() {
   has_grid = false;
-  const auto age = static_cast<double>(interval.age());
+  growth.known_calls = interval.age();
   for (const std::uint32_t k : escaped) {
-    const FloatBox now = map(boxes[k]);
-    const Motion motion =
-        motion_of(base[k].empty() ? boxes[k] : base[k], boxes[k], map.scale / age);
-    large[k] = grown(now, motion, static_cast<float>(interval.calls()), 1,
-                     kMostGrowth * (usual_side + longest_side(now)));
-    base[k] = base[k].empty() ? boxes[k] : base[k];
+    large[k] = detail::larger_box(base[k], now[k], growth);
+    base[k] = base[k].lower[0] <= base[k].upper[0] ? base[k] : now[k];
     is_escaped[k] = 1;
   }
+  const auto remaining = std::remove_if(kept.begin(), kept.end(), [&](std::uint64_t pair) {
+    return (is_escaped[first_of(pair)] | is_escaped[second_of(pair)]) != 0;
+  });
+  kept.erase(remaining, kept.end());
   pairs.clear();
-  for (std::uint32_t a = 0; a < rows.rows(); ++a) {
-    const auto row = rows.row(a);
-    if (row.empty() || is_escaped[a] != 0) {
-      continue;
-    }
-    for (const std::uint32_t b : row) {
-      if (is_escaped[b] == 0) {
-        pairs.push_back(std::uint64_t{a} << 32 | b);
-      }
-    }
-  }
   for (const std::uint32_t a : escaped) {
     for (std::uint32_t b = 0; b < large.size(); ++b) {
       if (a != b && detail::meet(large[a], large[b]) && (a < b || is_escaped[b] == 0) &&
@@ -171,76 +158,101 @@ bool BroadPhase::State::catch_escaped(std::span<const Box> boxes) {
         pairs.push_back(std::uint64_t{std::min(a, b)} << 32 | std::max(a, b));
       }
     }
-    if (pairs.size() > kMostKeptOfABox * (boxes.size() + 64)) {
+    if (kept.size() + pairs.size() > kMostKeptOfABox * (large.size() + 64)) {
       return false;
     }
   }
   for (const std::uint32_t k : escaped) {
     is_escaped[k] = 0;
   }
-  rows.assign(boxes.size(), pairs);
-  interval.spend(escaped.size() * boxes.size() / 25 + rows.size() / 5);
+  std::sort(pairs.begin(), pairs.end());
+  merge_into(kept, pairs);
   has_grid = true;
   return true;
 }
 
-void BroadPhase::State::take_as_they_are(std::span<const Box> boxes) {
-  for (std::size_t k = 0; k < boxes.size(); ++k) {
-    large[k] = boxes[k].empty() ? detail::kNoBox : map(boxes[k]);
+/// The boxes as floats, from the first on that is not there yet.
+void BroadPhase::State::place(std::span<const Box> boxes) {
+  now.resize(boxes.size());
+  for (std::size_t k = placed; k < boxes.size(); ++k) {
+    now[k] = map(boxes[k]);
+  }
+  placed = boxes.size();
+}
+
+void BroadPhase::State::set_marks(std::span<const Box> boxes) {
+  marks.clear();
+  for (std::size_t k = 0; k < boxes.size(); k += boxes.size() / kMarks + 1) {
+    marks.push_back(boxes[k].lower);
   }
 }
 
-/// Larger boxes for all, each along the motion of its box since all was rebuilt. \returns
-/// false if all are as they are.
-bool BroadPhase::State::enlarge(std::span<const Box> boxes) {
-  const bool knows_motions = base.size() == boxes.size() && interval.age() > 0;
-  const double scale = map.scale / static_cast<double>(std::max<std::uint64_t>(1, interval.age()));
-  large.resize(boxes.size());
-  is_escaped.assign(boxes.size(), 0);
-  take_as_they_are(boxes);
-  double sides = 0;
-  double speeds = 0;
-  for (std::size_t k = 0; k < boxes.size(); ++k) {
-    if (!boxes[k].empty()) {
-      sides += static_cast<double>(longest_side(large[k]));
-      if (knows_motions && !base[k].empty()) {
-        speeds += static_cast<double>(motion_of(base[k], boxes[k], scale).farthest);
-      }
-    }
+/// How far the middle one of the marks moved in this call.
+double BroadPhase::State::way_of_marks(std::span<const Box> boxes) const {
+  std::array<double, kMarks> ways{};
+  std::size_t count = 0;
+  for (std::size_t k = 0; count < marks.size() && k < boxes.size();
+       k += boxes.size() / kMarks + 1, ++count) {
+    const Vec3 way = boxes[k].lower - marks[count];
+    ways[count] = std::max({std::abs(way.x), std::abs(way.y), std::abs(way.z)});
+    ways[count] = std::isfinite(ways[count]) ? ways[count] : 0;
   }
-  const double count = std::max(1.0, static_cast<double>(boxes.size()));
-  usual_side = static_cast<float>(sides / count);
-  const std::uint32_t calls = knows_motions ? interval.next(speeds / count) : 0;
-  for (std::size_t k = 0; k < boxes.size() && calls > 0; ++k) {
-    if (!boxes[k].empty() && !base[k].empty()) {
-      large[k] = grown(large[k], motion_of(base[k], boxes[k], scale), static_cast<float>(calls),
-                       kAside, kMostGrowth * (usual_side + longest_side(large[k])));
-    }
+  const auto middle = ways.begin() + static_cast<std::ptrdiff_t>(count / 2);
+  std::nth_element(ways.begin(), middle, ways.begin() + static_cast<std::ptrdiff_t>(count));
+  return *middle;
+}
+
+/// Larger boxes for all, each along the motion of its box since all was rebuilt.
+void BroadPhase::State::enlarge(std::span<const Box> boxes) {
+  growth = {std::max<std::uint64_t>(1, interval.age()), 0, {}};
+  growth.usual = detail::usual_motion(base, now, growth.known_calls);
+  if (base.size() == boxes.size() && interval.age() > 0) {
+    growth.calls = interval.next({static_cast<double>(growth.usual.way),
+                                  way_of_marks(boxes) * map.scale, growth.usual.growth});
   }
-  return calls > 0;
+  is_enlarged = growth.calls > 0;
+  if (is_enlarged) {
+    detail::make_larger(base, now, growth, large);
+  } else {
+    large = now;
+  }
 }
 
 void BroadPhase::State::rebuild(std::span<const Box> boxes) {
   has_grid = false;
+  is_enlarged = false;
   if (calls_without_grid > 0) {
     --calls_without_grid;
     ask_index(boxes);
     return;
   }
-  map = detail::FloatMap::of(boxes);
-  const bool enlarged = enlarge(boxes);
+  const detail::FloatMap best = detail::FloatMap::of(boxes);
+  if (!map.serves(best)) {
+    map = best;
+    placed = 0;
+    base.clear();
+  }
+  place(boxes);
+  enlarge(boxes);
+  is_escaped.assign(boxes.size(), 0);
   used_columns = true;
   auto found = column_sweep.find(large, filter);
-  if (!found && enlarged) {
+  if (!found && is_enlarged) {
     interval.look_less_far();
-    take_as_they_are(boxes);
+    is_enlarged = false;
+    large = now;
     found = column_sweep.find(large, filter);
   }
-  base.assign(boxes.begin(), boxes.end());
+  if (is_enlarged) {
+    base = now;
+  } else {
+    base.swap(now);  // open pairs are decided by the boxes
+    now.resize(boxes.size());
+  }
   if (found) {
     next_without_grid = 1;
-    rows.assign(boxes.size(), *found);
-    interval.start(column_sweep.work(), rows.size());
+    interval.start(column_sweep.work(), found->size());
+    detail::sort_box_pairs(*found, boxes.size(), kept);
     has_grid = true;
     return;
   }
@@ -269,21 +281,81 @@ void BroadPhase::State::ask_index(std::span<const Box> boxes) {
       index.query(boxes[a], filter.group(a), found);
     }
   }
-  rows.assign(boxes.size(), pairs);
+  detail::sort_box_pairs(pairs, boxes.size(), kept);
 }
 
-/// Those pairs of `rows` that do meet.
-std::span<const BoxPair> BroadPhase::State::decide(std::span<const Box> boxes) {
-  if (answer.size() <= rows.size()) {
-    answer.resize(rows.size() + 1);
+/// Pairs of larger boxes: by the boxes as floats, and where ends coincide by the boxes.
+std::size_t BroadPhase::State::decide_kept(std::span<const Box> boxes) {
+  std::size_t found = 0;
+  const std::size_t last = kept.empty() ? 0 : kept.size() - 1;
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    __builtin_prefetch(&now[second_of(kept[std::min(k + kFetchedPairs, last)])]);
+    const BoxPair pair{first_of(kept[k]), second_of(kept[k])};
+    const detail::FloatVerdict verdict = detail::compare(now[pair.first], now[pair.second]);
+    bool meet = verdict.sure;
+    if (verdict.meet != verdict.sure) {
+      meet = overlaps(boxes[pair.first], boxes[pair.second]);
+    }
+    answer[found] = pair;
+    found += meet ? 1U : 0U;
   }
+  return found;
+}
+
+/// Pairs of the boxes themselves, of which few are open.
+std::size_t BroadPhase::State::decide_open(std::span<const Box> boxes) {
+  std::size_t found = 0;
+  for (const std::uint64_t pair : kept) {
+    const BoxPair names{first_of(pair), second_of(pair)};
+    answer[found] = names;
+    if ((pair & detail::kOpenPair) == 0 || overlaps(boxes[names.first], boxes[names.second])) {
+      ++found;
+    }
+  }
+  return found;
+}
+
+/// Those pairs of `kept` that do meet.
+std::span<const BoxPair> BroadPhase::State::decide(std::span<const Box> boxes) {
+  if (answer.size() <= kept.size()) {
+    answer.resize(kept.size() + 1);
+  }
+  const std::size_t found = is_enlarged ? decide_kept(boxes) : decide_open(boxes);
+  interval.find(found);
+  set_marks(boxes);
+  give_back(boxes.size());
+  return std::span(answer).first(found);
+}
+
+/// All pairs of a few boxes. Any map is right, and a good one leaves few pairs open.
+std::span<const BoxPair> BroadPhase::State::compare_few(std::span<const Box> boxes) {
+  has_grid = false;
+  base.clear();
+  kept.clear();
+  if (now.size() != boxes.size() || calls_of_few++ % kCallsOfAMap == 0) {
+    map = detail::FloatMap::of(boxes);
+  }
+  placed = 0;
+  place(boxes);
+  answer.resize(std::max(answer.size(), few_pairs(boxes.size())));
   std::size_t found = 0;
   for (std::uint32_t a = 0; a < boxes.size(); ++a) {
-    const Box& box = boxes[a];
-    for (const std::uint32_t b : rows.row(a)) {
+    for (std::uint32_t b = a + 1; b < boxes.size(); ++b) {
+      const detail::FloatVerdict verdict = detail::compare(now[a], now[b]);
+      bool meet = verdict.sure;
+      if (verdict.meet != verdict.sure) {
+        meet = overlaps(boxes[a], boxes[b]);
+      }
       answer[found] = {a, b};
-      found += meeting(box, boxes[b]) ? 1U : 0U;
+      found += meet ? 1U : 0U;
     }
+  }
+  if (!filter.empty()) {
+    const auto end = answer.begin() + static_cast<std::ptrdiff_t>(found);
+    const auto left = std::remove_if(answer.begin(), end, [&](const BoxPair& pair) {
+      return filter.leaves_out(pair.first, pair.second);
+    });
+    found = static_cast<std::size_t>(left - answer.begin());
   }
   give_back(boxes.size());
   return std::span(answer).first(found);
@@ -291,7 +363,7 @@ std::span<const BoxPair> BroadPhase::State::decide(std::span<const Box> boxes) {
 
 /// What earlier calls needed and this one, of so many boxes, does not.
 void BroadPhase::State::give_back(std::size_t boxes) {
-  const std::size_t needed = kBytesOfABox * boxes + kBytesOfAPair * rows.size();
+  const std::size_t needed = kBytesOfABox * boxes + kBytesOfAPair * kept.size();
   if (used_columns) {
     column_sweep.give_back();
   } else if (detail::is_far_above(column_sweep.memory(), needed)) {
@@ -303,12 +375,13 @@ void BroadPhase::State::give_back(std::size_t boxes) {
   if (detail::is_far_above(detail::bytes(pairs), needed)) {
     detail::release(pairs);
   }
-  rows.give_back();
+  detail::give_back(kept);
+  detail::give_back(now);
   detail::give_back(base);
   detail::give_back(large);
   detail::give_back(escaped);
   detail::give_back(is_escaped);
-  detail::give_back(answer, rows.size() + 1);
+  detail::give_back(answer, std::max(kept.size() + 1, few_pairs(boxes)));
 }
 
 BroadPhase::BroadPhase() : state_(std::make_unique<State>()) {
@@ -326,6 +399,9 @@ std::span<const BoxPair> BroadPhase::find(std::span<const Box> boxes) {
                 "use fewer boxes at a time");
   }
   state_->used_columns = false;
+  if (boxes.size() <= kFewBoxes) {
+    return state_->compare_few(boxes);
+  }
   if (!state_->keep(boxes)) {
     state_->rebuild(boxes);
   }
@@ -353,9 +429,10 @@ void BroadPhase::forget() {
 std::size_t BroadPhase::memory() const {
   const State& state = *state_;
   return sizeof(State) + state.filter.memory() + state.column_sweep.memory() +
-         state.index.memory() + state.rows.memory() + detail::bytes(state.base) +
-         detail::bytes(state.large) + detail::bytes(state.escaped) +
-         detail::bytes(state.is_escaped) + detail::bytes(state.pairs) + detail::bytes(state.answer);
+         state.index.memory() + detail::bytes(state.kept) + detail::bytes(state.now) +
+         detail::bytes(state.base) + detail::bytes(state.large) + detail::bytes(state.marks) +
+         detail::bytes(state.escaped) + detail::bytes(state.is_escaped) +
+         detail::bytes(state.pairs) + detail::bytes(state.answer);
 }
 
 }  // namespace soms

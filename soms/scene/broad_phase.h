@@ -41,7 +41,7 @@ class BroadPhase {
   /// Pairs of boxes that share a point (touching counts), each once, sorted. The span is valid
   /// until the next call. Empty boxes meet nothing.
   /// \pre     Ends of magnitude at most 2^300, `lower` at most `upper`; or default boxes.
-  /// \errors  ErrorKind::out_of_range above 2^27 boxes.
+  /// \errors  ErrorKind::out_of_range above 2^27 boxes; those of `instruction_set`.
   /// \cost    n boxes, p pairs: O(n + p) where the boxes are scattered; O(n log n + p) or somewhat
   ///          more where they are not (clusters far apart, sizes over many decades); never
   ///          quadratic because boxes coincide, but for their pairs. Memory is reused, and given

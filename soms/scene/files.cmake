@@ -28,16 +28,21 @@ set(SOMS_SOURCES
   detail/clearance_search.cpp
   detail/box_bounds.cpp
   detail/box_index.cpp
+  detail/column_grid.cpp
   detail/column_sweep.cpp
   detail/contact_place.cpp
   detail/first_contacts.cpp
   detail/float_box.cpp
+  detail/kernels/sweep.cpp
+  detail/kernels/sweep_avx2.cpp
+  detail/larger_box.cpp
   detail/motion_segment.cpp
   detail/moved_bounds.cpp
   detail/narrow_phase.cpp
   detail/near_phase.cpp
   detail/rebuild_interval.cpp
   detail/pair_filter.cpp
+  detail/pair_order.cpp
   detail/pair_rows.cpp
   detail/point_search.cpp
   detail/ray_search.cpp

@@ -40,6 +40,7 @@ LENT = {
     ("scene", "soms/geometry/detail/exact_ray.h"): "as point_to_triangle.h",
     ("scene", "soms/geometry/detail/exact_point.h"): "as exact_distance.h",
     ("scene", "soms/query/detail/engine/batch.h"): "batches are shared out alike",
+    ("scene", "soms/query/detail/kernels/target.h"): "kernels of a sweep are compiled as those of queries are",
     ("scene", "soms/query/detail/moved_triangle.h"): "triangles of nearest and of touching bodies are where queries see them",
     ("scene", "soms/query/detail/ray/ray_line.h"): "so are rays and segments",
     ("clash", "soms/query/detail/closed_surface.h"): "connected parts are found while closedness is checked",

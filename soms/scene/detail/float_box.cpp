@@ -45,4 +45,12 @@ FloatMap FloatMap::of(std::span<const Box> boxes) {
   return map;
 }
 
+bool FloatMap::serves(const FloatMap& other) const {
+  constexpr double kMostShift = 0.25;  // of the width
+  const double ratio = scale / other.scale;
+  const auto near = [&](double a, double b) { return std::abs(a - b) * scale <= kMostShift; };
+  return ratio >= 0.5 && ratio <= 2 && near(origin.x, other.origin.x) &&
+         near(origin.y, other.origin.y) && near(origin.z, other.origin.z);
+}
+
 }  // namespace soms::detail

@@ -38,6 +38,9 @@ class PairFilter {
     return (group_a != 0 && group_a == group(b)) || ignores(a, b);
   }
 
+  /// False if there are no single pairs.
+  [[nodiscard]] bool ignores_any() const { return ignored_.size() != 0; }
+
   /// True for one of the single pairs. \pre `a` is less than `b`.
   [[nodiscard]] bool ignores(std::uint32_t a, std::uint32_t b) const {
     return a < ignored_.rows() && !ignored_.row(a).empty() && holds(ignored_.row(a), b);

@@ -8,9 +8,18 @@
 
 namespace soms::detail {
 
-/// Chooses for how many calls boxes are made larger: long enough that rebuilding is seldom,
-/// short enough that few pairs are kept in vain. Goes up and down a list of lengths and turns
-/// around where it got worse. Works on counts, not on times, so that runs are repeatable.
+/// How boxes move, when all is rebuilt.
+struct Outlook {
+  double speed = 0;  ///< the way of a usual box in a call
+  double last = 0;   ///< its way in the last call
+  /// Along each axis, by what part of a usual box a larger box grows for each call ahead.
+  std::array<double, 3> growth{};
+};
+
+/// Chooses for how many calls boxes are made larger: long enough that rebuilding is seldom, short
+/// enough that few pairs are kept in vain. Expects pairs to grow in number as the volume of the
+/// larger boxes does, corrected by what came of it the last time. Works on counts, not on times, so
+/// that runs are repeatable.
 class RebuildInterval {
  public:
   /// A call goes by with what is kept.
@@ -22,11 +31,11 @@ class RebuildInterval {
   /// Calls that boxes are made larger for at present.
   [[nodiscard]] std::uint32_t calls() const { return calls_; }
 
-  /// Work beside looking through the pairs, in entries of a grid.
-  void spend(std::uint64_t work) { spent_ += work; }
+  /// A call found so many pairs of boxes.
+  void find(std::uint64_t pairs) { found_ = pairs; }
 
-  /// Calls to make boxes larger for when all is rebuilt; `speed` is how far boxes moved a call.
-  [[nodiscard]] std::uint32_t next(double speed);
+  /// Calls to make boxes larger for when all is rebuilt.
+  [[nodiscard]] std::uint32_t next(const Outlook& outlook);
 
   /// The boxes became too large for a grid.
   void look_less_far();
@@ -38,15 +47,17 @@ class RebuildInterval {
   static constexpr std::array<std::uint32_t, 13> kLengths{0,  1,  2,  3,  4,  6, 8,
                                                           12, 16, 24, 32, 48, 64};
 
-  std::size_t at_ = 3;  ///< in kLengths
-  bool up_ = true;
-  std::uint32_t rest_ = 0;  ///< times to stay at length 0
+  void learn();
+
+  std::uint32_t most_ = 4;  ///< calls, as far as motions could be foretold
+  std::uint32_t rest_ = 0;  ///< times to make no boxes larger
   std::uint32_t calls_ = 0;
   std::uint64_t age_ = 0;
-  std::uint64_t spent_ = 0;
-  std::uint64_t pairs_ = 0;
+  std::uint64_t work_ = 0;
+  std::uint64_t found_ = 0;
+  double growth_ = 1;  ///< expected of the pairs that are kept
+  double error_ = 1;   ///< how many times as many there are
   double speed_ = 0;
-  double last_cost_ = 0;
 };
 
 }  // namespace soms::detail
