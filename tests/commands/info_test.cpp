@@ -44,7 +44,8 @@ TEST(Info, BuildsATreeByEveryRule) {
     EXPECT_LE(tree.at("build_runs").get<int>(), 9);
   }
   EXPECT_EQ(rules, (std::vector<std::string>{"object-median", "object-mean", "spatial-median",
-                                             "soms", "sah", "soms-sah", "fast", "quality"}));
+                                             "soms", "sah", "soms-sah", "fast", "quality",
+                                             "quick"}));
 }
 
 // The bunny of the thesis at 15 levels: golden counts of the design, soms and thesis options.
