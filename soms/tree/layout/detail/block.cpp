@@ -48,11 +48,11 @@ using Rows = std::array<Row, 9>;
   return {v, v};
 }
 
-[[gnu::always_inline]] inline D4 lesser(D4 a, D4 b) {
+[[gnu::always_inline]] inline D4 lesser(const D4& a, const D4& b) {
   return b < a ? b : a;
 }
 
-[[gnu::always_inline]] inline D4 greater(D4 a, D4 b) {
+[[gnu::always_inline]] inline D4 greater(const D4& a, const D4& b) {
   return b > a ? b : a;
 }
 
@@ -139,7 +139,7 @@ struct Mask {
 }
 
 /// Sums of four halves: lanes 0 and 2, 1 and 3, then both.
-[[gnu::always_inline]] inline D4 sums(D4 a, D4 b, D4 c, D4 d) {
+[[gnu::always_inline]] inline D4 sums(const D4& a, const D4& b, const D4& c, const D4& d) {
   const D4 ab =
       __builtin_shufflevector(a, b, 0, 1, 4, 5) + __builtin_shufflevector(a, b, 2, 3, 6, 7);
   const D4 cd =
