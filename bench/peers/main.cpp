@@ -76,12 +76,13 @@ std::string selection(const Options& options) {
   for (const std::string& library : options.run.libraries) {
     text += ", libraries " + library;
   }
+  text += ", seed " + std::to_string(options.seed);
   return text + ", from " + std::to_string(options.least) + " to " + std::to_string(options.most) +
          " triangles";
 }
 
 std::vector<Offer> chosen(const Options& options) {
-  std::vector<Offer> offers = catalog(options.data);
+  std::vector<Offer> offers = catalog(options.data, options.seed);
   std::erase_if(offers, [&](const Offer& offer) {
     const bool named = options.scenes.empty() ||
                        std::any_of(options.scenes.begin(), options.scenes.end(),

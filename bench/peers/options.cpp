@@ -32,6 +32,7 @@ Usage: soms-bench [OPTIONS]        generated scenes, models and cities
   --budget SECONDS  processor time per pass of the best peer (default 0.1, quick 0.03)
   --judge N         triangles that the judge looks at per set, of the mover or around the probes
                     (default 5e6)
+  --seed N          seed of the random poses, points and rays (default 1)
   --cpu N           processor to run on (default: the last)
   --data FOLDER     folder of models and cities (default: SOMS_DATA; without it they are left out)
   --out FOLDER      for peers.csv and peers.md (default: bench/results/<machine>_<isa>; with A B:
@@ -39,7 +40,6 @@ Usage: soms-bench [OPTIONS]        generated scenes, models and cities
   --list            list the scenes that would run
   --pose POSE       with A B: pose of A, "x y z [qw qx qy qz]", or a CSV file
   --random N        with A B: number of random poses of A around B's box (default 1000)
-  --seed N          with A B: seed of the random poses (default 1)
   --json            with A B: print JSON Lines
   --strict          with A B: treat warnings and notes about a model as errors
   --quiet           print only errors on standard error

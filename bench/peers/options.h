@@ -29,7 +29,7 @@ struct Options {
   std::vector<std::string> files;   ///< two meshes of the user's own, or none
   std::vector<Pose> poses;          ///< of the first of them
   std::size_t random = 1000;        ///< poses, where none are given
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1;           ///< of poses, points and rays
 };
 
 /// Nothing when help was requested, which was printed.

@@ -3,6 +3,7 @@
 #include "soms/query/distance.h"
 
 #include "bench/peers/core/machine.h"
+#include "bench/peers/links.h"
 #include "bench/peers/scenarios/solids.h"
 
 #include <algorithm>
@@ -50,16 +51,24 @@ Ready prepare(const Library& library, std::size_t triangles, const Build& build)
   return ready;
 }
 
-Ready prepare(const Library& library, std::span<const FloatMesh> movers, const FloatMesh& fixed) {
-  std::size_t triangles = 0;
+/// A match for each mover, with fixed bodies of their own or, where the library can, with one.
+Ready prepare(const Library& library, std::span<const FloatMesh> movers, const FloatMesh& fixed,
+              bool shared) {
+  std::size_t triangles = shared ? fixed.triangles.size() : 0;
   for (const FloatMesh& mover : movers) {
-    triangles += mover.triangles.size() + fixed.triangles.size();
+    triangles += mover.triangles.size() + (shared ? 0 : fixed.triangles.size());
   }
   return prepare(library, triangles, [&](auto& matches) {
     for (const FloatMesh& mover : movers) {
-      matches.push_back(library.prepare(mover, fixed));
+      auto match = shared && !matches.empty() ? matches.front()->with(mover) : nullptr;
+      matches.push_back(match ? std::move(match) : library.prepare(mover, fixed));
     }
   });
+}
+
+/// The bodies that move: one, or an arm's links.
+std::span<const FloatMesh> movers_of(const Scene& scene) {
+  return scene.links.empty() ? std::span(&scene.mover, 1) : std::span(scene.links);
 }
 
 Cell new_cell(const Scene& scene, Job job, const std::string& set) {
@@ -68,7 +77,9 @@ Cell new_cell(const Scene& scene, Job job, const std::string& set) {
   cell.scene = scene.name;
   cell.set = set;
   cell.triangles = scene.fixed.triangles.size();
-  cell.mover = scene.mover.triangles.size();
+  for (const FloatMesh& mover : movers_of(scene)) {
+    cell.mover += mover.triangles.size();
+  }
   return cell;
 }
 
@@ -108,7 +119,16 @@ Cell settle(Cell cell, std::span<const Ready> ready, std::span<const Lane> lanes
 using QuestionJudge = std::function<std::vector<Verdict>(const Questions& questions,
                                                          std::span<const Answers> answers)>;
 
-/// The libraries for the job, with lanes that ask their only match.
+/// Has a library answer by its only match, or by one for each link.
+void answer(const Ready& ready, const Questions& questions, std::span<double> answers) {
+  if (ready.matches.size() == 1) {
+    ready.matches.front()->answer(questions, answers);
+  } else {
+    answer_links(ready.matches, questions, ready.library->batches(), answers);
+  }
+}
+
+/// The libraries for the job, in lanes.
 void run_questions(const Scene& scene, const std::string& set, const Questions& questions,
                    std::span<const Ready> ready, const QuestionJudge& judge,
                    const RunOptions& options, const Sink& sink) {
@@ -116,9 +136,8 @@ void run_questions(const Scene& scene, const std::string& set, const Questions& 
   std::vector<Ready> racing;
   for (const Ready& r : ready) {
     if (r.library->does(questions.job)) {
-      Match* match = r.matches.front().get();
-      lanes.push_back({r.library->name(), [match, &questions](std::span<double> answers) {
-                         match->answer(questions.first(answers.size()), answers);
+      lanes.push_back({r.library->name(), [&r, &questions](std::span<double> answers) {
+                         answer(r, questions.first(answers.size()), answers);
                        }});
       racing.push_back({r.library, {}, r.build, r.bytes});
     }
@@ -173,7 +192,7 @@ void run_still(const Scene& scene, const PoseSet& set, const Roster& roster,
   std::vector<Lane> lanes;
   for (const auto& library : roster) {
     if (library->does(Job::still) && wanted(options, *library)) {
-      ready.push_back(prepare(*library, movers, scene.fixed));
+      ready.push_back(prepare(*library, movers, scene.fixed, false));
     }
   }
   lanes.reserve(ready.size());
@@ -225,13 +244,16 @@ void run_moving_boxes(const Scene& scene, const MovingBoxSet& set, const Roster&
 
 std::vector<Ready> prepare_all(const Scene& scene, const Roster& roster, std::span<const Job> jobs,
                                const RunOptions& options) {
-  const std::size_t larger = std::max(scene.mover.triangles.size(), scene.fixed.triangles.size());
+  std::size_t larger = scene.fixed.triangles.size();
+  for (const FloatMesh& mover : movers_of(scene)) {
+    larger = std::max(larger, mover.triangles.size());
+  }
   std::vector<Ready> ready;
   for (const auto& library : roster) {
     const bool requested =
         std::any_of(jobs.begin(), jobs.end(), [&](Job job) { return library->does(job); });
     if (requested && library->takes(larger) && wanted(options, *library)) {
-      ready.push_back(prepare(*library, {&scene.mover, 1}, scene.fixed));
+      ready.push_back(prepare(*library, movers_of(scene), scene.fixed, true));
     }
   }
   return ready;
@@ -264,7 +286,9 @@ void run_group(const Scene& scene, const Roster& roster, std::initializer_list<J
     if (job == Job::within) {
       run_clearances(scene, *set, ready, judge, options, sink);
     } else {
-      run_questions(scene, set->name, {job, set->poses}, ready, judge, options, sink);
+      Questions questions{job, set->poses};
+      questions.links = movers_of(scene).size();
+      run_questions(scene, set->name, questions, ready, judge, options, sink);
     }
   }
 }
@@ -323,9 +347,12 @@ void run_scene(const Scene& scene, const Roster& roster, const RunOptions& optio
     }
   }
   const auto of_counts = [&]() -> QuestionJudge {
-    const auto counter = std::make_shared<PairCounter>(scene.mover, scene.fixed);
-    return [counter, &options](const Questions& questions, std::span<const Answers> answers) {
-      return judge(*counter, questions.job, questions.poses, answers, options.judge);
+    const auto counters = std::make_shared<std::vector<PairCounter>>();
+    for (const FloatMesh& mover : movers_of(scene)) {
+      counters->emplace_back(mover, scene.fixed);
+    }
+    return [counters, &options](const Questions& questions, std::span<const Answers> answers) {
+      return judge(*counters, questions, answers, options.judge);
     };
   };
   const auto of_distances = [&]() -> QuestionJudge {

@@ -10,6 +10,8 @@
 #include "python/src/enums.h"
 #include "python/src/paths.h"
 
+#include <pybind11/stl.h>
+
 #include <cstddef>
 #include <filesystem>
 #include <memory>

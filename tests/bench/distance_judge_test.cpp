@@ -113,7 +113,7 @@ TEST_F(JudgeOfDistances, LooksAtEveryContradictionHoweverLittleItMayLookAt) {
 }
 
 TEST(NearMisses, LeaveTheGapThatTheirNameSays) {
-  const Scene scene = knot_scene(1'000);
+  const Scene scene = knot_scene(1'000, 1);
   const DistanceJudge judge(scene.mover, scene.fixed);
   const Body twin(widened(scene.fixed));
   for (const auto& [set, gap] : {std::pair{std::size_t{2}, 0.001}, {std::size_t{3}, 0.01}}) {

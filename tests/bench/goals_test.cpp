@@ -99,6 +99,20 @@ TEST(Goals, OfContainmentAreAlsoMillionsASecond) {
   EXPECT_EQ(goals[1].times, 3);
 }
 
+TEST(Goals, OfUnlikePairsAreForEachRowOfAllAndForMedians) {
+  for (const char* const set : {"random", "grazing"}) {
+    EXPECT_EQ(goal(goals_of(Job::all, "unlike-ship-cow", set, 5'804, "avx512"), "soms"), 4);
+    EXPECT_EQ(goal(goals_of(Job::any, "unlike-ship-cow", set, 5'804, "avx512"), "soms"), 0);
+  }
+  const auto medians = median_goals("avx512");
+  ASSERT_EQ(medians.size(), 2U);
+  EXPECT_EQ(medians[0].job, Job::any);
+  EXPECT_EQ(medians[0].times, 5);
+  EXPECT_EQ(medians[1].job, Job::all);
+  EXPECT_EQ(medians[1].times, 6);
+  EXPECT_EQ(median_goals("avx2")[1].times, 3);
+}
+
 TEST(Goals, AreNoneForAJobThatNoneWasSetFor) {
   EXPECT_TRUE(goals_of(Job::any, "streets", "routes", 5'672, "avx512").empty());
 }

@@ -66,7 +66,7 @@ TEST(PairCounter, EndsWhereALargeTriangleReachesOverTinyOnesFarApart) {
 
 TEST(Judge, LooksAtEveryQuestionOnWhichTwoDifferHoweverLittleItMayLookAt) {
   const FloatMesh cube = box({0, 0, 0}, {1, 1, 1});
-  const PairCounter counter(cube, cube);
+  const std::vector<PairCounter> counter{{cube, cube}};
   std::vector<Pose> poses;
   poses.reserve(100);
   for (int i = 0; i < 100; ++i) {
@@ -80,20 +80,39 @@ TEST(Judge, LooksAtEveryQuestionOnWhichTwoDifferHoweverLittleItMayLookAt) {
   answers[2].values.resize(60);
   answers[1].values[77] = 1;
   answers[2].values[13] = 0;
-  const auto verdicts = judge(counter, Job::any, poses, answers, 1);
+  const auto verdicts = judge(counter, {Job::any, poses}, answers, 1);
   EXPECT_EQ(verdicts[0].wrong, 0U);
   EXPECT_EQ(verdicts[0].checked, 3U);
   EXPECT_EQ(verdicts[1].wrong_questions, std::vector<std::size_t>{77});
   EXPECT_EQ(verdicts[2].wrong_questions, std::vector<std::size_t>{13});
   EXPECT_EQ(verdicts[2].checked, 2U);
+  EXPECT_EQ(verdicts[1].share, 0.01);  // one of its hundred, not one of the three looked at
+  EXPECT_EQ(verdicts[2].share, 1.0 / 60);
+}
+
+// Half of the sample is wrong without a contradiction: half of all answers will be.
+TEST(Judge, TakesASampleForTheAnswersThatNobodyContradicts) {
+  const FloatMesh cube = box({0, 0, 0}, {1, 1, 1});
+  const std::vector<PairCounter> counter{{cube, cube}};
+  const std::vector<Pose> poses(40, Pose::translation(0.5, 0, 0));
+  std::vector<Answers> answers(2, Answers{std::vector<double>(40, 0)});
+  for (std::size_t i = 0; i < 20; ++i) {
+    answers[0].values[i] = answers[1].values[i] = 1;
+  }
+  answers[1].values[3] = 0;
+  const auto verdicts = judge(counter, {Job::any, poses}, answers, 120);  // looks at 10
+  EXPECT_EQ(verdicts[0].checked, 11U);
+  EXPECT_EQ(verdicts[0].wrong, 5U);
+  EXPECT_EQ(verdicts[0].share, (0 + 39 * 0.5) / 40);
+  EXPECT_EQ(verdicts[1].share, (1 + 39 * 0.5) / 40);
 }
 
 TEST(Judge, FindsAFaultThatAllShareWhereItMayLook) {
   const FloatMesh cube = box({0, 0, 0}, {1, 1, 1});
-  const PairCounter counter(cube, cube);
+  const std::vector<PairCounter> counter{{cube, cube}};
   const std::vector<Pose> poses(5, Pose::translation(0.5, 0, 0));
   const std::vector<Answers> answers(2, Answers{std::vector<double>(5, 0)});
-  const auto verdicts = judge(counter, Job::any, poses, answers, 1e6);
+  const auto verdicts = judge(counter, {Job::any, poses}, answers, 1e6);
   EXPECT_EQ(verdicts[0].wrong, 5U);
   EXPECT_EQ(verdicts[1].wrong, 5U);
 }

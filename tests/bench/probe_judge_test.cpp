@@ -139,7 +139,7 @@ TEST(JudgeOfRays, DecidesWhetherThereIsAnyHit) {
 }
 
 TEST(Probes, AreFloatsAndTheirCameraSeesTheBody) {
-  const Scene scene = knot_probes(1'000);
+  const Scene scene = knot_probes(1'000, 1);
   const RayJudge rays(scene.fixed);
   for (const ProbeSet& set : scene.probe_sets) {
     EXPECT_EQ(set.points.size() + set.rays.size(), 20'000U) << set.name;

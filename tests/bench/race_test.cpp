@@ -43,6 +43,24 @@ TEST_F(Race, LetsAVerySlowLaneAnswerFewer) {
   EXPECT_GT(outcomes[2].timing.median, outcomes[1].timing.median);
 }
 
+// The first poses of a set may be the hardest.
+TEST_F(Race, IsNotMisledByAFewSlowAnswers) {
+  const auto uneven = [this](const std::string& name, double usual) {
+    const Lane slow = lane(name, 2e-3);
+    const Lane fast = lane(name, usual);
+    return Lane{name, [slow, fast](std::span<double> answers) {
+                  const std::size_t first = std::min<std::size_t>(8, answers.size());
+                  slow.run(answers.first(first));
+                  fast.run(answers.subspan(first));
+                }};
+  };
+  const std::vector<Lane> lanes{lane("soms", 1e-5), lane("even", 2e-4), uneven("uneven", 1e-4)};
+  const auto outcomes = race(lanes, 1000, options(3, 0.04));
+  EXPECT_GE(outcomes[1].answers.size(), 190U);
+  EXPECT_EQ(outcomes[2].answers.size(), outcomes[1].answers.size());
+  EXPECT_LT(outcomes[2].timing.median, outcomes[1].timing.median);
+}
+
 TEST_F(Race, OrdersItsFiguresAndAnswersAlone) {
   const std::vector<Lane> lanes{lane("soms", 1e-4)};
   const auto outcomes = race(lanes, 30, options(5, 1));

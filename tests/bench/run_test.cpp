@@ -127,6 +127,38 @@ TEST(RunScene, DoesNotRankAPeerThatIsWrongOften) {
   EXPECT_TRUE(sound(cells));
 }
 
+TEST(MedianRatio, IsOfAllRowsAndVoidWithOne) {
+  const auto cell = [](const std::string& scene, double soms, bool right) {
+    Cell made;
+    made.scene = scene;
+    made.questions = 1;
+    for (const auto& [library, seconds] :
+         {std::pair<std::string, double>{"peer", 12}, {"soms", soms}}) {
+      Entry entry;
+      entry.library = library;
+      entry.answered = 1;
+      entry.timing.median = seconds;
+      entry.verdict.wrong = library == "soms" && !right ? 1 : 0;
+      made.entries.push_back(entry);
+    }
+    return made;
+  };
+  const MedianGoal goal{Job::any, "unlike", "soms", 5};
+  std::vector<Cell> cells{cell("unlike-a", 1, true), cell("unlike-b", 4, true),
+                          cell("unlike-c", 2, true), cell("twins", 0.1, true)};
+  EXPECT_EQ(median_ratio(cells, goal).rows, 3U);
+  EXPECT_EQ(median_ratio(cells, goal).ratio, 6);
+  cells.push_back(cell("unlike-d", 3, true));
+  EXPECT_EQ(median_ratio(cells, goal).ratio, 5);
+  const test::TemporaryFolder folder;
+  write_markdown(folder.path() / "a.md", cells, {.isa = "avx512", .selection = "all"});
+  EXPECT_NE(text_of(folder.path() / "a.md").find("| any | unlike | 4 | soms | 5.00 | 5.0 | met |"),
+            std::string::npos);
+  cells.push_back(cell("unlike-e", 3, false));
+  EXPECT_FALSE(median_ratio(cells, goal).ratio.has_value());
+  EXPECT_EQ(median_ratio({}, goal).rows, 0U);
+}
+
 TEST(RunScene, SaysSoInItsTables) {
   const auto cells = run_fakes({{"peer", 0}, {"soms", 1}});
   const test::TemporaryFolder folder;

@@ -29,11 +29,23 @@ struct Goal {
   Against against = Against::all;
 };
 
+/// So many times as fast as the best peer in the median of all cells of the scenes whose names
+/// begin so.
+struct MedianGoal {
+  Job job = Job::any;
+  std::string scenes;
+  std::string library;
+  double times = 0;
+};
+
 /// Bytes a triangle that a shape may hold, all in.
 inline constexpr double kMostBytes = 120;
 
 /// The goals of a cell, on a machine with AVX-512; half of each with less.
 [[nodiscard]] std::vector<Goal> goals_of(Job job, const std::string& scene, const std::string& set,
                                          std::uint64_t triangles, const std::string& isa);
+
+/// The goals of medians, halved likewise.
+[[nodiscard]] std::vector<MedianGoal> median_goals(const std::string& isa);
 
 }  // namespace soms::bench

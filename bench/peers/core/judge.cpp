@@ -43,6 +43,23 @@ bool differ(std::size_t question, const Answers& a, const Answers& b) {
   return a.values[question] != b.values[question];
 }
 
+/// Answers to the questions on which libraries contradict each other.
+struct Checked {
+  std::size_t answers = 0;
+  std::size_t wrong = 0;
+};
+
+/// The part of `answered` answers that is wrong: what is known of the contested ones, and of the
+/// others as many as in the sample of them.
+double wrong_share(const Verdict& verdict, const Checked& contested, std::size_t answered) {
+  const auto sampled = static_cast<double>(verdict.checked - contested.answers);
+  const auto sampled_wrong = static_cast<double>(verdict.wrong - contested.wrong);
+  const auto others = static_cast<double>(answered - contested.answers);
+  const double expected = sampled > 0 ? others * sampled_wrong / sampled : 0;
+  const auto all = static_cast<double>(std::max<std::size_t>(1, answered));
+  return (static_cast<double>(contested.wrong) + expected) / all;
+}
+
 /// Exact answers are 0 where the bodies touch and nowhere else.
 Right right_distances(double distance, Precision precision, double slack) {
   if (precision != Precision::exact) {
@@ -94,21 +111,29 @@ std::uint64_t count_pairs(std::span<const FloatBox> boxes) {
 
 std::vector<Verdict> judge(std::span<const Answers> answers, const Rules& rules) {
   std::vector<Verdict> verdicts(answers.size());
+  std::vector<Checked> contested(answers.size());
   for (std::size_t i = 0; i < longest(answers); ++i) {
-    if (!rules.sampled(i) && !any_contradiction(answers, rules, i)) {
+    const bool open = any_contradiction(answers, rules, i);
+    if (!open && !rules.sampled(i)) {
       continue;
     }
     for (std::size_t k = 0; k < answers.size(); ++k) {
       if (i < answers[k].values.size()) {
         const Right right = rules.right(i, answers[k].precision);
         const double value = answers[k].values[i];
+        const bool wrong = !(right.least <= value && value <= right.most);
         ++verdicts[k].checked;
-        if (!(right.least <= value && value <= right.most)) {
+        contested[k].answers += open ? 1 : 0;
+        contested[k].wrong += open && wrong ? 1 : 0;
+        if (wrong) {
           ++verdicts[k].wrong;
           verdicts[k].wrong_questions.push_back(i);
         }
       }
     }
+  }
+  for (std::size_t k = 0; k < answers.size(); ++k) {
+    verdicts[k].share = wrong_share(verdicts[k], contested[k], answers[k].values.size());
   }
   return verdicts;
 }
@@ -123,11 +148,21 @@ Rules rules_of_counts(const std::function<std::uint64_t(std::size_t)>& count) {
           differ, [](std::size_t) { return true; }};
 }
 
-std::vector<Verdict> judge(const PairCounter& counter, Job job, std::span<const Pose> poses,
+std::vector<Verdict> judge(std::span<const PairCounter> links, const Questions& questions,
                            std::span<const Answers> answers, double budget) {
-  const std::size_t stride = stride_of(longest(answers), counter.mover_triangles(), budget);
-  Rules rules =
-      rules_of_counts([&](std::size_t i) { return counter.count(poses[i], job == Job::any); });
+  std::size_t triangles = 0;
+  for (const PairCounter& link : links) {
+    triangles += link.mover_triangles();
+  }
+  const std::size_t stride = stride_of(longest(answers), triangles, budget);
+  Rules rules = rules_of_counts([&](std::size_t i) {
+    const bool any = questions.job == Job::any;
+    std::uint64_t count = 0;
+    for (std::size_t k = 0; k < links.size() && !(any && count != 0); ++k) {
+      count += links[k].count(questions.poses[i * links.size() + k], any);
+    }
+    return count;
+  });
   rules.sampled = [stride](std::size_t i) { return i % stride == 0; };
   return judge(answers, rules);
 }

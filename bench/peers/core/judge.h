@@ -27,6 +27,9 @@ struct Answers {
 struct Verdict {
   std::size_t checked = 0;  ///< of its answers, those that the judge decided
   std::size_t wrong = 0;    ///< of these, wrong ones
+  /// Of all its answers, about this part is wrong. Where libraries contradict each other every
+  /// answer is decided, elsewhere a sample, so that `wrong` of `checked` would be too many.
+  double share = 0;
   std::vector<std::size_t> wrong_questions;
 };
 
@@ -55,9 +58,10 @@ struct Rules {
 [[nodiscard]] Rules rules_of_counts(const std::function<std::uint64_t(std::size_t)>& count);
 
 /// Judges counts, which have to be right to the last one: every question on which two differ, and
-/// as many others, evenly spread, as fit when `budget` triangles of the mover are looked at.
-[[nodiscard]] std::vector<Verdict> judge(const PairCounter& counter, Job job,
-                                         std::span<const Pose> poses,
+/// as many others, evenly spread, as fit when `budget` triangles of the movers are looked at. There
+/// is a counter for each mover of a question: one, or an arm's links.
+[[nodiscard]] std::vector<Verdict> judge(std::span<const PairCounter> links,
+                                         const Questions& questions,
                                          std::span<const Answers> answers, double budget);
 
 /// The same of frames of boxes: the first frame, the last, the middle one and those on which two

@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::size_t kFirstQuestions = 8;
 constexpr std::size_t kFewestQuestions = 20;
-constexpr double kSlow = 3;  // times the pass of the fastest peer, or the budget
+constexpr double kRoughShare = 0.2;  // of the budget, for a first look at a lane
+constexpr double kSlow = 3;          // times the pass of the fastest peer, or the budget
 constexpr int kSlowRounds = 3;
 
 double run(const Lane& lane, std::span<double> answers, std::size_t repeats,
@@ -22,15 +23,35 @@ double run(const Lane& lane, std::span<double> answers, std::size_t repeats,
   return (options.clock() - start) / static_cast<double>(repeats * answers.size());
 }
 
-/// Seconds an answer, roughly: the second of two passes over the first questions.
+std::size_t affordable(double seconds, double each) {
+  return static_cast<std::size_t>(std::clamp(seconds / each, 1.0, 1e9));
+}
+
+/// Seconds an answer, roughly: the second of two passes over the first questions, of which there
+/// are more the faster they are, since some take far longer than others.
 double rough(const Lane& lane, std::size_t questions, const RaceOptions& options) {
   std::vector<double> answers(std::min(questions, kFirstQuestions));
-  run(lane, answers, 1, options);
+  double each = std::max(1e-9, run(lane, answers, 1, options));
+  while (answers.size() < questions &&
+         each * static_cast<double>(answers.size()) < kRoughShare * options.budget) {
+    answers.resize(std::min(questions, 2 * answers.size()));
+    each = std::max(1e-9, run(lane, answers, 1, options));
+  }
   return std::max(1e-9, run(lane, answers, 1, options));
 }
 
-std::size_t affordable(double seconds, double each) {
-  return static_cast<std::size_t>(std::clamp(seconds / each, 1.0, 1e9));
+/// Answers as many questions as fit into `most` seconds at `each` a question, at most `common`; and
+/// more if these took less. Returns the seconds of the last pass.
+double answer_in(const Lane& lane, double most, double each, std::size_t common,
+                 std::vector<double>& answers, const RaceOptions& options) {
+  double pass = 0;
+  for (std::size_t done = std::min(common, affordable(most, each)); done > answers.size();
+       done = std::min(common, affordable(most, each))) {
+    answers.resize(done);
+    each = std::max(1e-9, run(lane, answers, 1, options));
+    pass = each * static_cast<double>(done);
+  }
+  return pass;
 }
 
 /// Seconds an answer of the fastest peer; of the fastest at all where there is none.
@@ -66,10 +87,7 @@ std::vector<Outcome> race(std::span<const Lane> lanes, std::size_t questions,
   std::vector<std::size_t> repeats(lanes.size());
   std::vector<std::vector<double>> seconds(lanes.size());
   for (std::size_t i = 0; i < lanes.size(); ++i) {
-    const std::size_t done = std::min(common, affordable(most, each[i]));
-    outcomes[i].answers.resize(done);
-    const double pass = run(lanes[i], outcomes[i].answers, 1, options) *
-                        static_cast<double>(std::max<std::size_t>(1, done));
+    const double pass = answer_in(lanes[i], most, each[i], common, outcomes[i].answers, options);
     repeats[i] = static_cast<std::size_t>(
         std::ceil(std::clamp(options.least_pass / std::max(pass, 1e-9), 1.0, 1e4)));
   }

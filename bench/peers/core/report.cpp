@@ -52,9 +52,9 @@ bool is_measure(const std::string& library) {
 }
 
 bool ranked(const Cell& cell, const Entry& entry) {
-  const double most =
-      is_ours(entry.library) ? 0 : kMostWrong * static_cast<double>(entry.verdict.checked);
-  return entry.answered == cell.questions && static_cast<double>(entry.verdict.wrong) <= most;
+  const bool right =
+      is_ours(entry.library) ? entry.verdict.wrong == 0 : entry.verdict.share <= kMostWrong;
+  return entry.answered == cell.questions && right;
 }
 
 namespace {
@@ -108,6 +108,25 @@ std::optional<double> ratio(const Cell& cell, const std::string& library, Agains
     return std::nullopt;
   }
   return peer->timing.median / own->timing.median;
+}
+
+Median median_ratio(const std::vector<Cell>& cells, const MedianGoal& goal) {
+  Median median;
+  std::vector<double> ratios;
+  for (const Cell& cell : cells) {
+    if (cell.job == goal.job && cell.scene.starts_with(goal.scenes) && best_peer(cell) != nullptr) {
+      ++median.rows;
+      if (const auto reached = ratio(cell, goal.library)) {
+        ratios.push_back(*reached);
+      }
+    }
+  }
+  if (median.rows != 0 && ratios.size() == median.rows) {
+    std::sort(ratios.begin(), ratios.end());
+    const std::size_t half = ratios.size() / 2;
+    median.ratio = ratios.size() % 2 == 1 ? ratios[half] : 0.5 * (ratios[half - 1] + ratios[half]);
+  }
+  return median;
 }
 
 bool sound(const std::vector<Cell>& cells) {

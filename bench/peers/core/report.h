@@ -39,7 +39,7 @@ struct Cell {
   std::vector<Entry> entries;
 };
 
-/// A peer wrong in more than this share of the checked answers is not ranked; soms must have none.
+/// A peer wrong in more than this share of its answers is not ranked; soms must have none.
 inline constexpr double kMostWrong = 0.02;
 
 [[nodiscard]] std::string name(Job job);
@@ -63,6 +63,14 @@ inline constexpr double kMostWrong = 0.02;
 /// its millions of answers a second.
 [[nodiscard]] std::optional<double> ratio(const Cell& cell, const std::string& library,
                                           Against against = Against::all);
+
+/// The median of the ratios of several cells.
+struct Median {
+  std::size_t rows = 0;         ///< cells that have a peer to compare with
+  std::optional<double> ratio;  ///< nothing without such cells, or where a ratio is void
+};
+
+[[nodiscard]] Median median_ratio(const std::vector<Cell>& cells, const MedianGoal& goal);
 
 /// True if soms gave no wrong answer in any cell.
 [[nodiscard]] bool sound(const std::vector<Cell>& cells);

@@ -114,6 +114,24 @@ void goals(std::ostream& out, const std::vector<Cell>& cells, const std::string&
   }
 }
 
+/// Of scenes that have a goal for all of them.
+void medians(std::ostream& out, const std::vector<Cell>& cells, const std::string& isa) {
+  bool first = true;
+  for (const MedianGoal& goal : median_goals(isa)) {
+    const Median median = median_ratio(cells, goal);
+    if (median.rows == 0) {
+      continue;
+    }
+    out << (first ? "\nMedians of such rows:\n\n| job | scenes | rows | soms | median ratio | goal "
+                    "| |\n|---|---|---:|---|---:|---:|---|\n"
+                  : "")
+        << "| " << name(goal.job) << " | " << goal.scenes << " | " << median.rows << " | "
+        << goal.library << " | " << times(median.ratio) << " | " << goal_text(goal.times) << " | "
+        << verdict(median.ratio, goal.times) << " |\n";
+    first = false;
+  }
+}
+
 std::string mark(const Cell& cell, const Entry& entry) {
   if (entry.verdict.wrong != 0) {
     return " wrong in " + std::to_string(entry.verdict.wrong) + " of " +
@@ -150,7 +168,7 @@ void builds(std::ostream& out, const std::vector<Cell>& cells) {
 void wrong_answers(std::ostream& out, const std::vector<Cell>& cells) {
   out << "\n## Wrong answers\n\nFor each set, an exact judge decides every query on which two "
          "libraries differ, and a sample of the others. A peer that is wrong in more than 2 % of "
-         "them is not ranked. A single wrong answer of soms voids its ratio.\n\n";
+         "its answers is not ranked. A single wrong answer of soms voids its ratio.\n\n";
   bool none = true;
   for (const Cell& cell : cells) {
     for (const Entry& e : cell.entries) {
@@ -243,6 +261,7 @@ void write_markdown(const std::filesystem::path& path, const std::vector<Cell>& 
   out << "- Selection: " << facts.selection << "; median of " << facts.rounds
       << " rounds in turn, processor time.\n\n";
   goals(out, cells, facts.isa);
+  medians(out, cells, facts.isa);
   out << "\n## Every library\n\n`sum`: of the answers: touching or near poses, pairs, distances, "
          "points "
          "inside, hits, numbers of relations. `ratio`: the "

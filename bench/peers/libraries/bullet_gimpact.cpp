@@ -6,6 +6,8 @@
 
 #include <BulletCollision/Gimpact/btGImpactShape.h>
 
+#include <utility>
+
 namespace soms::bench {
 
 namespace {
@@ -29,17 +31,24 @@ class GimpactBody {
 class GimpactMatch final : public Match {
  public:
   GimpactMatch(const FloatMesh& mover, const FloatMesh& fixed, const Loan& loan)
-      : mover_(mover), fixed_(fixed), loan_(loan) {}
+      : GimpactMatch(mover, std::make_shared<GimpactBody>(fixed), loan) {}
+
+  GimpactMatch(const FloatMesh& mover, std::shared_ptr<GimpactBody> fixed, const Loan& loan)
+      : mover_(mover), fixed_(std::move(fixed)), loan_(loan) {}
+
+  [[nodiscard]] std::unique_ptr<Match> with(const FloatMesh& mover) const override {
+    return std::make_unique<GimpactMatch>(mover, fixed_, loan_);
+  }
 
   void answer(const Questions& questions, std::span<double> answers) override {
     for (std::size_t i = 0; i < answers.size(); ++i) {
       btPairSet candidates;
-      btGImpactBoxSet::find_collision(mover_.tree(), to_bullet(questions.poses[i]), fixed_.tree(),
+      btGImpactBoxSet::find_collision(mover_.tree(), to_bullet(questions.poses[i]), fixed_->tree(),
                                       btTransform::getIdentity(), candidates);
       std::uint64_t count = 0;
       for (int k = 0; k < candidates.size() && !(questions.job == Job::any && count != 0); ++k) {
         count += triangles_touch(moved(questions.poses[i], mover_.triangle(candidates[k].m_index1)),
-                                 fixed_.triangle(candidates[k].m_index2), loan_)
+                                 fixed_->triangle(candidates[k].m_index2), loan_)
                      ? 1U
                      : 0U;
       }
@@ -49,7 +58,7 @@ class GimpactMatch final : public Match {
 
  private:
   GimpactBody mover_;
-  GimpactBody fixed_;
+  std::shared_ptr<GimpactBody> fixed_;
   Loan loan_;
 };
 

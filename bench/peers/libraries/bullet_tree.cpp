@@ -50,7 +50,14 @@ Vec3 moved_back(const Pose& pose, const Vec3& v) {
 class TreeMatch final : public Match {
  public:
   TreeMatch(const FloatMesh& mover, const FloatMesh& fixed, const Loan& loan)
-      : mover_(mover), fixed_(fixed), loan_(loan) {}
+      : TreeMatch(mover, std::make_shared<TreeBody>(fixed), loan) {}
+
+  TreeMatch(const FloatMesh& mover, std::shared_ptr<TreeBody> fixed, const Loan& loan)
+      : mover_(mover), fixed_(std::move(fixed)), loan_(loan) {}
+
+  [[nodiscard]] std::unique_ptr<Match> with(const FloatMesh& mover) const override {
+    return std::make_unique<TreeMatch>(mover, fixed_, loan_);
+  }
 
   void answer(const Questions& questions, std::span<double> answers) override {
     for (std::size_t i = 0; i < answers.size(); ++i) {
@@ -79,10 +86,10 @@ class TreeMatch final : public Match {
     btVector3 lower;
     btVector3 upper;
     mover_.bounds(pose, lower, upper);
-    fixed_.within(lower, upper, near_);
+    fixed_->within(lower, upper, near_);
     std::uint64_t count = 0;
     for (const auto& id : near_.list) {
-      const Triangle t = fixed_.triangle(id);
+      const Triangle t = fixed_->triangle(id);
       beside(pose, t);
       for (const auto& other : met_.list) {
         if (triangles_touch(moved(pose, mover_.triangle(other)), t, loan_)) {
@@ -97,7 +104,7 @@ class TreeMatch final : public Match {
   }
 
   TreeBody mover_;
-  TreeBody fixed_;
+  std::shared_ptr<TreeBody> fixed_;
   Loan loan_;
   Found near_;
   Found met_;

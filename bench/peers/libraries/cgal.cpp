@@ -13,6 +13,8 @@
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/version.h>
 
+#include <utility>
+
 namespace soms::bench {
 
 namespace {
@@ -51,7 +53,15 @@ Affine placed(const Pose& pose) {
 
 class CgalMatch final : public Match {
  public:
-  CgalMatch(const FloatMesh& mover, const FloatMesh& fixed) : mover_(mover), fixed_(fixed) {}
+  CgalMatch(const FloatMesh& mover, const FloatMesh& fixed)
+      : CgalMatch(mover, std::make_shared<const CgalBody>(fixed)) {}
+
+  CgalMatch(const FloatMesh& mover, std::shared_ptr<const CgalBody> fixed)
+      : mover_(mover), fixed_(std::move(fixed)) {}
+
+  [[nodiscard]] std::unique_ptr<Match> with(const FloatMesh& mover) const override {
+    return std::make_unique<CgalMatch>(mover, fixed_);
+  }
 
   void answer(const Questions& questions, std::span<double> answers) override {
     for (std::size_t i = 0; i < answers.size(); ++i) {
@@ -67,8 +77,8 @@ class CgalMatch final : public Match {
     Placed mover(mover_.tree.traits());
     mover.set_transformation(placed(pose));
     const Affine stay(CGAL::IDENTITY);
-    Both both(fixed_.tree.traits(), stay, mover);
-    fixed_.tree.traversal(mover_.tree, both);
+    Both both(fixed_->tree.traits(), stay, mover);
+    fixed_->tree.traversal(mover_.tree, both);
     return both.is_intersection_found();
   }
 
@@ -76,13 +86,13 @@ class CgalMatch final : public Match {
     const Affine move = placed(pose);
     std::uint64_t count = 0;
     for (const auto& t : mover_.triangles) {
-      count += fixed_.tree.number_of_intersected_primitives(t.transform(move));
+      count += fixed_->tree.number_of_intersected_primitives(t.transform(move));
     }
     return count;
   }
 
   CgalBody mover_;
-  CgalBody fixed_;
+  std::shared_ptr<const CgalBody> fixed_;
 };
 
 class CgalMesh final : public Library {

@@ -10,9 +10,19 @@ namespace {
 template <class Volume, class Traversal>
 class FclMatch final : public Match {
  public:
-  FclMatch(const FloatMesh& mover, const FloatMesh& fixed) {
+  using Model = fcl::BVHModel<Volume>;
+
+  FclMatch(const FloatMesh& mover, const FloatMesh& fixed)
+      : FclMatch(mover, std::make_shared<Model>()) {
+    fill(*fixed_, fixed);
+  }
+
+  FclMatch(const FloatMesh& mover, std::shared_ptr<Model> fixed) : fixed_(std::move(fixed)) {
     fill(mover_, mover);
-    fill(fixed_, fixed);
+  }
+
+  [[nodiscard]] std::unique_ptr<Match> with(const FloatMesh& mover) const override {
+    return std::make_unique<FclMatch>(mover, fixed_);
   }
 
   void answer(const Questions& questions, std::span<double> answers) override {
@@ -21,7 +31,7 @@ class FclMatch final : public Match {
       Traversal node;
       const fcl::CollisionRequest<float> request(questions.job == Job::any ? 1 : kNoLimit, false);
       fcl::CollisionResult<float> result;
-      fcl::detail::initialize(node, mover_, placed<float>(questions.poses[i]), fixed_,
+      fcl::detail::initialize(node, mover_, placed<float>(questions.poses[i]), *fixed_,
                               fcl::Transform3f::Identity(), request, result);
       fcl::detail::collide(&node);
       answers[i] = static_cast<double>(result.numContacts());
@@ -29,8 +39,8 @@ class FclMatch final : public Match {
   }
 
  private:
-  fcl::BVHModel<Volume> mover_;
-  fcl::BVHModel<Volume> fixed_;
+  Model mover_;
+  std::shared_ptr<Model> fixed_;
 };
 
 template <class FclPair>

@@ -86,15 +86,21 @@ struct Questions {
   std::span<const double> clearances = {};  ///< of `within`
   std::span<const Vec3> points = {};    ///< of `closest` and `contains`; their numbers are floats
   std::span<const ProbeRay> rays = {};  ///< of `closest_hit` and `any_hit`
+  std::size_t links = 1;                ///< movers of a question, each with a pose, in turn
 
   [[nodiscard]] std::size_t size() const {
-    return std::max({poses.size(), points.size(), rays.size()});
+    return std::max({poses.size() / links, points.size(), rays.size()});
   }
 
   /// The first `count` of them.
   [[nodiscard]] Questions first(std::size_t count) const {
     const auto of = [count](auto column) { return column.empty() ? column : column.first(count); };
-    return {job, of(poses), of(clearances), of(points), of(rays)};
+    return {job,
+            poses.empty() ? poses : poses.first(count * links),
+            of(clearances),
+            of(points),
+            of(rays),
+            links};
   }
 };
 
@@ -105,6 +111,12 @@ class Match {
 
   /// One answer a question, as the enumerators of `Job` say.
   virtual void answer(const Questions& questions, std::span<double> answers) = 0;
+
+  /// A match of another mover with the same fixed body, which is built once; null where the library
+  /// builds it for each mover.
+  [[nodiscard]] virtual std::unique_ptr<Match> with(const FloatMesh& /*mover*/) const {
+    return nullptr;
+  }
 
   /// Bytes that it holds and that malloc does not know of.
   [[nodiscard]] virtual std::size_t unseen_bytes() const { return 0; }
@@ -133,6 +145,9 @@ class Library {
 
   /// False where the library cannot hold a body of so many triangles.
   [[nodiscard]] virtual bool takes(std::size_t /*triangles*/) const { return true; }
+
+  /// True if it wants all poses in one call.
+  [[nodiscard]] virtual bool batches() const { return false; }
 
   /// Of moving boxes: true if its tree lasts from frame to frame, false if each begins from
   /// nothing.

@@ -4,6 +4,8 @@
 
 #include <ode/ode.h>
 
+#include <utility>
+
 namespace soms::bench {
 
 namespace {
@@ -45,7 +47,15 @@ class OdeBody {
 
 class OdeMatch final : public Match {
  public:
-  OdeMatch(const FloatMesh& mover, const FloatMesh& fixed) : mover_(mover), fixed_(fixed) {}
+  OdeMatch(const FloatMesh& mover, const FloatMesh& fixed)
+      : OdeMatch(mover, std::make_shared<OdeBody>(fixed)) {}
+
+  OdeMatch(const FloatMesh& mover, std::shared_ptr<OdeBody> fixed)
+      : mover_(mover), fixed_(std::move(fixed)) {}
+
+  [[nodiscard]] std::unique_ptr<Match> with(const FloatMesh& mover) const override {
+    return std::make_unique<OdeMatch>(mover, fixed_);
+  }
 
   void answer(const Questions& questions, std::span<double> answers) override {
     for (std::size_t i = 0; i < answers.size(); ++i) {
@@ -56,13 +66,13 @@ class OdeMatch final : public Match {
       dContactGeom contact;
       const int flags = 1 | static_cast<int>(CONTACTS_UNIMPORTANT);
       answers[i] =
-          dCollide(mover_.geom(), fixed_.geom(), flags, &contact, sizeof contact) > 0 ? 1 : 0;
+          dCollide(mover_.geom(), fixed_->geom(), flags, &contact, sizeof contact) > 0 ? 1 : 0;
     }
   }
 
  private:
   OdeBody mover_;
-  OdeBody fixed_;
+  std::shared_ptr<OdeBody> fixed_;
 };
 
 class OdeMesh final : public Library {

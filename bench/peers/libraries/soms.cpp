@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace soms::bench {
 
@@ -62,7 +63,14 @@ struct ClosedPair {
 class SomsMatch final : public Match {
  public:
   SomsMatch(const FloatMesh& mover, const FloatMesh& fixed, Manner manner)
-      : mover_(shape_of(mover)), fixed_(shape_of(fixed)), manner_(manner) {}
+      : SomsMatch(mover, Body(shape_of(fixed)), manner) {}
+
+  SomsMatch(const FloatMesh& mover, Body fixed, Manner manner)
+      : mover_(shape_of(mover)), fixed_(std::move(fixed)), manner_(manner) {}
+
+  [[nodiscard]] std::unique_ptr<Match> with(const FloatMesh& mover) const override {
+    return std::make_unique<SomsMatch>(mover, fixed_, manner_);
+  }
 
   void answer(const Questions& questions, std::span<double> answers) override {
     if (questions.job == Job::solid && !closed_) {
@@ -159,6 +167,10 @@ class Soms final : public Library {
         break;
     }
     return job < Job::closest || answers_probes(job);
+  }
+
+  [[nodiscard]] bool batches() const override {
+    return manner_ == Manner::batch || manner_ == Manner::any_batch;
   }
 
   [[nodiscard]] bool keeps_tree() const override { return true; }

@@ -12,7 +12,7 @@ struct Generated {
   const char* name;
   std::uint64_t triangles;
   bool quick;
-  Scene (*make)(std::uint64_t);
+  Scene (*make)(std::uint64_t triangles, std::uint64_t seed);
 };
 
 constexpr std::array kGenerated{
@@ -65,13 +65,46 @@ constexpr std::array kCities{
     ListedCity{"real-lyon-truck", "lyon", "truck_disim"},
 };
 
+/// Two bodies of files that are nothing like each other, and how they are put to each other.
+struct Unlike {
+  const char* name;
+  const char* mover;
+  const char* fixed;
+  double scale = 1;  ///< makes meters of the mover's coordinates; of both in a hall
+  enum class In { city, space, hall } in = In::city;
+
+  [[nodiscard]] Scene make(const std::filesystem::path& data, std::uint64_t seed) const {
+    switch (in) {
+      case In::space:
+        return unlike_models_scene(name, data / mover, data / fixed, seed);
+      case In::hall:
+        return unlike_hall_scene(name, data / mover, data / fixed, scale, seed);
+      case In::city:
+        break;
+    }
+    return unlike_city_scene(name, data / fixed, data / mover, scale, seed);
+  }
+};
+
+// A jeep is about 3.8 m long; the file's is 16.65 units.
+constexpr std::array kUnlike{
+    Unlike{"unlike-van-delft", "3ds/van_disim.3ds", "cities/delft.ply"},
+    Unlike{"unlike-truck-lyon", "3ds/truck_disim.3ds", "cities/lyon.ply"},
+    Unlike{"unlike-jeep-rotterdam", "3ds/jeep1.3ds", "cities/rotterdam.ply", 0.23},
+    Unlike{"unlike-f16-helicopter", "ply/f16.ply", "ply/hind.ply", 1, Unlike::In::space},
+    Unlike{"unlike-ship-cow", "ply/galleon.ply", "ply/cow.ply", 1, Unlike::In::space},
+    Unlike{"unlike-chairs-hall", "3ds/chairs.3ds", "3ds/lecture_hall.3ds", 0.01, Unlike::In::hall},
+};
+
 }  // namespace
 
-std::vector<Offer> catalog(const std::filesystem::path& data) {
+std::vector<Offer> catalog(const std::filesystem::path& data, std::uint64_t seed) {
   std::vector<Offer> offers;
-  offers.reserve(kGenerated.size() + kModels.size() + kCities.size() + kClosedModels.size() + 2);
+  offers.reserve(kGenerated.size() + kModels.size() + kCities.size() + kClosedModels.size() +
+                 kUnlike.size() + 3);
   for (const Generated& g : kGenerated) {
-    offers.push_back({g.name, g.triangles, g.quick, [g] { return g.make(g.triangles); }});
+    offers.push_back(
+        {g.name, g.triangles, g.quick, [g, seed] { return g.make(g.triangles, seed); }});
   }
   const auto add = [&](const std::string& scene, const std::filesystem::path& file, bool quick,
                        std::function<Scene()> make) {
@@ -82,22 +115,30 @@ std::vector<Offer> catalog(const std::filesystem::path& data) {
   for (const std::string_view model : kModels) {
     const auto file = data / "ply" / (std::string(model) + ".ply");
     add("twins-" + std::string(model), file, model == kModels[0],
-        [file] { return model_scene(file); });
+        [file, seed] { return model_scene(file, seed); });
   }
   for (const std::string_view model : kClosedModels) {
     const auto file = data / model;
-    add("probe-" + file.stem().string(), file, false, [file] { return model_probes(file); });
+    add("probe-" + file.stem().string(), file, false,
+        [file, seed] { return model_probes(file, seed); });
   }
   for (const ListedCity& city : kCities) {
     const std::string name(city.name);
     const auto file = data / "cities" / (std::string(city.file) + ".ply");
     const auto mover = data / "3ds" / (std::string(city.mover) + ".3ds");
     add(name, file, &city == kCities.data(),
-        [name, file, mover] { return real_city_scene(name, file, mover); });
+        [name, file, mover, seed] { return real_city_scene(name, file, mover, seed); });
   }
+  for (const Unlike& pair : kUnlike) {
+    if (std::filesystem::exists(data / pair.mover)) {
+      add(pair.name, data / pair.fixed, false,
+          [pair, data, seed] { return pair.make(data, seed); });
+    }
+  }
+  offers.push_back({"unlike-arm-cell", 0, false, [seed] { return arm_scene(seed); }});
   for (const std::uint64_t boxes : {std::uint64_t{10'000}, std::uint64_t{100'000}}) {
-    offers.push_back(
-        {"moving-boxes", boxes, boxes == 10'000, [boxes] { return moving_boxes_scene(boxes); }});
+    offers.push_back({"moving-boxes", boxes, boxes == 10'000,
+                      [boxes, seed] { return moving_boxes_scene(boxes, seed); }});
   }
   return offers;
 }

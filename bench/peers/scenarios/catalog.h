@@ -20,7 +20,7 @@ struct Offer {
 };
 
 /// The generated scenes, and those of the models and cities in folder `data` (as SOMS_DATA is laid
-/// out); an empty path leaves these out.
-[[nodiscard]] std::vector<Offer> catalog(const std::filesystem::path& data);
+/// out); an empty path leaves these out. `seed` is that of poses, points and rays.
+[[nodiscard]] std::vector<Offer> catalog(const std::filesystem::path& data, std::uint64_t seed);
 
 }  // namespace soms::bench

@@ -254,11 +254,11 @@ FloatMesh referee_city(std::uint64_t triangles) {
   return make_city(triangles).mesh;
 }
 
-Scene city_car_scene(std::uint64_t triangles) {
+Scene city_car_scene(std::uint64_t triangles, std::uint64_t seed) {
   const BoxCity city = make_city(triangles);
   Scene scene{
       "city-car", referee_car(), city.mesh, {{"car", {}, kEveryPoseJob}, {"car-path", {}, kNear}}};
-  Rng rng(21);
+  Rng rng = rng_of(21, seed);
   for (std::size_t i = 0; i < kPoses; ++i) {
     const bool wall = rng.unit() < 0.15;
     const Spot spot = wall ? beside_wall(city, 0.975, rng) : on_street(rng);
@@ -270,11 +270,11 @@ Scene city_car_scene(std::uint64_t triangles) {
   return scene;
 }
 
-Scene city_drone_scene(std::uint64_t triangles) {
+Scene city_drone_scene(std::uint64_t triangles, std::uint64_t seed) {
   const BoxCity city = make_city(triangles);
   Scene scene{
       "city-drone", referee_drone(), city.mesh, {{"drone", {}, kNear}, {"drone-path", {}, kNear}}};
-  Rng rng(22);
+  Rng rng = rng_of(22, seed);
   for (std::size_t i = 0; i < kPoses; ++i) {
     const bool wall = rng.unit() < 0.15;
     const Spot spot = wall ? beside_wall(city, 0.5, rng) : on_street(rng);

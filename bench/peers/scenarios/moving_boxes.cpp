@@ -44,8 +44,9 @@ Vec3 room_for(Spacing spacing, double boxes) {
   return {10 * std::sqrt(boxes), 10 * std::sqrt(boxes), 100};
 }
 
-MovingBoxSet moving_boxes(const std::string& name, Spacing spacing, std::uint64_t boxes) {
-  Rng rng(41 + boxes);
+MovingBoxSet moving_boxes(const std::string& name, Spacing spacing, std::uint64_t boxes,
+                          std::uint64_t seed) {
+  Rng rng = rng_of(41 + boxes, seed);
   const Vec3 room = room_for(spacing, static_cast<double>(boxes));
   std::vector<Mover> movers(boxes);
   for (Mover& m : movers) {
@@ -69,14 +70,14 @@ MovingBoxSet moving_boxes(const std::string& name, Spacing spacing, std::uint64_
 
 }  // namespace
 
-Scene moving_boxes_scene(std::uint64_t boxes) {
-  return {
-      "moving-boxes",
-      {},
-      {},
-      {},
-      {moving_boxes("spread", Spacing::spread, boxes), moving_boxes("dense", Spacing::dense, boxes),
-       moving_boxes("mixed", Spacing::mixed, boxes)}};
+Scene moving_boxes_scene(std::uint64_t boxes, std::uint64_t seed) {
+  return {"moving-boxes",
+          {},
+          {},
+          {},
+          {moving_boxes("spread", Spacing::spread, boxes, seed),
+           moving_boxes("dense", Spacing::dense, boxes, seed),
+           moving_boxes("mixed", Spacing::mixed, boxes, seed)}};
 }
 
 }  // namespace soms::bench

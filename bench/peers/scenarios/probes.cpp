@@ -25,9 +25,8 @@ Box bounds_of_mesh(const FloatMesh& mesh) {
   return box;
 }
 
-std::vector<Vec3> random_points(const Box& box) {
+std::vector<Vec3> random_points(const Box& box, Rng rng) {
   const Vec3 rim = 0.1 * box.extent();
-  Rng rng(61);
   std::vector<Vec3> points;
   for (std::size_t i = 0; i < kProbes; ++i) {
     const double x = rng.uniform(box.lower.x - rim.x, box.upper.x + rim.x);
@@ -37,8 +36,7 @@ std::vector<Vec3> random_points(const Box& box) {
   return points;
 }
 
-std::vector<Vec3> near_points(const FloatMesh& mesh, double size) {
-  Rng rng(62);
+std::vector<Vec3> near_points(const FloatMesh& mesh, double size, Rng rng) {
   std::vector<Vec3> points;
   for (std::size_t i = 0; i < kProbes; ++i) {
     const Triangle t = mesh.triangle(rng.below(mesh.triangles.size()));
@@ -67,8 +65,7 @@ std::vector<Vec3> path_points(const Box& box) {
   return points;
 }
 
-std::vector<ProbeRay> random_rays(const std::vector<Vec3>& origins) {
-  Rng rng(63);
+std::vector<ProbeRay> random_rays(const std::vector<Vec3>& origins, Rng rng) {
   std::vector<ProbeRay> rays;
   for (const Vec3& origin : origins) {
     rays.push_back({origin, rounded(random_direction(rng))});
@@ -97,7 +94,7 @@ std::vector<ProbeRay> camera_rays(const Box& box) {
   return rays;
 }
 
-Scene probes(std::string name, FloatMesh mesh, bool closed) {
+Scene probes(std::string name, FloatMesh mesh, bool closed, std::uint64_t seed) {
   const Box box = bounds_of_mesh(mesh);
   const Vec3 extent = box.extent();
   std::vector<Job> of_points{Job::closest};
@@ -106,28 +103,30 @@ Scene probes(std::string name, FloatMesh mesh, bool closed) {
   }
   const std::vector<Job> of_rays{Job::closest_hit, Job::any_hit};
   Scene scene{std::move(name), {}, std::move(mesh), {}};
-  const std::vector<Vec3> anywhere = random_points(box);
-  scene.probe_sets = {
-      {"random", anywhere, {}, of_points},
-      {"near", near_points(scene.fixed, std::sqrt(dot(extent, extent))), {}, of_points},
-      {"path", path_points(box), {}, of_points},
-      {"rays", {}, random_rays(anywhere), of_rays},
-      {"camera", {}, camera_rays(box), of_rays}};
+  const std::vector<Vec3> anywhere = random_points(box, rng_of(61, seed));
+  scene.probe_sets = {{"random", anywhere, {}, of_points},
+                      {"near",
+                       near_points(scene.fixed, std::sqrt(dot(extent, extent)), rng_of(62, seed)),
+                       {},
+                       of_points},
+                      {"path", path_points(box), {}, of_points},
+                      {"rays", {}, random_rays(anywhere, rng_of(63, seed)), of_rays},
+                      {"camera", {}, camera_rays(box), of_rays}};
   return scene;
 }
 
 }  // namespace
 
-Scene knot_probes(std::uint64_t triangles) {
-  return probes("probe-knot", referee_knot(triangles), true);
+Scene knot_probes(std::uint64_t triangles, std::uint64_t seed) {
+  return probes("probe-knot", referee_knot(triangles), true, seed);
 }
 
-Scene city_probes(std::uint64_t triangles) {
-  return probes("probe-city", referee_city(triangles), false);
+Scene city_probes(std::uint64_t triangles, std::uint64_t seed) {
+  return probes("probe-city", referee_city(triangles), false, seed);
 }
 
-Scene model_probes(const std::filesystem::path& file) {
-  return probes("probe-" + file.stem().string(), unit_model(file), true);
+Scene model_probes(const std::filesystem::path& file, std::uint64_t seed) {
+  return probes("probe-" + file.stem().string(), unit_model(file), true, seed);
 }
 
 FloatMesh unit_model(const std::filesystem::path& file) {

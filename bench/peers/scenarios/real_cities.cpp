@@ -2,11 +2,13 @@
 #include "soms/io/read_mesh.h"
 #include "soms/query/overlap.h"
 
+#include "bench/peers/scenarios/grazing.h"
 #include "bench/peers/scenarios/scene.h"
 #include "bench/peers/scenarios/solids.h"
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace soms::bench {
 
@@ -39,51 +41,73 @@ double lowest_surface(const Mesh& mesh, double x, double y, double otherwise) {
   return std::isfinite(lowest) ? lowest : otherwise;
 }
 
-/// How far the mover can go along `direction` until it touches, or nothing below 0 if it does not
-/// within 40 m or touches from the start.
-double distance_to_touch(Body& mover, const Body& city, const Pose& start, const Vec3& direction) {
-  const auto touches = [&](double s) {
-    mover.pose = Pose::translation(s * direction.x, s * direction.y, s * direction.z);
-    for (std::size_t i = 0; i < 12; ++i) {
-      mover.pose.m[i] = i % 4 == 3 ? start.m[i] + mover.pose.m[i] : start.m[i];
-    }
-    return overlap(mover, city, {.mode = OverlapMode::any}).any;
-  };
-  double free = 0;
-  double touching = 0;
-  while (!touches(touching)) {
-    free = touching;
-    touching += 0.5;
-    if (touching > 40) {
-      return -1;
-    }
-  }
-  while (touching - free > 1e-4) {
-    const double middle = 0.5 * (free + touching);
-    (touches(middle) ? touching : free) = middle;
-  }
-  return touching > 0 ? free : -1;
-}
+/// A way from a random place until the mover touches.
+struct Drive {
+  Pose start;
+  Vec3 ahead;
+  double way = 0;   ///< how far it is free
+  double into = 0;  ///< how much farther a grazing pose goes
+};
 
-Pose onward(const Pose& start, const Vec3& direction, double distance) {
-  Pose pose = start;
-  pose.m[3] += distance * direction.x;
-  pose.m[7] += distance * direction.y;
-  pose.m[11] += distance * direction.z;
-  return pose;
-}
+/// A city and what drives in it, about the middle of the city and about the mover's own origin.
+class CityAndMover {
+ public:
+  CityAndMover(const std::filesystem::path& city, const std::filesystem::path& mover, double scale)
+      : CityAndMover(read_mesh(city), read_mesh(mover), scale) {}
 
-std::vector<Pose> on_streets(const Mesh& city, const Box& ground, double wheels) {
-  std::vector<Pose> poses;
-  Rng rng(31);
-  for (std::size_t i = 0; i < kPoses; ++i) {
-    const double x = rng.uniform(ground.lower.x, ground.upper.x);
-    const double y = rng.uniform(ground.lower.y, ground.upper.y);
-    const double z = lowest_surface(city, x, y, ground.lower.z);
-    poses.push_back(Pose::about_z(rng.uniform(0, 2 * kPi), {x, y, z - wheels + 0.1}));
+  /// Random places on the lowest surface, 0.1 m above it, turned at random.
+  [[nodiscard]] std::vector<Pose> on_streets(Rng rng) const {
+    const Mesh& mesh = town_.shape.mesh();
+    const Box ground = city_bounds(mesh);
+    const double wheels = city_bounds(car_.shape.mesh()).lower.z;
+    std::vector<Pose> poses;
+    for (std::size_t i = 0; i < kPoses; ++i) {
+      const double x = rng.uniform(ground.lower.x, ground.upper.x);
+      const double y = rng.uniform(ground.lower.y, ground.upper.y);
+      const double z = lowest_surface(mesh, x, y, ground.lower.z);
+      poses.push_back(Pose::about_z(rng.uniform(0, 2 * kPi), {x, y, z - wheels + 0.1}));
+    }
+    return poses;
   }
-  return poses;
-}
+
+  /// Drives from these places in random directions; those that are more than 0.01 m and at most
+  /// 40 m free go to `use`.
+  template <class Use>
+  void drive(const std::vector<Pose>& starts, Rng& rng, const Use& use) {
+    std::size_t found = 0;
+    for (std::size_t k = 0; k < 20 * kPoses && found < kPoses; ++k) {
+      const Pose& start = starts[k % starts.size()];
+      const double a = rng.uniform(0, 2 * kPi);
+      const Vec3 ahead{std::cos(a), std::sin(a), 0};
+      const auto touches = [&](double way) {
+        car_.pose = onward(start, ahead, way);
+        return overlap(car_, town_, {.mode = OverlapMode::any}).any;
+      };
+      const std::optional<double> way = free_way(touches, {.step = 0.5, .reach = 40});
+      const double into = rng.uniform(0.001, 0.05);
+      if (way && *way > 0.01) {
+        use(Drive{start, ahead, *way, into});
+        ++found;
+      }
+    }
+  }
+
+  [[nodiscard]] const FloatMesh& city() const { return fixed_; }
+
+  [[nodiscard]] const FloatMesh& mover() const { return moving_; }
+
+ private:
+  CityAndMover(const Mesh& city, const Mesh& mover, double scale)
+      : fixed_(float_mesh(city, city_bounds(city).center())),
+        moving_(float_mesh(mover, {}, scale)),
+        town_(widened(fixed_)),
+        car_(widened(moving_)) {}
+
+  FloatMesh fixed_;
+  FloatMesh moving_;
+  Body town_;
+  Body car_;
+};
 
 }  // namespace
 
@@ -97,32 +121,34 @@ FloatMesh float_mesh(const Mesh& mesh, const Vec3& middle, double scale) {
 }
 
 Scene real_city_scene(const std::string& name, const std::filesystem::path& city,
-                      const std::filesystem::path& mover) {
-  const Mesh whole = read_mesh(city);
-  const FloatMesh fixed = float_mesh(whole, city_bounds(whole).center());
-  const FloatMesh moving = float_mesh(read_mesh(mover), {});
-  const Body town(widened(fixed));
-  Body car(widened(moving));
-  const double wheels = city_bounds(car.shape.mesh()).lower.z;
+                      const std::filesystem::path& mover, std::uint64_t seed) {
+  CityAndMover bodies(city, mover, 1);
+  Scene scene{name,
+              bodies.mover(),
+              bodies.city(),
+              {{"street", bodies.on_streets(rng_of(31, seed)), kNear},
+               {"grazing", {}},
+               {"near", {}, kNear}}};
+  Rng rng = rng_of(32, seed);
+  bodies.drive(scene.sets[0].poses, rng, [&](const Drive& drive) {
+    scene.sets[1].poses.push_back(onward(drive.start, drive.ahead, drive.way + drive.into));
+    scene.sets[2].poses.push_back(onward(drive.start, drive.ahead, drive.way - 0.01));
+  });
+  return scene;
+}
+
+Scene unlike_city_scene(const std::string& name, const std::filesystem::path& city,
+                        const std::filesystem::path& mover, double scale, std::uint64_t seed) {
+  CityAndMover bodies(city, mover, scale);
   Scene scene{
       name,
-      moving,
-      fixed,
-      {{"street", on_streets(town.shape.mesh(), city_bounds(town.shape.mesh()), wheels), kNear},
-       {"grazing", {}},
-       {"near", {}, kNear}}};
-  Rng rng(32);
-  for (std::size_t k = 0; k < 20 * kPoses && scene.sets[1].poses.size() < kPoses; ++k) {
-    const Pose& start = scene.sets[0].poses[k % kPoses];
-    const double a = rng.uniform(0, 2 * kPi);
-    const Vec3 ahead{std::cos(a), std::sin(a), 0};
-    const double distance = distance_to_touch(car, town, start, ahead);
-    const double into = rng.uniform(0.001, 0.05);
-    if (distance > 0.01) {
-      scene.sets[1].poses.push_back(onward(start, ahead, distance + into));
-      scene.sets[2].poses.push_back(onward(start, ahead, distance - 0.01));
-    }
-  }
+      bodies.mover(),
+      bodies.city(),
+      {{"random", bodies.on_streets(rng_of(33, seed)), kAnyAndAll}, {"grazing", {}, kAnyAndAll}}};
+  Rng rng = rng_of(34, seed);
+  bodies.drive(scene.sets[0].poses, rng, [&](const Drive& drive) {
+    scene.sets[1].poses.push_back(onward(drive.start, drive.ahead, drive.way + drive.into));
+  });
   return scene;
 }
 

@@ -26,8 +26,7 @@ class NearMisses {
   explicit NearMisses(const FloatMesh& mesh) : twin_(widened(mesh)), body_(twin_) {}
 
   /// `count` poses at which the bodies are `gap` apart, to 2 %.
-  [[nodiscard]] std::vector<Pose> find(double gap, std::size_t count) {
-    Rng rng(13);
+  [[nodiscard]] std::vector<Pose> find(double gap, std::size_t count, Rng rng) {
     std::vector<Pose> poses;
     while (poses.size() < count) {
       const Pose turned = random_rotation(rng, {});
@@ -85,15 +84,15 @@ std::size_t near_misses(std::size_t triangles) {
   return triangles > 200'000 ? 200 : triangles > 20'000 ? 500 : kPoses;
 }
 
-Scene twins(const std::string& name, FloatMesh mesh) {
+Scene twins(const std::string& name, FloatMesh mesh, std::uint64_t seed) {
   const std::size_t n = mesh.triangles.size();
   // Enough of a knot's random poses touch for a question that leaves nothing to be moved.
   const bool still = name == "knot" && n >= 10'000 && n <= 100'000;
   Scene scene{"twins-" + name, mesh, std::move(mesh), {}};
   PoseSet random{"random", {}, kEveryPoseJob, still ? std::size_t{16} : std::size_t{0}};
   PoseSet deep{"deep", {}, {Job::any, Job::all}};
-  Rng rng(11);
-  Rng deep_rng(12);
+  Rng rng = rng_of(11, seed);
+  Rng deep_rng = rng_of(12, seed);
   for (std::size_t i = 0; i < kPoses; ++i) {
     const Pose turned = random_rotation(rng, {});
     random.poses.push_back(shifted(turned, rng.uniform(1.0, 1.9) * random_direction(rng)));
@@ -103,8 +102,8 @@ Scene twins(const std::string& name, FloatMesh mesh) {
   NearMisses misses(scene.fixed);
   scene.sets = {std::move(random),
                 std::move(deep),
-                {"near-0.001", misses.find(0.001, near_misses(n)), kNear},
-                {"near-0.01", misses.find(0.01, near_misses(n)), kNear}};
+                {"near-0.001", misses.find(0.001, near_misses(n), rng_of(13, seed)), kNear},
+                {"near-0.01", misses.find(0.01, near_misses(n), rng_of(13, seed)), kNear}};
   if (name == "knot") {  // closed and connected, and never one in the other
     for (PoseSet& set : scene.sets) {
       set.jobs.push_back(Job::solid);
@@ -115,17 +114,17 @@ Scene twins(const std::string& name, FloatMesh mesh) {
 
 }  // namespace
 
-Scene knot_scene(std::uint64_t triangles) {
-  return twins("knot", referee_knot(triangles));
+Scene knot_scene(std::uint64_t triangles, std::uint64_t seed) {
+  return twins("knot", referee_knot(triangles), seed);
 }
 
-Scene far_scene(std::uint64_t triangles) {
+Scene far_scene(std::uint64_t triangles, std::uint64_t seed) {
   const FloatMesh knot = referee_knot(triangles);
   Scene scene{"far-knot", knot, knot, {}};
   for (const auto& [name, apart] :
        {std::pair{"far-3", 3.0}, {"far-300", 300.0}, {"far-3e4", 3e4}, {"far-3e5", 3e5}}) {
     PoseSet set{name, {}, {Job::distance, Job::within}};
-    Rng rng(14);
+    Rng rng = rng_of(14, seed);
     for (std::size_t i = 0; i < kPoses; ++i) {
       const Pose turned = random_rotation(rng, {});
       set.poses.push_back(shifted(turned, apart * random_direction(rng)));
@@ -135,8 +134,8 @@ Scene far_scene(std::uint64_t triangles) {
   return scene;
 }
 
-Scene model_scene(const std::filesystem::path& file) {
-  return twins(file.stem().string(), unit_model(file));
+Scene model_scene(const std::filesystem::path& file, std::uint64_t seed) {
+  return twins(file.stem().string(), unit_model(file), seed);
 }
 
 }  // namespace soms::bench

@@ -32,6 +32,7 @@ struct alignas(64) PoseNumbers {
 
   [[nodiscard]] float n(std::size_t i, std::size_t j) const { return rows[4 * i + j]; }
 
+  /// From the origin of a node or block in y to that of one in x, in y's units and axes.
   [[nodiscard]] std::array<double, 3> offset_in_double(const std::array<double, 3>& x,
                                                        const std::array<double, 3>& y) const {
     std::array<double, 3> d = {};
@@ -42,7 +43,7 @@ struct alignas(64) PoseNumbers {
     return d;
   }
 
-  /// From the origin of a node or block in y to that of one in x, in y's units and axes.
+  /// The same, rounded to floats.
   [[nodiscard]] std::array<float, 3> offset(const std::array<double, 3>& x,
                                             const std::array<double, 3>& y) const {
     const std::array<double, 3> d = offset_in_double(x, y);

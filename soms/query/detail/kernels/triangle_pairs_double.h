@@ -1,7 +1,7 @@
 // Judges in double, for any kind of lanes WideDouble, what floats leave open. Included after
 // triangle_pairs.h and lanes_double.h, once for each instruction set.
 //
-// Nearly all pairs that floats leave open are a small triangle and a large one: their margin is
+// Most pairs that floats leave open are a small triangle and a far larger one: their margin is
 // that of the large one's size. Here corners are moved in double, from the floats of the blocks, so
 // that each triangle has an error of its own, and that of the small one is small.
 //
