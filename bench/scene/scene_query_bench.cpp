@@ -81,7 +81,9 @@ void compare_points(const Setting& setting) {
         const Closest here = closest(body, setting.points[i], options);
         options.at_most = std::min(options.at_most, here.distance.upper);
       }
-      different += options.at_most == batch.upper[i] ? 0 : 1;
+      if (options.at_most != batch.upper[i]) {
+        ++different;
+      }
     }
   });
   print_row("points", in_scene, in_loop, different);
@@ -97,7 +99,9 @@ void compare_rays(const Setting& setting) {
       for (const Body& body : setting.bodies) {
         ray.length = std::min(ray.length, closest_hit(body, ray).t.upper);
       }
-      different += ray.length == batch.upper[i] ? 0 : 1;
+      if (ray.length != batch.upper[i]) {
+        ++different;
+      }
     }
   });
   print_row("rays", in_scene, in_loop, different);

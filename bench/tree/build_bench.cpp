@@ -96,7 +96,7 @@ Place knot_place() {
 }
 
 Place city_place() {
-  Scene scene = city_car_scene(1'000'000);
+  Scene scene = city_car_scene(1'000'000, 1);
   return {"city 1M", wide_mesh(scene.fixed), scene.fixed, wide_mesh(scene.mover),
           false,     std::move(scene.sets)};
 }
