@@ -149,7 +149,7 @@ TEST(BuildQuick, DividesWhatLiesInOneCellOfAll) {
   ASSERT_EQ(find_fault(tree, mesh), "");
   std::size_t leaves = 0;
   for (const Node& node : tree.nodes) {
-    leaves += node.is_leaf() ? 1 : 0;
+    leaves += node.is_leaf() ? 1U : 0U;
     EXPECT_FALSE(node.undividable);
     if (node.is_leaf() && node.count > 1) {
       const Vec3 extent = node.bounds.extent();
