@@ -31,6 +31,7 @@ set(SOMS_SOURCES
   layout/min_max_grid.cpp
   layout/compact.cpp
   layout/compact_node.cpp
+  layout/detail/grid_cells.cpp
   layout/detail/least_ids.cpp
   layout/detail/refit_layout.cpp
   layout/detail/block.cpp

@@ -2,7 +2,7 @@
 
 #include "soms/base/box.h"
 #include "soms/base/portable.h"
-#include "soms/tree/layout/detail/frame.h"
+#include "soms/tree/layout/detail/grid_cells.h"
 #include "soms/tree/layout/wide_tree.h"
 
 #include <algorithm>
@@ -21,8 +21,6 @@ constexpr double kCellsABlock = 1.5;     // about four triangles a cell
 constexpr double kMostCells = 1U << 20;  // of a row or a column
 constexpr std::size_t kChunk = 4096;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-// Corners in a block are rounded to nearest.
-constexpr double kCornerRounding = 0x1p-23;
 
 /// Widens a bound that other threads widen too; the outcome has no order.
 template <bool kShared, class Closer>
@@ -57,12 +55,11 @@ MinMaxGrid::MinMaxGrid(std::span<const TriangleBlock> blocks, const Box& bounds,
   lay_grids(bounds, scale, blocks.size());
   const Parallel silent{parallel.threads, parallel.stop, {}};
   for_each_chunk(blocks.size(), kChunk, silent, [&](std::size_t begin, std::size_t end) {
-    for (const TriangleBlock& block : blocks.subspan(begin, end - begin)) {
-      if (parallel.threads == 1) {
-        put<false>(block, scale);
-      } else {
-        put<true>(block, scale);
-      }
+    const auto chunk = blocks.subspan(begin, end - begin);
+    if (parallel.threads == 1) {
+      put<false>(chunk, scale);
+    } else {
+      put<true>(chunk, scale);
     }
   });
   hand_down();
@@ -98,36 +95,23 @@ void MinMaxGrid::lay_grids(const Box& bounds, double scale, std::size_t blocks) 
 }
 
 template <bool kShared>
-void MinMaxGrid::put(const TriangleBlock& block, double scale) {
-  const double give = kCornerRounding * static_cast<double>(block.l1_radius);
-  for (std::size_t lane = 0; lane < block.count; ++lane) {
-    std::array<double, 3> lower;
-    std::array<double, 3> upper;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t axis = axis_[i];
-      const double at = block.origin[axis] * scale;
-      const auto& q = block.corner;
-      const auto [least, most] = std::minmax({q[axis][lane], q[3 + axis][lane], q[6 + axis][lane]});
-      lower[i] = at + (static_cast<double>(least) - give);
-      upper[i] = at + (static_cast<double>(most) + give);
-    }
-    put<kShared>(lower, upper);
-  }
-}
-
-template <bool kShared>
-void MinMaxGrid::put(const std::array<double, 3>& lower, const std::array<double, 3>& upper) {
-  const std::array<std::uint32_t, 2> from = {cell(0, lower[0]), cell(1, lower[1])};
-  const std::array<std::uint32_t, 2> to = {cell(0, upper[0]), cell(1, upper[1])};
-  const std::uint32_t k = grid_for(std::max(to[0] - from[0], to[1] - from[1]));
-  const Grid& grid = grids_[k];
-  const float least = -rounded_up(-lower[2]);
-  const float most = rounded_up(upper[2]);
-  for (std::size_t y = from[1] >> k; y <= to[1] >> k; ++y) {
-    for (std::size_t x = from[0] >> k; x <= to[0] >> k; ++x) {
-      Range& range = ranges_[grid.first + y * grid.width + x];
-      widen<kShared>(range.lower, least, [](float a, float b) { return a < b; });
-      widen<kShared>(range.upper, most, [](float a, float b) { return a > b; });
+void MinMaxGrid::put(std::span<const TriangleBlock> blocks, double scale) {
+  const GridFrame frame{{axis_[0], axis_[1], axis_[2]}, corner_, last_, cells_a_unit_, scale};
+  GridCells cells;
+  for (const TriangleBlock& block : blocks) {
+    find_cells(block, frame, cells);
+    for (std::size_t lane = 0; lane < block.count; ++lane) {
+      const std::array<std::uint32_t, 2> from = {cells.from[0][lane], cells.from[1][lane]};
+      const std::array<std::uint32_t, 2> to = {cells.to[0][lane], cells.to[1][lane]};
+      const std::uint32_t k = grid_for(std::max(to[0] - from[0], to[1] - from[1]));
+      const Grid& grid = grids_[k];
+      for (std::size_t y = from[1] >> k; y <= to[1] >> k; ++y) {
+        for (std::size_t x = from[0] >> k; x <= to[0] >> k; ++x) {
+          Range& range = ranges_[grid.first + y * grid.width + x];
+          widen<kShared>(range.lower, cells.least[lane], [](float a, float b) { return a < b; });
+          widen<kShared>(range.upper, cells.most[lane], [](float a, float b) { return a > b; });
+        }
+      }
     }
   }
 }

@@ -82,9 +82,7 @@ class MinMaxGrid {
 
   void lay_grids(const Box& bounds, double scale, std::size_t blocks);
   template <bool kShared>
-  void put(const TriangleBlock& block, double scale);
-  template <bool kShared>
-  void put(const std::array<double, 3>& lower, const std::array<double, 3>& upper);
+  void put(std::span<const TriangleBlock> blocks, double scale);
   void hand_down();
   void hand_up();
 

@@ -140,6 +140,25 @@ TEST(BuildQuick, MakesTwoLeavesOfWhatTwoLeavesHold) {
   }
 }
 
+// A cut at the highest bit may leave one triangle, and codes may be refined again and again.
+TEST(BuildQuick, EndsAboveDepth64WhereverTrianglesLie) {
+  for (const test::Input input : test::kInputs) {
+    for (const std::size_t size : {std::size_t{3}, std::size_t{1000}, std::size_t{20000}}) {
+      SCOPED_TRACE(test::name(input) + " " + std::to_string(size));
+      const Mesh mesh = test::make_input(input, size);
+      for (const int per_leaf : {1, 8}) {
+        const Tree tree = build(mesh, {.rule = Rule::quick, .per_leaf = per_leaf});
+        ASSERT_EQ(find_fault(tree, mesh), "");
+        for (const Node& node : tree.nodes) {
+          ASSERT_LE(node.depth, 63U);
+          ASSERT_NE(node.id, kNoTreeId);
+          ASSERT_TRUE(!node.is_leaf() || node.count <= static_cast<std::uint32_t>(per_leaf));
+        }
+      }
+    }
+  }
+}
+
 // One far triangle leaves a single code for all the others.
 TEST(BuildQuick, DividesWhatLiesInOneCellOfAll) {
   Mesh mesh = small_ones();
