@@ -90,6 +90,17 @@ TEST(Morton, CodesDivideBySizeThenByTheLongestSide) {
   EXPECT_EQ(bit(63, 62), 0U);
 }
 
+TEST(Morton, CodesHalveALongStripAcrossItsLength) {
+  Mesh mesh;
+  for (int k = 0; k < 16; ++k) {
+    add_flat(mesh, k, k % 2, 0.5);
+  }
+  const MortonCodes codes(bounds(mesh), mesh.triangles.size(), 4);
+  for (TriangleId id = 0; id < 16; ++id) {
+    EXPECT_EQ(codes.key(mesh, id) >> 61, id / 2) << id;
+  }
+}
+
 TEST(Morton, RefinesRunsOfOneCodeUnlessTheirMiddlesAreOne) {
   Mesh mesh;
   for (int k = 0; k < 9; ++k) {

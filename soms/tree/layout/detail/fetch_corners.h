@@ -51,7 +51,7 @@ class FetchBackwards {
 
   const Mesh& mesh_;
   std::span<const TriangleId> ids_;
-  std::size_t indices_;  ///< those from here on have been asked for
+  std::size_t indices_;  ///< those from here on are on their way
   std::size_t corners_;
 };
 
