@@ -138,6 +138,7 @@ class Rule(enum.IntEnum):
     soms_sah = 5
     fast = 6
     quality = 7
+    quick = 8
 
 
 class SceneBodyKind(enum.IntEnum):

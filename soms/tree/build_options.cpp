@@ -30,31 +30,32 @@ struct Row {
   void (*reset)(BuildOptions& options);
 };
 
-bool in_float(const BuildOptions& options) {
-  return entry(options.rule).in_float;
+bool own_builder(const BuildOptions& options) {
+  return entry(options.rule).own_builder;
 }
 
-constexpr std::string_view kInFloat = "the rules fast and quality divide boxes in float";
+constexpr std::string_view kOwnBuilder =
+    "the rules fast, quality and quick have builders of their own";
 
 constexpr std::array<Row, 6> kRows{{
-    {{"midpoint", kInFloat, "rule", ""},
-     &in_float,
+    {{"midpoint", kOwnBuilder, "rule", ""},
+     &own_builder,
      [](const BuildOptions& o) { return o.midpoint != BuildOptions{}.midpoint; },
      [](BuildOptions& o) { o.midpoint = BuildOptions{}.midpoint; }},
-    {{"c_vertex", kInFloat, "rule", ""},
-     &in_float,
+    {{"c_vertex", kOwnBuilder, "rule", ""},
+     &own_builder,
      [](const BuildOptions& o) { return o.c_vertex != BuildOptions{}.c_vertex; },
      [](BuildOptions& o) { o.c_vertex = BuildOptions{}.c_vertex; }},
     {{"c_vertex", "only the midpoint thesis has a corner C", "midpoint", "thesis"},
-     [](const BuildOptions& o) { return !in_float(o) && o.midpoint != Midpoint::thesis; },
+     [](const BuildOptions& o) { return !own_builder(o) && o.midpoint != Midpoint::thesis; },
      [](const BuildOptions& o) { return o.c_vertex != BuildOptions{}.c_vertex; },
      [](BuildOptions& o) { o.c_vertex = BuildOptions{}.c_vertex; }},
-    {{"axis_from", kInFloat, "rule", ""},
-     &in_float,
+    {{"axis_from", kOwnBuilder, "rule", ""},
+     &own_builder,
      [](const BuildOptions& o) { return o.axis_from.has_value(); },
      [](BuildOptions& o) { o.axis_from.reset(); }},
-    {{"empty_side", "the rules fast and quality leave no side empty", "rule", ""},
-     &in_float,
+    {{"empty_side", "the rules fast, quality and quick leave no side empty", "rule", ""},
+     &own_builder,
      [](const BuildOptions& o) { return o.empty_side != BuildOptions{}.empty_side; },
      [](BuildOptions& o) { o.empty_side = BuildOptions{}.empty_side; }},
     {{"root_level", "levels are not limited", "level", "N"},

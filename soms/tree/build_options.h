@@ -20,6 +20,7 @@ enum class Rule {
   soms_sah,        ///< as soms where triangles are small against the node, else as sah
   fast,            ///< SOMS with a second look, on boxes in float: soonest built with leaves of 8
   quality,         ///< SAH by blocks of leaves, on boxes in float: the fewest boxes entered
+  quick,           ///< by Morton codes: soonest built, for meshes that change or are loaded
 };
 
 /// Box whose longest axis is split.
@@ -56,12 +57,12 @@ struct BuildOptions {
 
 /// Options of the thesis for a rule: midpoint thesis, its own axis, empty side `stop`, one triangle
 /// a leaf, `level` levels (15 for its PLY objects, 13 for its urban scene). Rules that came after
-/// the thesis (`fast`, `quality`) use the last two alone. \source  design of the thesis: fig. 4.23,
-/// tables 5.3, 5.9.
+/// the thesis (`fast`, `quality`, `quick`) use the last two alone. \source  design of the thesis:
+/// fig. 4.23, tables 5.3, 5.9.
 [[nodiscard]] BuildOptions thesis_options(Rule rule, int level = 15);
 
 /// Options that have no effect beside the others, in the order of the fields. Which they are
-/// depends on `rule`, `midpoint` and `level` alone: rules that divide boxes in float use neither
+/// depends on `rule`, `midpoint` and `level` alone: rules with builders of their own use neither
 /// midpoints nor axes and leave no side empty; only the midpoint of the thesis has a corner C; the
 /// number of the root's level counts only where levels are limited. \errors  ErrorKind::usage where
 /// `rule` is none of the named ones.

@@ -20,9 +20,11 @@ set(SOMS_HEADERS
   visits.h
 )
 set(SOMS_SOURCES
+  build/detail/by_morton.cpp
   build/detail/by_reference.cpp
   build/detail/cells.cpp
   build/detail/divide.cpp
+  build/detail/morton.cpp
   build/detail/subtrees.cpp
   build/detail/reference.cpp
   build/top_down.cpp

@@ -76,7 +76,7 @@ std::ostream& operator<<(std::ostream& out, const BuildOptions& value) {
 std::ostream& operator<<(std::ostream& out, Rule value) {
   return out << printed_name("Rule", static_cast<int>(value),
                              {"object_median", "object_mean", "spatial_median", "soms", "sah",
-                              "soms_sah", "fast", "quality"});
+                              "soms_sah", "fast", "quality", "quick"});
 }
 
 std::ostream& operator<<(std::ostream& out, AxisFrom value) {

@@ -43,8 +43,9 @@ TEST(Info, BuildsATreeByEveryRule) {
     EXPECT_EQ(tree.at("build_runs").get<int>() % 2, 1);
     EXPECT_LE(tree.at("build_runs").get<int>(), 9);
   }
-  EXPECT_EQ(rules, (std::vector<std::string>{"object-median", "object-mean", "spatial-median",
-                                             "soms", "sah", "soms-sah", "fast", "quality"}));
+  EXPECT_EQ(rules,
+            (std::vector<std::string>{"object-median", "object-mean", "spatial-median", "soms",
+                                      "sah", "soms-sah", "fast", "quality", "quick"}));
 }
 
 // The bunny of the thesis at 15 levels: golden counts of the design, soms and thesis options.

@@ -116,7 +116,7 @@ TEST(OverlapVerb, GivesTheSameLinesForAnyThreadsRuleAndTraversal) {
   EXPECT_EQ(soms_run({"overlap", box(), box(), "--json", "--pose", poses, "--threads", "1"}).out,
             soms_run({"overlap", box(), box(), "--json", "--pose", poses, "--threads", "3"}).out);
   for (const char* rule : {"object-median", "object-mean", "spatial-median", "soms", "sah",
-                           "soms-sah", "fast", "quality"}) {
+                           "soms-sah", "fast", "quality", "quick"}) {
     EXPECT_EQ(hashes({"--rule", rule, "--leaf", "1"}), expected) << rule;
   }
   for (const char* traversal : {"a-first", "b-first", "alternate", "larger", "simultaneous",

@@ -96,8 +96,8 @@ TEST(Program, R119OptionsThatWouldBeIgnoredAreRefused) {
     EXPECT_NE(result.err.find(what), std::string::npos) << result.err;
   };
   says({"info", box, "--rule", "fast", "--midpoint", "centroid", "--empty-side", "stop"},
-       "--midpoint has no effect: the rules fast and quality divide boxes in float; leave it out, "
-       "or give another --rule");
+       "--midpoint has no effect: the rules fast, quality and quick have builders of their own; "
+       "leave it out, or give another --rule");
   // Its default, too: whoever gives it means it to matter.
   says({"info", box, "--rule", "quality", "--midpoint", "aabb"}, "--midpoint has no effect");
   says({"overlap", box, box, "--axis-from", "outer"}, "--axis-from has no effect");

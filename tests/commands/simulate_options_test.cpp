@@ -73,7 +73,8 @@ TEST_F(SimulateOptions, R119OptionsThatChangeNothingAreRefused) {
     EXPECT_EQ(result.status, 2) << what;
     EXPECT_NE(result.err.find(what), std::string::npos) << result.err;
   };
-  says({"--empty-side", "stop"}, "--empty-side has no effect: the rules fast and quality leave");
+  says({"--empty-side", "stop"},
+       "--empty-side has no effect: the rules fast, quality and quick leave");
   says({"--rule", "soms", "--root-level", "0"},
        "--root-level has no effect: levels are not limited; leave it out, or also give --levels N");
   says({"--traversal", "larger", "--descent", "both"}, "--descent has no effect");

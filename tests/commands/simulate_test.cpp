@@ -438,8 +438,8 @@ TEST(Simulate, AnswersTheSameForEveryTreeAndTraversal) {
     return object["hash"].get<std::string>() + " " + std::to_string(object["contacts"].get<int>());
   };
   const std::string plain = hash_with({});
-  for (const char* rule :
-       {"object-median", "object-mean", "spatial-median", "soms", "sah", "soms-sah", "quality"}) {
+  for (const char* rule : {"object-median", "object-mean", "spatial-median", "soms", "sah",
+                           "soms-sah", "quality", "quick"}) {
     EXPECT_EQ(hash_with({"--rule", rule}), plain) << rule;
   }
   for (const char* traversal : {"a-first", "b-first", "alternate", "larger", "simultaneous",

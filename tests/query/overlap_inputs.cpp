@@ -174,9 +174,9 @@ Pose moving(const Pose& rotation, const Vec3& p, const Vec3& q) {
 
 BuildOptions awkward_options(Rng& rng) {
   static constexpr std::array<int, 4> kLeaves{1, 4, 8, 1000};
-  static constexpr std::array<Rule, 8> kRules{
-      Rule::object_median, Rule::object_mean, Rule::spatial_median, Rule::soms,
-      Rule::sah,           Rule::soms_sah,    Rule::fast,           Rule::quality};
+  static constexpr std::array<Rule, 9> kRules{
+      Rule::object_median, Rule::object_mean, Rule::spatial_median, Rule::soms, Rule::sah,
+      Rule::soms_sah,      Rule::fast,        Rule::quality,        Rule::quick};
   BuildOptions options;
   if (rng.below(8) == 0) {
     options = thesis_options(kRules[rng.below(kRules.size())]);

@@ -83,10 +83,10 @@ std::string refusal(const BuildOptions& options) {
 }
 
 TEST(BuildOptions, R119OptionsThatTheRuleIgnoresAreRefused) {
-  for (const Rule rule : {Rule::fast, Rule::quality}) {
+  for (const Rule rule : {Rule::fast, Rule::quality, Rule::quick}) {
     EXPECT_EQ(refusal({.rule = rule, .midpoint = Midpoint::centroid}),
-              "build options: midpoint has no effect: the rules fast and quality divide boxes in "
-              "float; leave it at its default, or choose another rule");
+              "build options: midpoint has no effect: the rules fast, quality and quick have "
+              "builders of their own; leave it at its default, or choose another rule");
     EXPECT_NE(refusal({.rule = rule, .c_vertex = 1}).find("c_vertex has no effect"),
               std::string::npos);
     EXPECT_NE(refusal({.rule = rule, .axis_from = AxisFrom::inner}).find("axis_from has no effect"),
@@ -128,7 +128,7 @@ TEST(BuildOptions, R119AnOptionThatIsNotRefusedChangesATree) {
       {"root_level", [](BuildOptions& o) { o.root_level = 0; }},
   }};
   const Mesh mesh = generate_urban(UrbanScene::mixed);
-  for (const Rule rule : {Rule::spatial_median, Rule::fast, Rule::quality}) {
+  for (const Rule rule : {Rule::spatial_median, Rule::fast, Rule::quality, Rule::quick}) {
     for (const Midpoint midpoint : {Midpoint::thesis, Midpoint::aabb}) {
       for (const int level : {0, 13}) {
         BuildOptions plain{.rule = rule, .midpoint = midpoint, .level = level, .per_leaf = 1};

@@ -1,6 +1,7 @@
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
 #include "soms/tree/build.h"
+#include "soms/tree/build/detail/by_morton.h"
 #include "soms/tree/build/detail/by_reference.h"
 #include "soms/tree/build/detail/divide.h"
 #include "soms/tree/layout/detail/refit_layout.h"
@@ -171,8 +172,11 @@ class Builder {
 
 Subtrees grow(const Mesh& mesh, const RuleEntry& rule, const BuildOptions& options,
               const Parallel& parallel) {
-  return rule.in_float ? detail::grow_by_reference(mesh, options, parallel)
-                       : Builder(mesh, rule, options, parallel).run();
+  if (rule.rule == Rule::quick) {
+    return detail::grow_by_morton(mesh, options, parallel);
+  }
+  return rule.own_builder ? detail::grow_by_reference(mesh, options, parallel)
+                          : Builder(mesh, rule, options, parallel).run();
 }
 
 Tree build_checked(const Mesh& mesh, const RuleEntry& rule, const BuildOptions& options,

@@ -33,6 +33,9 @@ constexpr std::array kRules{
     RuleEntry{Rule::quality, "quality", "quality",
               "as sah, by boxes in float and blocks of leaves: enters the fewest boxes", &rule::sah,
               AxisFrom::inner, false, false, true},
+    RuleEntry{Rule::quick, "quick", "quick",
+              "by Morton codes, large triangles apart: builds soonest, for meshes that change",
+              &rule::soms, AxisFrom::inner, false, false, true},
 };
 
 constexpr bool in_order_of_enumeration() {

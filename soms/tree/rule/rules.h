@@ -21,9 +21,9 @@ struct RuleEntry {
       AxisFrom::inner;       ///< box whose longest axis is split unless the options say otherwise
   bool needs_outer = false;  ///< it looks at SplitNode::outer
   bool needs_order = false;  ///< it looks at primitives in ascending order of their numbers
-  /// Trees are made by a builder of their own, from boxes in float, which divides nearly as `split`
-  /// would; midpoint, axis_from and empty_side have no effect (`idle_options`).
-  bool in_float = false;
+  /// Trees are made by a builder of their own, which divides nearly as `split` would; midpoint,
+  /// axis_from and empty_side have no effect (`idle_options`).
+  bool own_builder = false;
 };
 
 /// All rules, in the order of `Rule`.

@@ -104,7 +104,7 @@ void add_triangle(Mesh& mesh, const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 void expect_whole_by_references(const Mesh& mesh) {
-  for (const Rule rule : {Rule::fast, Rule::quality}) {
+  for (const Rule rule : {Rule::fast, Rule::quality, Rule::quick}) {
     const BuildOptions options{.rule = rule};
     EXPECT_EQ(find_fault(build(mesh, options), mesh), "");
     EXPECT_TRUE(build_wide(mesh, options) == WideTree(build(mesh, options), mesh));

@@ -25,7 +25,7 @@ constexpr std::array<EmptySide, 4> kEmptySides{EmptySide::stop, EmptySide::next_
 /// Every combination of options that changes a tree, with a level limit.
 void for_each_options(const std::function<void(const BuildOptions&)>& body) {
   for (const RuleEntry& rule : rules()) {
-    if (rule.in_float) {
+    if (rule.own_builder) {
       body(thesis_options(rule.rule));  // they have no other
       continue;
     }
@@ -175,7 +175,7 @@ TEST(Build, PermutingTheTrianglesKeepsTheBoxes) {
 TEST(Build, ByAFunctionEqualsTheRuleOfThatFunction) {
   const Mesh mesh = generate_sphere(500);
   for (const RuleEntry& row : rules()) {
-    if (row.in_float) {
+    if (row.own_builder) {
       continue;
     }
     for (const EmptySide empty : {EmptySide::stop, EmptySide::object_median}) {

@@ -183,7 +183,7 @@ TEST(Rules, SomsSahLooksAtWidthsOnTheAxisItSplits) {
 }
 
 TEST(Rules, AreFoundByBothSpellingsOfTheirNames) {
-  EXPECT_EQ(rules().size(), 8U);
+  EXPECT_EQ(rules().size(), 9U);
   for (const RuleEntry& e : rules()) {
     EXPECT_EQ(&entry(e.rule), &e);
     EXPECT_EQ(&rule_named(e.name), &e);
@@ -201,7 +201,7 @@ TEST(Rules, UnknownNamesListTheKnownOnes) {
     EXPECT_EQ(error.kind(), ErrorKind::usage);
     EXPECT_EQ(error.remedy(),
               "choose one of object-median, object-mean, spatial-median, soms, sah, soms-sah, "
-              "fast, quality");
+              "fast, quality, quick");
   }
 }
 

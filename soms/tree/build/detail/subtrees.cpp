@@ -52,11 +52,13 @@ Parallel within(const Parallel& parallel, double from, double to) {
 }
 
 void find_bounds(std::span<Node> subtree, const Mesh& mesh, std::span<TriangleId> ids) {
-  layout::fetch_corners(mesh, ids.subspan(subtree.front().first, subtree.front().count));
+  const Node& root = subtree.front();
+  layout::FetchBackwards fetch(mesh, ids.subspan(root.first, root.count));
   // Children follow their parents, so the last node comes first.
   for (std::size_t i = subtree.size(); i-- > 0;) {
     Node& node = subtree[i];
     if (node.is_leaf()) {
+      fetch.reach(node.first - root.first);
       bound_leaf(node, mesh, ids);
     } else {
       node.bounds = subtree[node.left].bounds;

@@ -10,23 +10,56 @@ namespace {
 // processor has, for AVX2 and for AVX-512. All give the same bytes: each lane is a double, and
 // nothing is fused or reordered.
 
+#if defined(__GNUC__) && !defined(__clang__)
+// How halves of rows would be passed without AVX does not matter: nothing passes them.
+#pragma GCC diagnostic ignored "-Wpsabi"
+#endif
+
 constexpr std::size_t kLanes = TriangleBlock::kWidth;
 
+/// Half a row. Compilers keep these in registers; of vectors as long as a row they put the halves
+/// into memory and take them out number by number wherever lanes change places.
+using D4 [[gnu::vector_size(32)]] = double;
+using Floats [[gnu::vector_size(16)]] = float;
+
 /// A number for each triangle.
-using Row [[gnu::vector_size(64)]] = double;
-using Floats [[gnu::vector_size(32)]] = float;
+struct Row {
+  D4 first;
+  D4 last;
+};
 
 /// Row 3 * corner + axis.
 using Rows = std::array<Row, 9>;
 
-constexpr Row kLane = {0, 1, 2, 3, 4, 5, 6, 7};
-
-[[gnu::always_inline]] inline void keep_less(Row& v, const Row& other) {
-  v = other < v ? other : v;
+[[gnu::always_inline]] inline Row operator+(const Row& a, const Row& b) {
+  return {a.first + b.first, a.last + b.last};
 }
 
-[[gnu::always_inline]] inline void keep_greater(Row& v, const Row& other) {
-  v = other > v ? other : v;
+[[gnu::always_inline]] inline Row operator-(const Row& a, const Row& b) {
+  return {a.first - b.first, a.last - b.last};
+}
+
+[[gnu::always_inline]] inline Row operator*(const Row& a, const Row& b) {
+  return {a.first * b.first, a.last * b.last};
+}
+
+/// Rows are never assigned as a whole: GCC moves them by 16 bytes, and waits where it reads 32.
+[[gnu::always_inline]] inline void set(Row& to, const Row& from) {
+  to.first = from.first;
+  to.last = from.last;
+}
+
+[[gnu::always_inline]] inline Row splat(double x) {
+  const D4 v = {x, x, x, x};
+  return {v, v};
+}
+
+[[gnu::always_inline]] inline D4 lesser(const D4& a, const D4& b) {
+  return b < a ? b : a;
+}
+
+[[gnu::always_inline]] inline D4 greater(const D4& a, const D4& b) {
+  return b > a ? b : a;
 }
 
 struct Range {
@@ -36,39 +69,38 @@ struct Range {
 
 /// Least and greatest of three rows.
 [[gnu::always_inline]] inline Range range(const Row& a, const Row& b, const Row& c) {
-  Row lower = a;
-  Row upper = a;
-  keep_less(lower, b);
-  keep_less(lower, c);
-  keep_greater(upper, b);
-  keep_greater(upper, c);
-  keep_less(lower, __builtin_shufflevector(lower, lower, 4, 5, 6, 7, 0, 1, 2, 3));
-  keep_less(lower, __builtin_shufflevector(lower, lower, 2, 3, 0, 1, 6, 7, 4, 5));
-  keep_less(lower, __builtin_shufflevector(lower, lower, 1, 0, 3, 2, 5, 4, 7, 6));
-  keep_greater(upper, __builtin_shufflevector(upper, upper, 4, 5, 6, 7, 0, 1, 2, 3));
-  keep_greater(upper, __builtin_shufflevector(upper, upper, 2, 3, 0, 1, 6, 7, 4, 5));
-  keep_greater(upper, __builtin_shufflevector(upper, upper, 1, 0, 3, 2, 5, 4, 7, 6));
-  return {lower[0], upper[0]};
+  const D4 low =
+      lesser(lesser(lesser(a.first, b.first), c.first), lesser(lesser(a.last, b.last), c.last));
+  const D4 high = greater(greater(greater(a.first, b.first), c.first),
+                          greater(greater(a.last, b.last), c.last));
+  const double low_even = low[2] < low[0] ? low[2] : low[0];
+  const double low_odd = low[3] < low[1] ? low[3] : low[1];
+  const double high_even = high[2] > high[0] ? high[2] : high[0];
+  const double high_odd = high[3] > high[1] ? high[3] : high[1];
+  return {low_odd < low_even ? low_odd : low_even, high_odd > high_even ? high_odd : high_even};
 }
 
 /// Corners about the tree's origin; lanes not in use repeat the last triangle.
 [[gnu::always_inline]] inline void gather(const Mesh& mesh, std::span<const TriangleId> ids,
                                           const Vec3& origin, Rows& rows, TriangleBlock& block) {
-  alignas(64) std::array<std::array<double, kLanes>, 9> corner;
+  std::array<const std::array<std::uint32_t, 3>*, kLanes> corners;
   for (std::size_t k = 0; k < kLanes; ++k) {
-    const TriangleId id = ids[std::min(k, ids.size() - 1)];
-    block.id[k] = id;
-    const auto& corners = mesh.triangles[id];
-    for (std::size_t c = 0; c < 3; ++c) {
-      const Vec3& v = mesh.vertices[corners[c]];
-      corner[3 * c][k] = v.x;
-      corner[3 * c + 1][k] = v.y;
-      corner[3 * c + 2][k] = v.z;
-    }
+    block.id[k] = ids[std::min(k, ids.size() - 1)];
+    corners[k] = &mesh.triangles[block.id[k]];
   }
-  for (std::size_t row = 0; row < 9; ++row) {
-    std::memcpy(&rows[row], corner[row].data(), sizeof(Row));
-    rows[row] -= origin[row % 3];
+  for (std::size_t c = 0; c < 3; ++c) {
+    std::array<const Vec3*, kLanes> at;
+    for (std::size_t k = 0; k < kLanes; ++k) {
+      at[k] = &mesh.vertices[(*corners[k])[c]];
+    }
+    const auto row = [&](double Vec3::*axis, double place) {
+      const D4 first = {at[0]->*axis, at[1]->*axis, at[2]->*axis, at[3]->*axis};
+      const D4 last = {at[4]->*axis, at[5]->*axis, at[6]->*axis, at[7]->*axis};
+      return Row{first, last} - splat(place);
+    };
+    set(rows[3 * c], row(&Vec3::x, origin.x));
+    set(rows[3 * c + 1], row(&Vec3::y, origin.y));
+    set(rows[3 * c + 2], row(&Vec3::z, origin.z));
   }
 }
 
@@ -83,46 +115,76 @@ struct Range {
     block.origin[axis] = middle;
     far[axis] = std::max(upper - middle, middle - lower) * frame.scale;
     for (std::size_t row = axis; row < 9; row += 3) {
-      rows[row] = (rows[row] - middle) * frame.scale;
-      const Floats rounded = __builtin_convertvector(rows[row], Floats);
-      std::memcpy(block.corner[row].data(), &rounded, sizeof rounded);
+      set(rows[row], (rows[row] - splat(middle)) * splat(frame.scale));
+      const Floats first = __builtin_convertvector(rows[row].first, Floats);
+      const Floats last = __builtin_convertvector(rows[row].last, Floats);
+      std::memcpy(block.corner[row].data(), &first, sizeof first);
+      std::memcpy(block.corner[row].data() + kLanes / 2, &last, sizeof last);
     }
   }
   return far;
 }
 
-/// Sum of the lanes in use.
-[[gnu::always_inline]] inline double sum(const Row& of, double count) {
-  Row v = kLane < count ? of : Row{};
-  v += __builtin_shufflevector(v, v, 4, 5, 6, 7, 0, 1, 2, 3);
-  v += __builtin_shufflevector(v, v, 2, 3, 0, 1, 6, 7, 4, 5);
-  return v[0] + v[1];
+/// All bits of the lanes in use.
+struct Mask {
+  using Bits [[gnu::vector_size(32)]] = std::int64_t;
+  Bits first;
+  Bits last;
+};
+
+[[gnu::always_inline]] inline Mask mask_of(std::size_t count) {
+  const auto n = static_cast<std::int64_t>(count);
+  const Mask::Bits all = {n, n, n, n};
+  constexpr Mask::Bits kFirst = {0, 1, 2, 3};
+  constexpr Mask::Bits kLast = {4, 5, 6, 7};
+  return {kFirst < all, kLast < all};
+}
+
+/// Lanes in use, those of the second half added to those of the first.
+[[gnu::always_inline]] inline D4 folded(const Row& v, const Mask& mask) {
+  return (mask.first ? v.first : D4{}) + (mask.last ? v.last : D4{});
+}
+
+/// Sums of four halves: lanes 0 and 2, 1 and 3, then both.
+[[gnu::always_inline]] inline D4 sums(const D4& a, const D4& b, const D4& c, const D4& d) {
+  const D4 ab =
+      __builtin_shufflevector(a, b, 0, 1, 4, 5) + __builtin_shufflevector(a, b, 2, 3, 6, 7);
+  const D4 cd =
+      __builtin_shufflevector(c, d, 0, 1, 4, 5) + __builtin_shufflevector(c, d, 2, 3, 6, 7);
+  const D4 all =
+      __builtin_shufflevector(ab, cd, 0, 4, 2, 6) + __builtin_shufflevector(ab, cd, 1, 5, 3, 7);
+  return __builtin_shufflevector(all, all, 0, 2, 1, 3);
 }
 
 template <std::size_t Axis>
-[[gnu::always_inline]] inline void add_axis(const Rows& rows, double count, Moments& m) {
+[[gnu::always_inline]] inline void add_axis(const Rows& rows, const Mask& mask, Moments& m) {
   constexpr std::size_t kNext = (Axis + 1) % 3;
-  const Row a = rows[Axis];
-  const Row b = rows[3 + Axis];
-  const Row c = rows[6 + Axis];
-  const Row p = rows[kNext];
-  const Row q = rows[3 + kNext];
-  const Row r = rows[6 + kNext];
+  const Row& a = rows[Axis];
+  const Row& b = rows[3 + Axis];
+  const Row& c = rows[6 + Axis];
+  const Row& p = rows[kNext];
+  const Row& q = rows[3 + kNext];
+  const Row& r = rows[6 + kNext];
   const Row normal = (b - a) * (r - p) - (q - p) * (c - a);
-  m.sum[Axis] = sum((a + b) + c, count);
-  m.square[Axis] = sum((a * a + b * b) + c * c, count);
-  m.product[Axis] = sum((a * p + b * q) + c * r, count);
-  m.normal[(Axis + 2) % 3] = sum(normal, count);
-  m.area += sum(normal < 0 ? -normal : normal, count);
+  const Row size = {normal.first < 0 ? -normal.first : normal.first,
+                    normal.last < 0 ? -normal.last : normal.last};
+  const D4 of_four = sums(folded((a + b) + c, mask), folded((a * a + b * b) + c * c, mask),
+                          folded((a * p + b * q) + c * r, mask), folded(normal, mask));
+  m.sum[Axis] = of_four[0];
+  m.square[Axis] = of_four[1];
+  m.product[Axis] = of_four[2];
+  m.normal[(Axis + 2) % 3] = of_four[3];
+  const D4 area = folded(size, mask);
+  m.area += (area[0] + area[2]) + (area[1] + area[3]);
 }
 
 [[gnu::always_inline]] inline Moments moments_of(const Rows& rows, std::size_t count) {
   Moments m;
   m.points = static_cast<double>(3 * count);
-  const auto lanes = static_cast<double>(count);
-  add_axis<0>(rows, lanes, m);
-  add_axis<1>(rows, lanes, m);
-  add_axis<2>(rows, lanes, m);
+  const Mask mask = mask_of(count);
+  add_axis<0>(rows, mask, m);
+  add_axis<1>(rows, mask, m);
+  add_axis<2>(rows, mask, m);
   return m;
 }
 
@@ -137,9 +199,9 @@ template <std::size_t Axis>
   for (std::size_t axis = 0; axis < 3; ++axis) {
     block.normal[axis] = static_cast<float>(n[axis] / length);
   }
-  const double x = block.normal[0];
-  const double y = block.normal[1];
-  const double z = block.normal[2];
+  const Row x = splat(block.normal[0]);
+  const Row y = splat(block.normal[1]);
+  const Row z = splat(block.normal[2]);
   const auto [lower, upper] =
       range((x * rows[0] + y * rows[1]) + z * rows[2], (x * rows[3] + y * rows[4]) + z * rows[5],
             (x * rows[6] + y * rows[7]) + z * rows[8]);

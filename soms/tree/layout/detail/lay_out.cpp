@@ -101,11 +101,44 @@ class Writer {
       static_cast<void>(write_leaf(part_.nodes[plan_.root], 0, {}));
     }
     for (std::size_t i = plan_.nodes.size(); i-- > 0;) {
+      fetch(i);
       nodes_[i] = make_node(i);
     }
   }
 
  private:
+  /// Asks for what the leaves of nodes that come soon are made of.
+  void fetch(std::size_t i) {
+    constexpr std::size_t kIndicesAhead = 4;
+    constexpr std::size_t kCornersAhead = 2;
+    if (i >= kIndicesAhead) {
+      for_each_triangle(i - kIndicesAhead,
+                        [&](TriangleId id) { __builtin_prefetch(&mesh_.triangles[id]); });
+    }
+    if (i >= kCornersAhead) {
+      for_each_triangle(i - kCornersAhead, [&](TriangleId id) {
+        for (const std::uint32_t corner : mesh_.triangles[id]) {
+          __builtin_prefetch(&mesh_.vertices[corner]);
+        }
+      });
+    }
+  }
+
+  /// Triangles of a wide node's own leaves, of no more than a few blocks each.
+  template <class Body>
+  void for_each_triangle(std::size_t i, const Body& body) {
+    const WidePlan& plan = plan_.nodes[i];
+    for (std::size_t k = 0; k < plan.count; ++k) {
+      const Node& below = part_.nodes[plan.slots[k]];
+      if (below.is_leaf()) {
+        const std::uint32_t count = std::min(below.count, 2 * TriangleBlock::kWidth);
+        for (const TriangleId id : primitives_.subspan(below.first, count)) {
+          body(id);
+        }
+      }
+    }
+  }
+
   /// Returns the moments of the leaf's triangles as seen from a place in units of the layout.
   Moments write_leaf(const Node& leaf, std::uint32_t block, const View& view) {
     Moments moments;

@@ -1,0 +1,175 @@
+#include "soms/tree/build/detail/by_morton.h"
+
+#include "soms/tree/build/detail/morton.h"
+#include "soms/tree/layout/detail/refit_layout.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+namespace soms::detail {
+
+namespace {
+
+class ByMorton {
+ public:
+  ByMorton(const Mesh& mesh, const BuildOptions& options, const Parallel& parallel)
+      : mesh_(mesh),
+        parallel_(parallel),
+        id_bits_(id_bits_for(mesh.triangles.size())),
+        per_leaf_(static_cast<std::uint32_t>(options.per_leaf)),
+        limited_(options.level != 0),
+        last_depth_(limited_ ? static_cast<std::uint32_t>(options.level - options.root_level)
+                             : std::numeric_limits<std::uint32_t>::max()) {}
+
+  Subtrees run() {
+    const Parallel silent{parallel_.threads, parallel_.stop, {}};
+    subtrees_.bounds = layout::bounds_of(mesh_, silent);
+    keys_ = sorted_keys(mesh_, subtrees_.bounds, silent);
+    subtrees_.ids.resize(keys_.size());
+    divide_upper();
+    build_subtrees();
+    return std::move(subtrees_);
+  }
+
+ private:
+  /// A node to be divided; `even` if its middles are one, so that only halving is left.
+  struct Pending {
+    Node node;
+    bool even;
+    std::uint32_t place;  // of an upper node, or of the parent of a right child
+  };
+
+  [[nodiscard]] bool is_leaf(const Node& node) const {
+    return node.count <= per_leaf_ || node.depth >= last_depth_;
+  }
+
+  /// From here on only halving ends at kMaxTreeIdDepth; a level limit ends before.
+  [[nodiscard]] bool too_deep(const Node& node) const {
+    return !limited_ && node.depth + static_cast<std::uint32_t>(std::bit_width(node.count - 1)) >=
+                            kMaxTreeIdDepth;
+  }
+
+  /// Triangles of the left child. Keys that are all one get new codes first.
+  [[nodiscard]] std::uint32_t divide(const Node& node, bool& even) {
+    const auto run = std::span(keys_).subspan(node.first, node.count);
+    if (even || too_deep(node)) {
+      return node.count / 2;
+    }
+    if ((run.front() ^ run.back()) >> id_bits_ == 0 && !refine_keys(mesh_, run, id_bits_)) {
+      even = true;
+      return node.count / 2;
+    }
+    return node.count <= 2 * std::uint64_t{per_leaf_} ? two_leaves(run) : first_of_right(run);
+  }
+
+  /// Where the highest bit in which the run's codes differ is set.
+  [[nodiscard]] static std::uint32_t first_of_right(std::span<const MortonKey> run) {
+    const int bit = static_cast<int>(std::bit_width(run.front() ^ run.back())) - 1;
+    const auto* const at =
+        std::partition_point(run.data(), run.data() + run.size(),
+                             [bit](MortonKey key) { return (key >> bit & 1) == 0; });
+    return static_cast<std::uint32_t>(at - run.data());
+  }
+
+  /// The widest gap of those that leave two leaves and no more.
+  [[nodiscard]] std::uint32_t two_leaves(std::span<const MortonKey> run) const {
+    const auto count = static_cast<std::uint32_t>(run.size());
+    std::uint32_t best = count - per_leaf_;
+    MortonKey widest = 0;
+    for (std::uint32_t left = best; left <= per_leaf_; ++left) {
+      const MortonKey gap = run[left - 1] ^ run[left];
+      if (gap > widest) {
+        widest = gap;
+        best = left;
+      }
+    }
+    return best;
+  }
+
+  void divide_upper() {
+    Node root;
+    root.id = 0;
+    root.count = static_cast<std::uint32_t>(keys_.size());
+    subtrees_.upper.push_back({root});
+    std::vector<Pending> pending{{root, false, 0}};
+    while (!pending.empty()) {
+      check_stop(parallel_);
+      Pending next = pending.back();
+      pending.pop_back();
+      if (next.node.count <= kSubtreeTriangles || is_leaf(next.node)) {
+        subtrees_.upper[next.place].subtree = static_cast<std::uint32_t>(roots_.size());
+        roots_.push_back(next);
+        continue;
+      }
+      const std::uint32_t count = divide(next.node, next.even);
+      const auto left = static_cast<std::uint32_t>(subtrees_.upper.size());
+      Node& node = subtrees_.upper[next.place].node;
+      node.undividable = next.even;
+      node.left = left;
+      node.right = left + 1;
+      const Node parent = node;
+      for (const bool right : {false, true}) {
+        const Node child = right
+                               ? child_of(parent, true, parent.first + count, parent.count - count)
+                               : child_of(parent, false, parent.first, count);
+        subtrees_.upper.push_back({child});
+        pending.push_back({child, next.even, left + (right ? 1 : 0)});
+      }
+    }
+  }
+
+  void build_subtrees() {
+    subtrees_.nodes.resize(roots_.size());
+    for_each_chunk(roots_.size(), 1, within(parallel_, 0.3, 1), [&](std::size_t k, std::size_t) {
+      subtrees_.nodes[k] = build_subtree(roots_[k]);
+    });
+  }
+
+  /// A whole subtree in depth-first order; indices count from its root.
+  std::vector<Node> build_subtree(const Pending& root) {
+    std::vector<Node> nodes;
+    nodes.reserve(root.node.count / 2 + 1);
+    std::vector<Pending> pending{{root.node, root.even, Node::kNone}};
+    while (!pending.empty()) {
+      Pending next = pending.back();
+      pending.pop_back();
+      const auto i = static_cast<std::uint32_t>(nodes.size());
+      Node& node = nodes.emplace_back(next.node);
+      if (!is_leaf(node)) {
+        const std::uint32_t count = divide(node, next.even);
+        node.undividable = next.even;
+        node.left = i + 1;
+        pending.push_back(
+            {child_of(node, true, node.first + count, node.count - count), next.even, i});
+        pending.push_back({child_of(node, false, node.first, count), next.even, Node::kNone});
+      }
+      if (next.place != Node::kNone) {
+        nodes[next.place].right = i;
+      }
+    }
+    const MortonKey ids = (MortonKey{1} << id_bits_) - 1;
+    for (std::uint32_t k = root.node.first; k < root.node.first + root.node.count; ++k) {
+      subtrees_.ids[k] = static_cast<TriangleId>(keys_[k] & ids);
+    }
+    return nodes;
+  }
+
+  const Mesh& mesh_;
+  const Parallel& parallel_;
+  int id_bits_;
+  std::uint32_t per_leaf_;
+  bool limited_;
+  std::uint32_t last_depth_;  // nodes of this depth are never divided
+  layout::Pages<MortonKey> keys_;
+  std::vector<Pending> roots_;  // of the subtrees
+  Subtrees subtrees_;
+};
+
+}  // namespace
+
+Subtrees grow_by_morton(const Mesh& mesh, const BuildOptions& options, const Parallel& parallel) {
+  return ByMorton(mesh, options, parallel).run();
+}
+
+}  // namespace soms::detail
