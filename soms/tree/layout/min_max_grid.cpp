@@ -293,8 +293,9 @@ bool MinMaxGrid::clear(const PlanBox& box) const {
       const std::uint64_t covered =
           mask_of(columns_of(x, from[0], to[0]), columns_of(y, from[1], to[1]),
                   {slice_of(box.lower, ends), slice_of(box.upper, ends)});
-      const bool in_range = (ends[0] <= box.upper) & (ends[4] >= box.lower);
-      meets |= in_range ? covered & cell.taken : 0;
+      const std::uint64_t in_range =
+          (ends[0] <= box.upper ? 1U : 0U) & (ends[4] >= box.lower ? 1U : 0U);
+      meets |= covered & cell.taken & (0 - in_range);
     }
   }
   return meets == 0;

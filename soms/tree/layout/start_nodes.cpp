@@ -17,8 +17,10 @@ namespace {
 /// Columns of the finest cell along each axis, as a power of two: two cells of the height grid.
 constexpr std::uint32_t kFinestBits = 3;
 
-/// A cell that would have more keeps the list of the cell above it.
+/// A cell that would have more, or for which more would have to be looked at, keeps the list of the
+/// cell above it. Where all triangles are as wide as the plan, all nodes are above every cell.
 constexpr std::size_t kMostNodes = 16;
+constexpr std::size_t kMostVisits = 64;
 
 constexpr std::uint32_t kRoot = 0;
 
@@ -88,23 +90,37 @@ class CellColumn {
   float half_side_;
 };
 
-/// Adds the nodes at which a list may begin that are, or lie below, `index`.
-void descend(std::span<const WideNode> nodes, std::uint32_t index, const CellColumn& column,
-             std::vector<std::uint32_t>& list) {
-  const WideNode& node = nodes[index];
-  if (node.oriented != 0) {
-    list.push_back(index);
-    return;
+/// Finds the nodes at which a list may begin, as long as they are few and soon found.
+class ListSearch {
+ public:
+  ListSearch(std::span<const WideNode> nodes, const CellColumn& column,
+             std::vector<std::uint32_t>& list)
+      : nodes_(nodes), column_(column), list_(list) {}
+
+  /// Adds those that are, or lie below, `index`; false where there are too many.
+  [[nodiscard]] bool descend(std::uint32_t index) {
+    const WideNode& node = nodes_[index];
+    if (++visited_ > kMostVisits) {
+      return false;
+    }
+    std::uint32_t lanes = node.oriented != 0 ? 0 : column_.lanes_of(node);
+    if (node.oriented != 0 || (lanes != 0 && !column_.goes_below(node, lanes))) {
+      list_.push_back(index);
+      return list_.size() <= kMostNodes;
+    }
+    bool few = true;
+    for (; few && lanes != 0; lanes &= lanes - 1) {
+      few = descend(node.child[static_cast<std::size_t>(std::countr_zero(lanes))]);
+    }
+    return few;
   }
-  std::uint32_t lanes = column.lanes_of(node);
-  if (lanes != 0 && !column.goes_below(node, lanes)) {
-    list.push_back(index);
-    return;
-  }
-  for (; lanes != 0; lanes &= lanes - 1) {
-    descend(nodes, node.child[static_cast<std::size_t>(std::countr_zero(lanes))], column, list);
-  }
-}
+
+ private:
+  std::span<const WideNode> nodes_;
+  const CellColumn& column_;
+  std::vector<std::uint32_t>& list_;
+  std::size_t visited_ = 0;
+};
 
 }  // namespace
 
@@ -135,10 +151,10 @@ StartNodes::StartNodes(std::span<const WideNode> nodes, const GroundPlan& plan, 
         }
         const CellColumn column(plan, scale, bits, x, y);
         list.clear();
-        for (const std::uint32_t node : above) {
-          descend(nodes, node, column, list);
-        }
-        const auto& chosen = list.size() <= kMostNodes ? list : above;
+        ListSearch search(nodes, column, list);
+        const bool few = std::all_of(above.begin(), above.end(),
+                                     [&](std::uint32_t node) { return search.descend(node); });
+        const auto& chosen = few ? list : above;
         nodes_.insert(nodes_.end(), chosen.begin(), chosen.end());
         ends_.push_back(static_cast<std::uint32_t>(nodes_.size()));
       }

@@ -127,6 +127,22 @@ TEST(StartNodes, TakeTwoBytesATriangle) {
   EXPECT_LT(shape.layout().start_nodes().memory(), 2 * shape.mesh().triangles.size());
 }
 
+// Every cell has all nodes above it, so each would look at all of them.
+TEST(StartNodes, BeginAtTheRootWhereEveryTriangleIsAsWideAsTheMesh) {
+  Mesh plates;
+  for (std::uint32_t i = 0; i < 20'000; ++i) {
+    const double z = 0.1 * i / 20'000;
+    plates.vertices.insert(plates.vertices.end(), {{-1, -1, z}, {1, -1, z}, {0, 1, z}});
+    plates.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  const Shape shape(plates);
+  const WideTree& tree = shape.layout();
+  ASSERT_FALSE(tree.min_max_grid().empty());
+  const PlanBox box = tree.min_max_grid().plan().place({0.3, -0.4, 0}, {0.001, 0.001, 0.001});
+  const auto starts = tree.start_nodes().of(box);
+  EXPECT_EQ(std::vector(starts.begin(), starts.end()), std::vector<std::uint32_t>{0});
+}
+
 TEST(StartNodes, AreTheSameAfterRefittingNothing) {
   Rng rng(3);
   const Shape shape(hills(rng, 5000, 2));

@@ -100,10 +100,11 @@ class TriangleStrip {
 /// A triangle takes up a quarter of its bounds in the ground plan, or more: it does not stand
 /// across it, such as a wall.
 [[nodiscard]] inline bool fills_bounds(const PlanTriangle& triangle) {
-  const auto& [a, b, c] = triangle.corner;
-  const double twice = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+  const auto& p = triangle.corner;
+  const double twice =
+      (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]);
   const auto side = [&](std::size_t k) {
-    return std::max({a[k], b[k], c[k]}) - std::min({a[k], b[k], c[k]});
+    return std::max({p[0][k], p[1][k], p[2][k]}) - std::min({p[0][k], p[1][k], p[2][k]});
   };
   return 2 * std::abs(twice) >= side(0) * side(1);
 }
