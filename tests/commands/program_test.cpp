@@ -122,7 +122,8 @@ TEST(Program, R119OptionsThatSomeRulesIgnoreAreNoted) {
   EXPECT_EQ(result.status, 0);
   EXPECT_EQ(result.err,
             "rule fast does not use --midpoint, --c-vertex\n"
-            "rule quality does not use --midpoint, --c-vertex\n");
+            "rule quality does not use --midpoint, --c-vertex\n"
+            "rule quick does not use --midpoint, --c-vertex\n");
 }
 
 TEST(Program, TakesAnEmptyNameOfAnOutputForAnError) {

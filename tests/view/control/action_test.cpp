@@ -2,6 +2,8 @@
 
 #include "apps/view/scene/orientation_menu.h"
 
+#include "soms/tree/rule/rules.h"
+
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -188,7 +190,7 @@ TEST(Actions, SpeedAndLevelStopAtTheirEnds) {
 
 TEST(Actions, CyclesComeRoundAndBack) {
   ViewState state = in_the_middle();
-  for (int i = 0; i < 8; ++i) {
+  for (std::size_t i = 0; i < rules().size(); ++i) {
     apply(state, Action::rule_next);
   }
   EXPECT_EQ(state.rule, Rule::soms);
