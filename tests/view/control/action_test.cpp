@@ -1,8 +1,8 @@
 #include "apps/view/control/action.h"
 
-#include "apps/view/scene/orientation_menu.h"
-
 #include "soms/tree/rule/rules.h"
+
+#include "apps/view/scene/orientation_menu.h"
 
 #include <gtest/gtest.h>
 
