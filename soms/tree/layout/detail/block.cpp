@@ -10,7 +10,7 @@ namespace {
 // processor has, for AVX2 and for AVX-512. All give the same bytes: each lane is a double, and
 // nothing is fused or reordered.
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__)
 // How halves of rows would be passed without AVX does not matter: nothing passes them.
 #pragma GCC diagnostic ignored "-Wpsabi"
 #endif
