@@ -170,6 +170,35 @@ TEST(MinMaxGrid, AreNeverClearWhereATriangleReaches) {
   EXPECT_GT(reached, 3000U);
 }
 
+// They go into a coarse grid, and from there into all finer ones.
+TEST(MinMaxGrid, AreNotClearOfTrianglesOfMoreCellsThanTheyAreEnteredInto) {
+  test::for_each_case("columns/wide", 20, [](Rng& rng) {
+    Mesh mesh;
+    for (std::uint32_t i = 0; i < 5000; ++i) {
+      const double size = i < 3 ? 1 : 0.01;
+      const Vec3 at{rng.uniform(-1, 1), rng.uniform(-1, 1), 0};
+      for (int corner = 0; corner < 3; ++corner) {
+        mesh.vertices.push_back((i < 3 ? Vec3{} : at) +
+                                Vec3{size * rng.uniform(-1, 1), size * rng.uniform(-1, 1),
+                                     i < 3 ? 0.2 * rng.unit() : 0.01 * rng.unit()});
+      }
+      mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    const Shape shape(mesh);
+    const MinMaxGrid& grid = shape.layout().min_max_grid();
+    ASSERT_FALSE(grid.empty());
+    for (int i = 0; i < 500; ++i) {
+      const auto& [a, b, c] = mesh.triangles[rng.below(3)];
+      const double u = rng.unit();
+      const double v = rng.unit() * (1 - u);
+      const Vec3 at = u * mesh.vertices[a] + v * mesh.vertices[b] + (1 - u - v) * mesh.vertices[c] -
+                      shape.layout().origin();
+      const double half = 0.001 + 0.05 * rng.unit();
+      ASSERT_FALSE(grid.clear(grid.plan().place({at.x, at.y, at.z}, {half, half, half})));
+    }
+  });
+}
+
 // A street between two rows of walls: without slices and columns its air is full of their height.
 TEST(MinMaxGrid, AreClearInAStreetBetweenWalls) {
   Mesh mesh;
