@@ -19,15 +19,20 @@ void expect_same(const layout::Moments& a, const layout::Moments& b) {
   EXPECT_EQ(a.area, b.area);
 }
 
+/// A frame in which the mesh is 1 to 2 long.
+layout::Frame frame_of(const Mesh& mesh) {
+  const Box box = bounds(mesh);
+  const Vec3 extent = box.extent();
+  const double size = std::max({extent.x, extent.y, extent.z});
+  const double scale = size > 0 ? std::exp2(-std::floor(std::log2(size))) : 1;
+  return {box.center(), scale, size * scale};
+}
+
 TEST(Block, HasTheSameBytesByEveryProcessorsInstructions) {
   for (const test::Input input : test::kInputs) {
     SCOPED_TRACE(test::name(input));
     const Mesh mesh = test::make_input(input, 64);
-    const Box box = bounds(mesh);
-    const Vec3 extent = box.extent();
-    const double size = std::max({extent.x, extent.y, extent.z});
-    const double scale = size > 0 ? std::exp2(-std::floor(std::log2(size))) : 1;
-    const layout::Frame frame{box.center(), scale, size * scale};
+    const layout::Frame frame = frame_of(mesh);
     std::array<TriangleId, 8> ids = {};
     for (std::uint32_t k = 0; k < 8; ++k) {
       ids[k] = 7 * k;
@@ -178,11 +183,7 @@ TEST(Block, HasTheBytesOfPlainLoops) {
   for (const test::Input input : test::kInputs) {
     SCOPED_TRACE(test::name(input));
     const Mesh mesh = test::make_input(input, 64);
-    const Box box = bounds(mesh);
-    const Vec3 extent = box.extent();
-    const double size = std::max({extent.x, extent.y, extent.z});
-    const double scale = size > 0 ? std::exp2(-std::floor(std::log2(size))) : 1;
-    const layout::Frame frame{box.center(), scale, size * scale};
+    const layout::Frame frame = frame_of(mesh);
     std::array<TriangleId, 8> ids = {};
     for (std::uint32_t k = 0; k < 8; ++k) {
       ids[k] = 61 - 7 * k;
