@@ -174,13 +174,13 @@ void radix_sort(layout::Pages<MortonKey>& keys, layout::Pages<MortonKey>& spare,
 }
 
 layout::Pages<MortonKey> sorted_keys(const Mesh& mesh, const Box& box, const Parallel& parallel) {
-  constexpr std::size_t kChunk = 32768;
+  constexpr std::size_t kCodesPerTask = 32768;
   const std::size_t count = mesh.triangles.size();
   const MortonCodes codes(box, count, id_bits_for(count));
   layout::Pages<MortonKey> keys;
   layout::Pages<MortonKey> spare;
   keys.resize(count);
-  for_each_chunk(count, kChunk, parallel, [&](std::size_t begin, std::size_t end) {
+  for_each_chunk(count, kCodesPerTask, parallel, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       keys[i] = codes.key(mesh, static_cast<TriangleId>(i));
     }
