@@ -47,6 +47,17 @@ QuarterRange columns_of(std::uint32_t cell, std::uint32_t from, std::uint32_t to
           cell == to >> kColumnBits ? to & kColumn : kColumn};
 }
 
+/// What of a box is taken up by a cell, in the given ones of whose columns it is.
+template <class Cell>
+std::uint64_t taken_by(const Cell& cell, std::uint64_t columns, const PlanBox& box) {
+  const auto ends = slice_ends(cell.lower, cell.upper);
+  const std::uint64_t covered =
+      columns * kSlices.of({slice_of(box.lower, ends), slice_of(box.upper, ends)});
+  const std::uint64_t in_range =
+      (ends[0] <= box.upper ? 1U : 0U) & (ends[4] >= box.lower ? 1U : 0U);
+  return covered & cell.taken & (0 - in_range);
+}
+
 /// Slices of `to` that the slices of `from` reach into, one of `from` after the other.
 class SliceMap {
  public:
@@ -57,7 +68,7 @@ class SliceMap {
   SliceMap(const std::array<double, 5>& from, const std::array<double, 5>& to) {
     for (std::size_t a = 0; a < 4; ++a) {
       const QuarterRange range{slice_of(from[a], to), slice_of(from[a + 1], to)};
-      slices_[a] = mask_of({0, 0}, {0, 0}, range);
+      slices_[a] = kSlices.of(range);
     }
   }
 
@@ -285,20 +296,24 @@ bool MinMaxGrid::clear(const PlanBox& box) const {
   const Grid& grid = grids_[level];
   const std::array<std::uint32_t, 2> from = {box.from[0] >> level, box.from[1] >> level};
   const std::array<std::uint32_t, 2> to = {box.to[0] >> level, box.to[1] >> level};
-  std::uint64_t meets = 0;
-  for (std::uint32_t y = from[1] >> kColumnBits; y <= to[1] >> kColumnBits; ++y) {
-    for (std::uint32_t x = from[0] >> kColumnBits; x <= to[0] >> kColumnBits; ++x) {
-      const Cell& cell = cells_[grid.first + std::size_t{y} * grid.width + x];
-      const auto ends = slice_ends(cell.lower, cell.upper);
-      const std::uint64_t covered =
-          mask_of(columns_of(x, from[0], to[0]), columns_of(y, from[1], to[1]),
-                  {slice_of(box.lower, ends), slice_of(box.upper, ends)});
-      const std::uint64_t in_range =
-          (ends[0] <= box.upper ? 1U : 0U) & (ends[4] >= box.lower ? 1U : 0U);
-      meets |= covered & cell.taken & (0 - in_range);
-    }
+  const std::uint32_t x0 = from[0] >> kColumnBits;
+  const std::uint32_t x1 = to[0] >> kColumnBits;
+  const std::uint32_t y0 = from[1] >> kColumnBits;
+  const std::uint32_t y1 = to[1] >> kColumnBits;
+  const Cell* const row0 = &cells_[grid.first + std::size_t{y0} * grid.width];
+  const std::uint64_t along_x0 = kColumnsX.of(columns_of(x0, from[0], to[0]));
+  const std::uint64_t along_y0 = kColumnsY.of(columns_of(y0, from[1], to[1]));
+  if (x0 == x1 && y0 == y1) {
+    return taken_by(row0[x0], along_x0 * along_y0, box) == 0;
   }
-  return meets == 0;
+  // Four cells, even if two of them are the same: nothing depends on how many there are.
+  const Cell* const row1 = &cells_[grid.first + std::size_t{y1} * grid.width];
+  const std::uint64_t along_x1 = kColumnsX.of(columns_of(x1, from[0], to[0]));
+  const std::uint64_t along_y1 = kColumnsY.of(columns_of(y1, from[1], to[1]));
+  return (taken_by(row0[x0], along_x0 * along_y0, box) |
+          taken_by(row0[x1], along_x1 * along_y0, box) |
+          taken_by(row1[x0], along_x0 * along_y1, box) |
+          taken_by(row1[x1], along_x1 * along_y1, box)) == 0;
 }
 
 }  // namespace soms::layout

@@ -27,15 +27,37 @@ struct QuarterRange {
   std::uint32_t last;
 };
 
-/// Bits of the given columns and slices: bit x + 4 y + 16 z.
+/// Bits of ranges, at steps of a number of bits.
+class RangeBits {
+ public:
+  explicit constexpr RangeBits(std::uint32_t step) {
+    for (std::uint32_t first = 0; first < 4; ++first) {
+      for (std::uint32_t last = first; last < 4; ++last) {
+        for (std::uint32_t k = first; k <= last; ++k) {
+          bits_[4 * first + last] |= std::uint64_t{1} << (step * k);
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] std::uint64_t of(const QuarterRange& range) const {
+    return bits_[4 * range.first + range.last];
+  }
+
+ private:
+  std::array<std::uint64_t, 16> bits_ = {};
+};
+
+/// Bit x + 4 y + 16 z is that of column x, y and slice z. So these ranges' bits are so far apart
+/// that their products are those of all that lies in each of them.
+inline constexpr RangeBits kColumnsX(1);
+inline constexpr RangeBits kColumnsY(4);
+inline constexpr RangeBits kSlices(16);
+
+/// Bits of the given columns and slices.
 [[nodiscard]] inline std::uint64_t mask_of(const QuarterRange& x, const QuarterRange& y,
                                            const QuarterRange& z) {
-  const auto run = [](const QuarterRange& range, std::uint32_t step) {
-    return (std::uint64_t{2} << (step * range.last)) - (std::uint64_t{1} << (step * range.first));
-  };
-  // Sums of bits so far apart that their products share none.
-  const std::uint64_t columns = run(x, 1) * (run(y, 4) & 0x1111);
-  return columns * (run(z, 16) & 0x0001'0001'0001'0001);
+  return kColumnsX.of(x) * kColumnsY.of(y) * kSlices.of(z);
 }
 
 }  // namespace soms::layout
