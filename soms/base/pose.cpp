@@ -15,8 +15,6 @@ namespace soms {
 
 namespace {
 
-constexpr double kRigidTolerance = 1e-6;
-
 /// How far entries of RtR - I may be off 0, and that in words.
 struct RigidLimit {
   double value;

@@ -109,6 +109,9 @@ void check(const Pose& pose);
 /// \errors ErrorKind::out_of_range.
 void check_range(const Pose& pose, const Box& box);
 
+/// How far entries of RtR - I of a pose may be off 0.
+inline constexpr double kRigidTolerance = 1e-6;
+
 /// Whether `check` and `check_range` both pass. For callers that hold a `PlainArithmetic`.
 [[nodiscard]] bool passes_checks(const Pose& pose, const Box& box);
 

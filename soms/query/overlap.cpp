@@ -22,6 +22,7 @@ using detail::Limit;
 using detail::NodeRefPair;
 using detail::OverlapTraversal;
 using detail::PairFrame;
+using detail::RootTest;
 using detail::TraversalMemory;
 using detail::WideSource;
 
@@ -88,14 +89,16 @@ void run_single(PairFrame& frame, const OverlapOptions& options, const Parallel&
                 Overlap& answer) {
   Limit limit(options.deadline, parallel);
   Collector collector(options.mode, options.limit, answer.pairs);
-  if (clear_at_root<Source>(frame)) {
+  RootTest roots;
+  detail::test_roots<Source>(frame, roots);
+  if (roots.clear) {
     answer.coverage = coverage_of(options.mode, collector, limit.late());
     answer.cost.node_tests = 1;
     return;
   }
   TraversalMemory memory;
   OverlapTraversal<Source> traversal(frame, options.mode, memory);
-  traversal.start_unclear();
+  traversal.start(roots);
   traversal.run(collector, limit);
   collector.finish();
   answer.any = collector.any();

@@ -146,9 +146,9 @@ class Run {
     descents_.clear();
     begun_ = 0;
     for (; next_ < input_.poses.size() && !descents_.full(); ++next_) {
-      descents_.add(frames_, *input_.poses[next_]);
+      descents_.add(*input_.poses[next_]);
     }
-    descents_.look(frames_.reference());
+    descents_.look(frames_);
     return descents_.size() != 0;
   }
 
@@ -179,7 +179,8 @@ class Run {
     query.pairs.clear();
     query.collector.emplace(input_.options.mode, input_.options.limit, query.pairs);
     query.limit.emplace(input_.options.deadline, input_.parallel);
-    query.traversal.emplace(descents_.take(i, query.number), input_.options.mode, query.memory);
+    query.traversal.emplace(descents_.frame(frames_, i, query.number), input_.options.mode,
+                            query.memory);
     query.traversal->start(descent.seeds, descent.cost);
     query.over = false;
   }

@@ -22,18 +22,9 @@ void fetch_seeds(const PairList& seeds, const WideTree& y) {
 
 }  // namespace
 
-BatchedRootDescent::BatchedRootDescent() {
-  for (std::size_t i = 0; i < kMost; ++i) {
-    descents_[i].frame = &frames_[i];
-  }
-  for (std::size_t k = 0; k < kTraversals; ++k) {
-    taken_[k] = &frames_[kMost + k];
-  }
-}
-
-void BatchedRootDescent::add(const PoseFrames& frames, const Pose& pose) {
+void BatchedRootDescent::add(const Pose& pose) {
+  poses_[count_] = &pose;
   RootDescent& descent = descents_[count_++];
-  frames.place(pose, *descent.frame);
   descent.stack.clear();
   descent.seeds.clear();
   descent.cost = {};
@@ -41,23 +32,22 @@ void BatchedRootDescent::add(const PoseFrames& frames, const Pose& pose) {
   descent.node = 0;
 }
 
-void BatchedRootDescent::look(const WideTree& y) {
-  const WideNode* const nodes = y.nodes().data();
+std::size_t BatchedRootDescent::begin(const WideTree& y) {
+  const bool has_grid = !y.min_max_grid().empty();
   std::size_t going = 0;
   for (std::size_t i = 0; i < count_; ++i) {
-    RootDescent& descent = descents_[i];
-    const RelativePose& relative = (*descent.frame)->relative();
-    if (relative.apart()) {
+    if ((relative_.apart >> i & 1U) != 0) {
       continue;
     }
-    descent.box = relative.single_box();
-    if (descent.box.pays(nodes[0])) {
+    RootDescent& descent = descents_[i];
+    descent.box.take(relative_, i);
+    if (descent.box.pays(y.nodes()[0])) {
       going_[going++] = &descent;
     } else {
       descent.seeds.push({kRootId, kRootId});
     }
   }
-  if (!y.min_max_grid().empty()) {
+  if (has_grid) {
     // Without a branch on what was found, so that the next look need not wait for this one.
     std::array<bool, kMost> clear = {};
     for (std::size_t i = 0; i < going; ++i) {
@@ -76,7 +66,16 @@ void BatchedRootDescent::look(const WideTree& y) {
     going_[begun] = &descent;
     begun += descent.box.begin(y, descent.node, descent.stack) ? 1U : 0U;
   }
-  going = begun;
+  return begun;
+}
+
+void BatchedRootDescent::look(const PoseFrames& frames) {
+  const WideTree& y = frames.reference();
+  const WideNode* const nodes = y.nodes().data();
+  if (count_ != 0) {
+    frames.find(std::span(poses_).first(count_), relative_);
+  }
+  std::size_t going = begin(y);
   while (going > 0) {
     for (std::size_t i = 0; i < going;) {
       RootDescent& descent = *going_[i];

@@ -14,13 +14,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <utility>
 
 namespace soms::detail {
 
 /// What is known of a query before its traversal. It is over unless there are seeds.
 struct RootDescent {
-  std::optional<PairFrame>* frame;
   SingleBox box;
   PairList stack;
   PairList seeds;
@@ -31,10 +29,10 @@ struct RootDescent {
 /// A group of queries about the same two trees.
 class BatchedRootDescent {
  public:
-  static constexpr std::size_t kMost = 16;
+  static constexpr std::size_t kMost = RelativePoses::kMost;
   static constexpr std::size_t kTraversals = 4;  ///< most queries that may traverse meanwhile
 
-  BatchedRootDescent();
+  BatchedRootDescent() = default;
   BatchedRootDescent(const BatchedRootDescent&) = delete;
   BatchedRootDescent& operator=(const BatchedRootDescent&) = delete;
   ~BatchedRootDescent() = default;
@@ -47,21 +45,25 @@ class BatchedRootDescent {
 
   [[nodiscard]] RootDescent& operator[](std::size_t i) { return descents_[i]; }
 
-  /// The frame of descent `i`, which is traversal `k`'s from now on, until that takes another.
-  [[nodiscard]] PairFrame& take(std::size_t i, std::size_t k) {
-    std::swap(descents_[i].frame, taken_[k]);
-    return **taken_[k];
+  /// The frame of descent `i`, in place of that which traversal `k` had.
+  [[nodiscard]] PairFrame& frame(const PoseFrames& frames, std::size_t i, std::size_t k) {
+    frames.place(*poses_[i], relative_, i, frames_[k]);
+    return *frames_[k];
   }
 
   /// Adds a query. \pre Not full.
-  void add(const PoseFrames& frames, const Pose& pose);
+  void add(const Pose& pose);
 
   /// Finds the seeds of all: those of `OverlapTraversal::start`, at the same costs.
-  void look(const WideTree& y);
+  void look(const PoseFrames& frames);
 
  private:
-  std::array<std::optional<PairFrame>, kMost + kTraversals> frames_;  ///< not copied: pointed to
-  std::array<std::optional<PairFrame>*, kTraversals> taken_;
+  /// Descents that neither the bounds nor the height grid ends, where x goes down y alone.
+  [[nodiscard]] std::size_t begin(const WideTree& y);
+
+  std::array<const Pose*, kMost> poses_ = {};
+  RelativePoses relative_;
+  std::array<std::optional<PairFrame>, kTraversals> frames_;
   std::array<RootDescent, kMost> descents_;
   std::array<RootDescent*, kMost> going_ = {};
   std::size_t count_ = 0;

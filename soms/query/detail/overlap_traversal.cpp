@@ -67,19 +67,21 @@ constexpr CodeTable kCodes;
 }  // namespace
 
 template <class Source>
-bool clear_at_root(const PairFrame& frame) {
+void test_roots(const PairFrame& frame, RootTest& roots) {
   const RelativePose& relative = frame.relative();
   if (relative.apart()) {
-    return true;
+    roots.clear = true;
+    return;
   }
   if constexpr (Source::kInPlace) {
     const WideTree& y = frame.y().layout();
-    if (!y.min_max_grid().empty()) {
-      const SingleBox box = relative.single_box();
-      return box.pays(y.nodes()[0]) && box.clear_of(y);
+    relative.single_box(roots.box);
+    roots.alone = roots.box.pays(y.nodes()[0]);
+    if (roots.alone) {
+      roots.box.find_place(y);
+      roots.clear = roots.box.clear_of(y);
     }
   }
-  return false;
 }
 
 template <class Source>
@@ -99,32 +101,24 @@ OverlapTraversal<Source>::OverlapTraversal(PairFrame& frame, OverlapMode mode,
 }
 
 template <class Source>
-bool OverlapTraversal<Source>::descend_single_box() {
-  if constexpr (Source::kInPlace) {
-    const SingleBox box = relative_.single_box();
-    if (box.pays(y_.node(0))) {
-      box.descend(frame_.y().layout(), memory_.blocks, memory_.node_ids, cost_);
-      return true;
-    }
-  }
-  return false;
-}
-
-template <class Source>
 void OverlapTraversal<Source>::start() {
-  if (clear_at_root<Source>(frame_)) {
+  RootTest roots;
+  test_roots<Source>(frame_, roots);
+  if (roots.clear) {
     ++cost_.node_tests;
     memory_.clear();
   } else {
-    start_unclear();
+    start(roots);
   }
 }
 
 template <class Source>
-void OverlapTraversal<Source>::start_unclear() {
+void OverlapTraversal<Source>::start(const RootTest& roots) {
   ++cost_.node_tests;
   memory_.clear();
-  if (!descend_single_box()) {
+  if (roots.alone) {
+    roots.box.descend(frame_.y().layout(), memory_.blocks, memory_.node_ids, cost_);
+  } else {
     memory_.node_ids.push({kRootId, kRootId});
   }
   if (!memory_.node_ids.empty()) {
@@ -381,8 +375,8 @@ void OverlapTraversal<Source>::gather_blocks(TraversalRound& round) {
   }
 }
 
-template bool clear_at_root<WideSource>(const PairFrame& frame);
-template bool clear_at_root<CompactSource>(const PairFrame& frame);
+template void test_roots<WideSource>(const PairFrame& frame, RootTest& roots);
+template void test_roots<CompactSource>(const PairFrame& frame, RootTest& roots);
 template class OverlapTraversal<WideSource>;
 template class OverlapTraversal<CompactSource>;
 

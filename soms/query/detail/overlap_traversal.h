@@ -12,9 +12,11 @@
 #include "soms/query/detail/kernels/kernels.h"
 #include "soms/query/detail/leaf_pairs.h"
 #include "soms/query/detail/relative_pose.h"
+#include "soms/query/detail/single_box_descent.h"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -56,9 +58,15 @@ struct TraversalRound {
 /// Makes the tests of a round.
 void test_round(const Kernels& kernels, TraversalRound& round);
 
-/// True only if nothing overlaps: a look at the roots' boxes and a few cells of a height grid.
+/// What is known from the roots' boxes and a few cells of a height grid.
+struct RootTest {
+  bool clear = false;  ///< nothing overlaps
+  bool alone = false;  ///< x goes down y by itself, as one box
+  SingleBox box;       ///< that box
+};
+
 template <class Source>
-[[nodiscard]] bool clear_at_root(const PairFrame& frame);
+void test_roots(const PairFrame& frame, RootTest& roots);
 
 /// One query, of layouts that `Source` reads.
 template <class Source>
@@ -69,8 +77,8 @@ class OverlapTraversal {
   /// Begins at the roots, or below that of y where x is small beside it and y lies in place.
   void start();
 
-  /// The same where `clear_at_root` is false.
-  void start_unclear();
+  /// The same where the roots have been tested, and are not clear.
+  void start(const RootTest& roots);
 
   /// Begins where `start` would have led to, at that cost (see BatchedRootDescent).
   void start(const PairList& seeds, const Cost& cost);
@@ -94,9 +102,6 @@ class OverlapTraversal {
   [[nodiscard]] const Cost& cost() const { return cost_; }
 
  private:
-  /// Lets x go down y as one box where that pays; false where it does not.
-  [[nodiscard]] bool descend_single_box();
-
   void gather_nodes(TraversalRound& round);
   void gather_blocks(TraversalRound& round);
 

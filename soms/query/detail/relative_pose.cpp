@@ -24,7 +24,6 @@ constexpr double kRowOfInverse = 1.74;
 
 /// W's rounding, in units of u64 V. Largest seen: 0.023 of W (4.5 u64 V), and 0.013 of the 2 W that
 /// roots give way by (4.9 u64 V).
-constexpr double kSlackOfRounding = 192;
 constexpr double kSumOfRounding =
     3 * kOfProduct * kReach                               // N
     + (2 * kOfMoved + 1.01 + kOfProduct) * kRowOfInverse  // D
@@ -37,12 +36,7 @@ static_assert(kSumOfRounding <= 184 && 184 <= kSlackOfRounding);
 
 /// W's share of the residual, in units of V. No answer needs it: `inverse_of` leaves a residual of
 /// a few u64, for which kSlackOfRounding has room. Largest seen with a worse inverse: 0.125 of it.
-constexpr double kSlackOfResidual = 12;
 static_assert(3 * kReach <= 10.5 && 10.5 <= kSlackOfResidual);
-
-/// Underflow of all products, in the mesh's units, and of lengths, in those of the layout.
-constexpr double kSlackOfUnderflow = 0x1p-1064;
-constexpr double kSlackOfLengths = 0x1p-100;
 
 /// The margin for floats, in units of S. Largest seen: 0.033 of it, defects included.
 constexpr double kMarginOfFloats = 0x1p-17;
@@ -122,12 +116,23 @@ Vec3 moved(const Pose& pose, const Vec3& v) {
           ((m[8] * v.x + m[9] * v.y) + m[10] * v.z) + m[11]};
 }
 
+using Real = double;
+using Flag = bool;
+using std::abs;
+using std::max;
+
+#include "soms/query/detail/kernels/relative.h"
+
 }  // namespace
 
+Vec3 farthest(const Box& box) {
+  return {std::max(std::abs(box.lower.x), std::abs(box.upper.x)),
+          std::max(std::abs(box.lower.y), std::abs(box.upper.y)),
+          std::max(std::abs(box.lower.z), std::abs(box.upper.z))};
+}
+
 double moved_extent(const Pose& pose, const Box& box) {
-  const std::array<double, 3> far = {std::max(std::abs(box.lower.x), std::abs(box.upper.x)),
-                                     std::max(std::abs(box.lower.y), std::abs(box.upper.y)),
-                                     std::max(std::abs(box.lower.z), std::abs(box.upper.z))};
+  const Vec3 far = farthest(box);
   double most = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const double sum = ((std::abs(pose.m[4 * k + 3]) + std::abs(pose.m[4 * k]) * far[0]) +
@@ -143,11 +148,11 @@ Matrix3 rotation(const Pose& pose) {
   return {{{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}}};
 }
 
-ReferenceFrame::ReferenceFrame(const WideTree& t, const Pose& p)
-    : tree(&t),
-      inverse(rotation(p)),
-      origin(moved(p, t.origin())),
-      extent(moved_extent(p, t.bounds())) {
+ReferenceFrame::ReferenceFrame(const WideTree& t, const Pose& p) : tree(&t) {
+  inverse = rotation(p);
+  origin = moved(p, t.origin());
+  half = t.bounds().extent() * 0.5;
+  extent = moved_extent(p, t.bounds());
   rotated = inverse != kIdentity;
   if (rotated) {
     inverse = inverse_of(rotation(p));
@@ -155,30 +160,65 @@ ReferenceFrame::ReferenceFrame(const WideTree& t, const Pose& p)
   }
 }
 
+MovedNumbers moved_numbers(const WideTree& tree) {
+  return {tree.origin(), farthest(tree.bounds()), tree.bounds().extent() * 0.5};
+}
+
 RelativePose::RelativePose(const WideTree& x, const Pose& pose_x, const ReferenceFrame& y)
-    : matrix_(y.rotated ? product(y.inverse, rotation(pose_x)) : rotation(pose_x)),
-      residual_(y.residual),
-      exponents_(y.tree->exponent() - x.exponent()) {
+    : residual_(y.residual), exponents_(y.tree->exponent() - x.exponent()) {
+  std::array<bool, 3> apart;
+  const double slack = find_relative(moved_numbers(x), y, pose_x.m, matrix_, numbers_.shift.data(),
+                                     half_seen_, apart);
+  apart_ = (static_cast<unsigned>(apart[0]) | static_cast<unsigned>(apart[1]) |
+            static_cast<unsigned>(apart[2])) != 0;
   numbers_.scale = y.tree->scale();
-  const Vec3 between = moved(pose_x, x.origin()) - y.origin;
-  numbers_.shift = {between.x, between.y, between.z, 0};
-  for (std::size_t i = 0; y.rotated && i < 3; ++i) {
-    numbers_.shift[i] =
-        (y.inverse[i][0] * between.x + y.inverse[i][1] * between.y) + y.inverse[i][2] * between.z;
-  }
-  const double extent = y.extent + moved_extent(pose_x, x.bounds());
-  const double slack =
-      2 * ((kSlackOfRounding * kRoundingUnit + kSlackOfResidual * y.residual) * extent +
-           kSlackOfUnderflow);
-  apart_ = roots_apart(x.bounds(), y.tree->bounds(), slack);
-  // Where rounding outweighs the body a thousandfold and more, every box meets every other.
-  if (slack * numbers_.scale <= 0x1p40) {
+  if (slack * numbers_.scale <= kMostSlackOfPoses) {
     numbers_.slack = rounded_up(slack * numbers_.scale + kSlackOfLengths);
   } else {
+    // Every box meets every other.
     numbers_.slack = 0x1p100F;
     numbers_.scale = 0;
   }
   numbers_.rounding = numbers_.slack;
+}
+
+RelativePose::RelativePose(const WideTree& x, const WideTree& y, const RelativePoses& poses,
+                           std::size_t i)
+    : residual_(poses.residual[i]),
+      exponents_(y.exponent() - x.exponent()),
+      apart_((poses.apart >> i & 1U) != 0) {
+  for (std::size_t k = 0; k < 9; ++k) {
+    matrix_[k] = poses.matrix[k][i];
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    numbers_.shift[k] = poses.shift[k][i];
+    half_seen_[k] = poses.half_seen[k][i];
+  }
+  numbers_.scale = poses.scale[i];
+  numbers_.slack = poses.slack[i];
+  numbers_.rounding = poses.slack[i];
+}
+
+void RelativePose::put(RelativePoses& poses, std::size_t i, const SingleBox& box) const {
+  for (std::size_t k = 0; k < 9; ++k) {
+    poses.matrix[k][i] = matrix_[k];
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    poses.shift[k][i] = numbers_.shift[k];
+    poses.half_seen[k][i] = half_seen_[k];
+    poses.half[k][i] = box.half[k];
+  }
+  poses.scale[i] = numbers_.scale;
+  poses.slack[i] = numbers_.slack;
+  poses.residual[i] = residual_;
+  poses.sum[i] = box.sum;
+  for (std::size_t k = 0; k < 2; ++k) {
+    poses.from[k][i] = box.place.from[k];
+    poses.to[k][i] = box.place.to[k];
+  }
+  poses.lower[i] = box.place.lower;
+  poses.upper[i] = box.place.upper;
+  poses.apart = (poses.apart & ~(1U << i)) | (apart_ ? 1U : 0U) << i;
 }
 
 void RelativePose::prepare() {
@@ -187,30 +227,27 @@ void RelativePose::prepare() {
   numbers_.columns = {};
   numbers_.column = {};
   turn_ = {};
+  Matrix3 matrix = {};
+  Matrix3 transposed = {};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
-      numbers_.column[j][i] = matrix_[i][j];
-      numbers_.rows[4 * i + j] = static_cast<float>(matrix_[i][j]);
+      matrix[i][j] = matrix_[3 * i + j];
+      transposed[j][i] = matrix[i][j];
+      numbers_.column[j][i] = matrix[i][j];
+      numbers_.rows[4 * i + j] = static_cast<float>(matrix[i][j]);
       numbers_.magnitudes[4 * i + j] = std::abs(numbers_.n(i, j));
       numbers_.columns[4 * j + i] = numbers_.n(i, j);
       turn_.entry[i][j] = numbers_.n(i, j);
       turn_.magnitude[i][j] = std::abs(turn_.entry[i][j]);
     }
   }
-  Matrix3 transposed = {};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      transposed[i][j] = matrix_[j][i];
-    }
-  }
-  const double defect = distance_from_identity(product(transposed, matrix_));
+  const double defect = distance_from_identity(product(transposed, matrix));
   numbers_.relative = rounded_up(kSumOfRadii * (kMarginOfFloats + kMarginOfDefect * defect));
   numbers_.shrink = static_cast<float>(1 - (kLengthsOfFloats + kLengthsOfDefect * defect));
   numbers_.ratio = exponents_ == 0 ? 1 : static_cast<float>(std::ldexp(1.0, exponents_));
 }
 
-SingleBox RelativePose::single_box() const {
-  SingleBox box = {};
+void RelativePose::single_box(SingleBox& box) const {
   box.scale = numbers_.scale;
   box.slack = numbers_.slack;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -219,7 +256,6 @@ SingleBox RelativePose::single_box() const {
   }
   box.size = std::max({box.half[0], box.half[1], box.half[2]});
   box.sum = (box.half[0] + box.half[1]) + box.half[2];
-  return box;
 }
 
 void RelativePose::turn(const layout::Axes& x, const layout::Axes& y, Relation& relation) const {
@@ -239,19 +275,6 @@ void RelativePose::turn(const layout::Axes& x, const layout::Axes& y, Relation& 
     store(seen, relation.own.entry[i], 0);
     store(abs(seen), relation.own.magnitude[i], 0);
   }
-}
-
-bool RelativePose::roots_apart(const Box& x, const Box& y, double slack) {
-  const Vec3 half_x = x.extent() * 0.5;
-  const Vec3 half_of_y = y.extent() * 0.5;
-  const std::array<double, 3> half_y = {half_of_y.x, half_of_y.y, half_of_y.z};
-  unsigned apart = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    half_seen_[i] = (std::abs(matrix_[i][0]) * half_x.x + std::abs(matrix_[i][1]) * half_x.y) +
-                    std::abs(matrix_[i][2]) * half_x.z;
-    apart |= std::abs(numbers_.shift[i]) > (half_seen_[i] + half_y[i]) + slack ? 1U : 0U;
-  }
-  return apart != 0;
 }
 
 }  // namespace soms::detail

@@ -93,16 +93,16 @@ using Matrix3 = std::array<std::array<double, 3>, 3>;
 [[nodiscard]] double moved_extent(const Pose& pose, const Box& box);
 
 /// A tree at a place, prepared to be the one in whose axes a pair is seen.
-struct ReferenceFrame {
+struct ReferenceFrame : ReferenceNumbers {
   ReferenceFrame(const WideTree& t, const Pose& p);
 
   const WideTree* tree;
-  bool rotated = false;  // false: the rotation is the identity, to the bit
-  Matrix3 inverse;       // of the rotation, as computed
-  Vec3 origin;           // of the tree, moved
-  double residual = 0;   // largest entry of |inverse * rotation - I|
-  double extent = 0;     // largest moved coordinate, bounded; V of the proof is a sum of two
 };
+
+/// Largest magnitudes of a box's coordinates.
+[[nodiscard]] Vec3 farthest(const Box& box);
+
+[[nodiscard]] MovedNumbers moved_numbers(const WideTree& tree);
 
 /// Whether a node has axes of its own, and which; blocks have the mesh's.
 inline bool is_oriented(const WideNode& node) {
@@ -148,11 +148,17 @@ class RelativePose {
   /// \pre  Both trees have a node; x.exponent() >= y.exponent(); the poses passed their checks.
   RelativePose(const WideTree& x, const Pose& pose_x, const ReferenceFrame& y);
 
+  /// The same of one found among others.
+  RelativePose(const WideTree& x, const WideTree& y, const RelativePoses& poses, std::size_t i);
+
+  /// Puts it beside others, for that constructor; `box` is `single_box()`, its place found.
+  void put(RelativePoses& poses, std::size_t i, const SingleBox& box) const;
+
   /// Makes `numbers` and `relate` ready, which cost more than most queries of a small body.
   void prepare();
 
   /// All of x as one box.
-  [[nodiscard]] SingleBox single_box() const;
+  void single_box(SingleBox& box) const;
 
   /// The roots' boxes are surely apart: nothing overlaps, and nothing else may be queried.
   [[nodiscard]] bool apart() const { return apart_; }
@@ -182,15 +188,13 @@ class RelativePose {
   /// M and Q_y^T d for nodes with axes of their own.
   void turn(const layout::Axes& x, const layout::Axes& y, Relation& relation) const;
 
-  [[nodiscard]] bool roots_apart(const Box& x, const Box& y, double slack);
-
   PoseNumbers numbers_;
-  Matrix3 matrix_;
-  double residual_ = 0;
-  int exponents_ = 0;                     // by which the units of the layouts differ
-  std::array<double, 3> half_seen_ = {};  // of x's box along y's axes
-  Turn turn_;                             // N in float, once prepared
-  bool apart_ = false;
+  std::array<double, 9> matrix_;  // rows of N
+  double residual_;
+  int exponents_;                    // by which the units of the layouts differ
+  std::array<double, 3> half_seen_;  // of x's box along y's axes
+  Turn turn_;                        // N in float, once prepared
+  bool apart_;
 };
 
 }  // namespace soms::detail

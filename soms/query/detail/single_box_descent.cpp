@@ -2,10 +2,11 @@
 
 #include "soms/query/detail/engine/fetch.h"
 #include "soms/query/detail/engine/node_id.h"
-#include "soms/query/detail/kernels/kernels.h"
 #include "soms/query/detail/query_lanes.h"
 
+#include <algorithm>
 #include <bit>
+#include <cstdint>
 
 namespace soms::detail {
 
@@ -13,16 +14,36 @@ namespace {
 
 /// A tree of at least so many times the box's size is descended by the box alone.
 constexpr float kMuchLarger = 8;
-constexpr float kMargin = 0x1p-19F;
+constexpr float kMargin = BoxNumbers::kMargin;
 
 }  // namespace
+
+void SingleBox::take(const RelativePoses& poses, std::size_t i) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    center[k] = poses.shift[k][i];
+    half[k] = poses.half[k][i];
+  }
+  size = std::max({half[0], half[1], half[2]});
+  sum = poses.sum[i];
+  slack = poses.slack[i];
+  scale = poses.scale[i];
+  for (std::size_t k = 0; k < 2; ++k) {
+    place.from[k] = static_cast<std::uint32_t>(static_cast<std::int32_t>(poses.from[k][i]));
+    place.to[k] = static_cast<std::uint32_t>(static_cast<std::int32_t>(poses.to[k][i]));
+  }
+  place.lower = poses.lower[i];
+  place.upper = poses.upper[i];
+}
 
 bool SingleBox::pays(const WideNode& root) const {
   // Where rounding outweighs a body, every box would meet every other.
   return scale != 0 && root.l1_radius > kMuchLarger * sum;
 }
 
-layout::PlanBox SingleBox::above(const layout::GroundPlan& plan) const {
+void SingleBox::find_place(const WideTree& y) {
+  if (y.min_max_grid().empty()) {
+    return;
+  }
   const auto margin = static_cast<double>(kMargin * sum + slack);
   std::array<double, 3> at;
   std::array<double, 3> half_extent;
@@ -30,12 +51,12 @@ layout::PlanBox SingleBox::above(const layout::GroundPlan& plan) const {
     at[i] = center[i] * scale;
     half_extent[i] = static_cast<double>(half[i]) + margin;
   }
-  return plan.place(at, half_extent);
+  y.min_max_grid().plan().place(at, half_extent, place);
 }
 
 bool SingleBox::clear_of(const WideTree& y) const {
   const layout::MinMaxGrid& grid = y.min_max_grid();
-  return !grid.empty() && grid.clear(above(grid.plan()));
+  return !grid.empty() && grid.clear(place);
 }
 
 std::uint32_t SingleBox::meets(const WideNode& node) const {
@@ -51,11 +72,10 @@ std::uint32_t SingleBox::meets(const WideNode& node) const {
 
 bool SingleBox::begin(const WideTree& y, std::uint32_t& index, PairList& stack) const {
   index = 0;
-  const layout::MinMaxGrid& grid = y.min_max_grid();
-  if (grid.empty()) {
+  if (y.min_max_grid().empty()) {
     return true;
   }
-  const auto starts = y.start_nodes().of(above(grid.plan()));
+  const auto starts = y.start_nodes().of(place);
   for (const std::uint32_t start : starts) {
     fetch(y.nodes()[start]);
     stack.push({0, start});

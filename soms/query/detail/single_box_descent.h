@@ -15,6 +15,7 @@
 
 #include "soms/query/answer.h"
 #include "soms/query/detail/engine/pair_list.h"
+#include "soms/query/detail/kernels/kernels.h"
 #include "soms/tree/layout/wide_tree.h"
 
 #include <array>
@@ -28,13 +29,17 @@ struct SingleBox {
   float size;  ///< longest of `half`
   float sum;   ///< all of them
   float slack;
-  double scale;  ///< turns the mesh's units into those of the layout
+  double scale;           ///< turns the mesh's units into those of the layout
+  layout::PlanBox place;  ///< above y's ground plan, once `find_place` has found it
+
+  /// The box at pose `i` of several, with its place if y has a ground plan.
+  void take(const RelativePoses& poses, std::size_t i);
 
   /// Whether the box is so small beside a tree that it should go down alone.
   [[nodiscard]] bool pays(const WideNode& root) const;
 
-  /// The box above the ground plan of y, which has one.
-  [[nodiscard]] layout::PlanBox above(const layout::GroundPlan& plan) const;
+  /// Finds `place`, if y has a ground plan. What follows needs it.
+  void find_place(const WideTree& y);
 
   /// True only if y's height grid, if it has one, knows that nothing of its mesh meets the box.
   [[nodiscard]] bool clear_of(const WideTree& y) const;

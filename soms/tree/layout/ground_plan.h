@@ -43,16 +43,16 @@ struct GroundPlan {
     return origin[k] + static_cast<double>(column) / columns_a_unit;
   }
 
-  [[nodiscard]] PlanBox place(const std::array<double, 3>& center,
-                              const std::array<double, 3>& half) const {
-    PlanBox box;
+  /// Finds a box's place. Not returned: its parts would be copied while they are still on their way
+  /// to memory.
+  void place(const std::array<double, 3>& center, const std::array<double, 3>& half,
+             PlanBox& box) const {
     for (std::size_t k = 0; k < 2; ++k) {
       box.from[k] = column(k, center[axis[k]] - half[axis[k]]);
       box.to[k] = column(k, center[axis[k]] + half[axis[k]]);
     }
     box.lower = center[axis[2]] - half[axis[2]];
     box.upper = center[axis[2]] + half[axis[2]];
-    return box;
   }
 };
 

@@ -121,7 +121,8 @@ void expect_leads_to_what_touches(const Touching& two, Cases& cases) {
   const auto& [large, fixed, small, pose] = two;
   const RelativePose relative(small.layout(), pose, ReferenceFrame(large.layout(), fixed));
   const Overlap expected = reference::overlap(small.mesh(), pose, large.mesh(), fixed);
-  const SingleBox box = relative.single_box();
+  SingleBox box;
+  relative.single_box(box);
   if (relative.apart() || !box.pays(large.layout().nodes()[0])) {
     ASSERT_TRUE(!relative.apart() || !expected.any);
     return;
@@ -130,6 +131,7 @@ void expect_leads_to_what_touches(const Touching& two, Cases& cases) {
   PairList stack;
   PairList seeds;
   Cost cost;
+  box.find_place(large.layout());
   box.descend(large.layout(), stack, seeds, cost);
   EXPECT_TRUE(stack.empty());
   EXPECT_TRUE(cost.node_tests > 0 || !seeds.empty());
@@ -218,11 +220,13 @@ TEST(SingleBox, IsNotClearOfColumnsWhoseTrianglesItsBodyTouches) {
     }
     const auto& [large, fixed, small, pose] = two;
     const RelativePose relative(small.layout(), pose, ReferenceFrame(large.layout(), fixed));
-    const SingleBox box = relative.single_box();
+    SingleBox box;
+    relative.single_box(box);
     if (relative.apart() || !box.pays(large.layout().nodes()[0])) {
       return;
     }
     const bool any = reference::overlap(small.mesh(), pose, large.mesh(), fixed).any;
+    box.find_place(large.layout());
     const bool clear = box.clear_of(large.layout());
     ASSERT_FALSE(any && clear);
     touching_cases += any ? 1U : 0U;

@@ -14,6 +14,13 @@
 namespace soms::layout {
 namespace {
 
+bool is_clear(const MinMaxGrid& grid, const std::array<double, 3>& center,
+              const std::array<double, 3>& half) {
+  PlanBox box;
+  grid.plan().place(center, half, box);
+  return grid.clear(box);
+}
+
 /// Triangles of all sizes over a flat box, its least axis `flat`.
 Mesh landscape(Rng& rng, std::size_t triangles, std::size_t flat, double height) {
   Mesh mesh;
@@ -159,7 +166,7 @@ TEST(MinMaxGrid, AreNeverClearWhereATriangleReaches) {
     for (int i = 0; i < 200; ++i) {
       const LocalBox box = random_box(rng, shape.mesh(), shape.layout().origin(), flat);
       const bool meets = reaches(shape.mesh(), shape.layout().origin(), box);
-      const bool said = grid.clear(grid.plan().place(box.center, box.half));
+      const bool said = is_clear(grid, box.center, box.half);
       ASSERT_FALSE(meets && said);
       clear += said ? 1U : 0U;
       free += meets ? 0U : 1U;
@@ -194,7 +201,7 @@ TEST(MinMaxGrid, AreNotClearOfTrianglesOfMoreCellsThanTheyAreEnteredInto) {
       const Vec3 at = u * mesh.vertices[a] + v * mesh.vertices[b] + (1 - u - v) * mesh.vertices[c] -
                       shape.layout().origin();
       const double half = 0.001 + 0.05 * rng.unit();
-      ASSERT_FALSE(grid.clear(grid.plan().place({at.x, at.y, at.z}, {half, half, half})));
+      ASSERT_FALSE(is_clear(grid, {at.x, at.y, at.z}, {half, half, half}));
     }
   });
 }
@@ -226,7 +233,7 @@ TEST(MinMaxGrid, AreClearInAStreetBetweenWalls) {
     std::size_t count = 0;
     for (int i = 0; i < 100; ++i) {
       const Vec3 at = Vec3{50.0 + i, y, z} - origin;
-      count += grid.clear(grid.plan().place({at.x, at.y, at.z}, {0.5, 0.5, 0.5})) ? 1U : 0U;
+      count += is_clear(grid, {at.x, at.y, at.z}, {0.5, 0.5, 0.5}) ? 1U : 0U;
     }
     return count;
   };

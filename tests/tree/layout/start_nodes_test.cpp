@@ -85,7 +85,8 @@ TEST(StartNodes, HaveEveryTriangleOfTheBoxBelowThem) {
       for (std::size_t k = 0; k < 3; ++k) {
         center[k] = at[k] * tree.scale() + rng.uniform(-1, 1) * half;
       }
-      const PlanBox box = plan.place(center, {half, half, half});
+      PlanBox box;
+      plan.place(center, {half, half, half}, box);
       const auto starts = tree.start_nodes().of(box);
       ASSERT_LE(starts.size(), 16U);
       const std::set<TriangleId> ids = below(starts, tree);
@@ -138,7 +139,8 @@ TEST(StartNodes, BeginAtTheRootWhereEveryTriangleIsAsWideAsTheMesh) {
   const Shape shape(plates);
   const WideTree& tree = shape.layout();
   ASSERT_FALSE(tree.min_max_grid().empty());
-  const PlanBox box = tree.min_max_grid().plan().place({0.3, -0.4, 0}, {0.001, 0.001, 0.001});
+  PlanBox box;
+  tree.min_max_grid().plan().place({0.3, -0.4, 0}, {0.001, 0.001, 0.001}, box);
   const auto starts = tree.start_nodes().of(box);
   EXPECT_EQ(std::vector(starts.begin(), starts.end()), std::vector<std::uint32_t>{0});
 }

@@ -1,5 +1,7 @@
 #include "soms/query/detail/engine/pair_frame.h"
 
+#include "soms/query/detail/kernels/instruction_set.h"
+
 #include <algorithm>
 
 namespace soms::detail {
@@ -50,7 +52,36 @@ PoseFrames::PoseFrames(const Shape& mover, const Body& fixed)
     : mover_(&mover),
       fixed_{&fixed.shape, &fixed.pose},
       mover_is_reference_(first_is_reference(mover.layout(), fixed.shape.layout())),
-      fixed_frame_(fixed.shape.layout(), fixed.pose) {
+      fixed_frame_(fixed.shape.layout(), fixed.pose),
+      moved_(moved_numbers(mover.layout())) {
+  const layout::MinMaxGrid& grid = fixed.shape.layout().min_max_grid();
+  box_ = {fixed.shape.layout().scale(), grid.empty() ? nullptr : &grid.plan()};
+}
+
+void PoseFrames::find(std::span<const Pose* const> poses, RelativePoses& found) const {
+  if (mover_is_reference_) {
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      const RelativePose relative(fixed_.layout(), *fixed_.pose,
+                                  ReferenceFrame(mover_->layout(), *poses[i]));
+      SingleBox box = {};
+      relative.single_box(box);
+      box.find_place(mover_->layout());
+      relative.put(found, i, box);
+    }
+  } else {
+    kernels().relative_poses(moved_, fixed_frame_, box_, poses.data(), poses.size(), found);
+    found.residual.fill(fixed_frame_.residual);
+  }
+}
+
+void PoseFrames::place(const Pose& pose, const RelativePoses& found, std::size_t i,
+                       std::optional<PairFrame>& frame) const {
+  const PosedShape mover{mover_, &pose};
+  if (mover_is_reference_) {
+    frame.emplace(fixed_, mover, found, i, true);
+  } else {
+    frame.emplace(mover, fixed_, found, i, false);
+  }
 }
 
 void PoseFrames::place(const Pose& pose, std::optional<PairFrame>& frame) const {

@@ -7,7 +7,9 @@
 #include "soms/query/body.h"
 #include "soms/query/detail/relative_pose.h"
 
+#include <cstddef>
 #include <optional>
+#include <span>
 
 namespace soms::detail {
 
@@ -38,6 +40,11 @@ class PairFrame {
   /// The same of known sides, `y` prepared; `swapped` if they are the caller's b and a.
   PairFrame(const PosedShape& x, const PosedShape& y, const ReferenceFrame& reference, bool swapped)
       : x_(x), y_(y), swapped_(swapped), relative_(x.layout(), *x.pose, reference) {}
+
+  /// The same with a relative pose found among others.
+  PairFrame(const PosedShape& x, const PosedShape& y, const RelativePoses& poses, std::size_t i,
+            bool swapped)
+      : x_(x), y_(y), swapped_(swapped), relative_(x.layout(), y.layout(), poses, i) {}
 
   PairFrame(const PairFrame&) = delete;
   PairFrame& operator=(const PairFrame&) = delete;
@@ -77,6 +84,13 @@ class PoseFrames {
   /// Puts the pair of the mover at `pose` and the fixed body in place of what `frame` held.
   void place(const Pose& pose, std::optional<PairFrame>& frame) const;
 
+  /// Finds the relative poses of up to RelativePoses::kMost poses.
+  void find(std::span<const Pose* const> poses, RelativePoses& found) const;
+
+  /// `place`, where `find` has found the relative pose as the `i`-th.
+  void place(const Pose& pose, const RelativePoses& found, std::size_t i,
+             std::optional<PairFrame>& frame) const;
+
   /// The tree that is the reference frame at all poses.
   [[nodiscard]] const WideTree& reference() const {
     return mover_is_reference_ ? mover_->layout() : fixed_.layout();
@@ -87,6 +101,8 @@ class PoseFrames {
   PosedShape fixed_;
   bool mover_is_reference_;
   ReferenceFrame fixed_frame_;
+  MovedNumbers moved_;
+  BoxNumbers box_;
 };
 
 }  // namespace soms::detail

@@ -6,6 +6,8 @@
 
 #include "soms/query/detail/kernels/line_tasks.h"
 #include "soms/query/detail/kernels/parity_tasks.h"
+#include "soms/query/detail/kernels/pose_tasks.h"
+#include "soms/query/detail/kernels/triangle_tasks.h"
 #include "soms/tree/layout/wide_tree.h"
 
 #include <array>
@@ -82,37 +84,6 @@ struct BlockTask {
   float margin;
   std::uint32_t lanes_x;  ///< triangles that may meet the other block's slab; 0: blocks are apart
   std::uint32_t lanes_y;
-};
-
-/// Triangles of two blocks in y's axes, about the origin of y's node: floats that are each off the
-/// moved and rounded corners by at most `error` (triangle_pairs.h).
-struct alignas(64) TriangleSlot {
-  static constexpr std::size_t kErrorRow = 9;
-  using Corners = std::array<std::array<float, TriangleBlock::kWidth>, kErrorRow + 1>;
-
-  Corners x;  ///< row 3 * corner + axis, lane; the last row is the error, the same in all lanes
-  Corners y;
-  /// What `judge_in_double` takes in place of x: corners about their block's origin, in y's units,
-  /// where that is seen from y's, and errors of moved corners of x and of corners of y.
-  std::array<std::array<float, TriangleBlock::kWidth>, kErrorRow> own;
-  std::array<double, 3> offset;
-  double error_x;
-  double error_y;
-  std::array<TriangleId, TriangleBlock::kWidth> id_x;
-  std::array<TriangleId, TriangleBlock::kWidth> id_y;
-};
-
-/// Floats from a lane of one slot to that of the next.
-inline constexpr std::size_t kSlotFloats = sizeof(TriangleSlot) / sizeof(float);
-
-/// Most pairs of triangles that are judged at once.
-inline constexpr std::size_t kJudged = 16;
-
-/// Pairs of triangles, one a bit: surely overlapping, and those that floats cannot decide. All
-/// others are surely apart.
-struct Verdicts {
-  std::uint32_t hit;
-  std::uint32_t open;
 };
 
 /// Lists of pairs that kernels append to; there is room for 16 more pairs of each kind and task.
@@ -253,6 +224,14 @@ struct Kernels {
 
   /// Triangles of blocks that a ray surely meets, and those that floats cannot decide.
   void (*ray_blocks)(RayBlockTask* tasks, std::size_t count);
+
+  /// How many poses, from the first on, surely pass their checks: `far` are the largest magnitudes
+  /// of coordinates of the bounds that they move.
+  std::size_t (*passing_poses)(const Pose* poses, std::size_t count, const Vec3& far);
+
+  /// Finds the relative poses of `count` poses, at least one and at most RelativePoses::kMost.
+  void (*relative_poses)(const MovedNumbers& x, const ReferenceNumbers& y, const BoxNumbers& box,
+                         const Pose* const* poses, std::size_t count, RelativePoses& found);
 
   /// Takes rays in any direction, kMostDescents at most, down a tree (lines.h): each enters nodes,
   /// the nearest one first, until a block is the next to be looked at, nothing is, there is no room

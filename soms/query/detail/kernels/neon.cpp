@@ -38,6 +38,10 @@ constexpr std::size_t kDoubles = 2;
 //
 #include "soms/query/detail/kernels/triangle_pairs_double.h"
 //
+#include "soms/query/detail/kernels/relative_poses.h"
+//
+#include "soms/query/detail/kernels/pose_checks.h"
+//
 #include "soms/query/detail/kernels/near_nodes.h"
 #include "soms/query/detail/kernels/near_triangles.h"
 //
@@ -49,11 +53,11 @@ constexpr std::size_t kDoubles = 2;
 }  // namespace
 
 const Kernels& kernels() {
-  static constexpr Kernels kTable{"neon",          test_nodes,      test_larger, append,
-                                  test_slabs,      test_boxes,      meet_box,    judge,
-                                  judge_in_double, bound_nodes,     near_boxes,  near_pairs,
-                                  bound_boxes,     bound_triangles, ray_nodes,   ray_blocks,
-                                  line_descents,   line_node,       line_block};
+  static constexpr Kernels kTable{
+      "neon",        test_nodes,      test_larger,     append,      test_slabs,    test_boxes,
+      meet_box,      judge,           judge_in_double, bound_nodes, near_boxes,    near_pairs,
+      bound_boxes,   bound_triangles, ray_nodes,       ray_blocks,  passing_poses, relative_poses,
+      line_descents, line_node,       line_block};
   return kTable;
 }
 

@@ -65,23 +65,36 @@ inline F4 distances(const Centers& c) {
   return (square[0] + square[2]) + square[1];
 }
 
-/// See NodeTask::below; all bits where no pair is set.
-inline std::uint32_t below_nearest(const Centers& centers, std::uint32_t pairs) {
-  std::array<float, 16> distance;
-  distances<0>(centers).store(distance.data());
-  distances<1>(centers).store(distance.data() + 4);
-  distances<2>(centers).store(distance.data() + 8);
-  distances<3>(centers).store(distance.data() + 12);
-  std::uint32_t nearest = pairs & (0 - pairs);
-  float least = distance[static_cast<std::size_t>(std::countr_zero(pairs | 0x8000))];
-  for (std::uint32_t left = pairs; left != 0; left &= left - 1) {
-    const float here = distance[static_cast<std::size_t>(std::countr_zero(left))];
-    if (here < least) {
-      least = here;
-      nearest = left & (0 - left);
+/// What is added to the distances of a set of lanes so that only these count.
+struct Outside {
+  std::array<std::array<float, 4>, 16> lanes = {};
+
+  constexpr Outside() {
+    for (std::size_t set = 0; set < 16; ++set) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        lanes[set][k] = (set >> k & 1U) != 0 ? 0 : std::numeric_limits<float>::infinity();
+      }
     }
   }
-  return nearest - 1;
+};
+
+inline constexpr Outside kOutside;
+
+/// See NodeTask::below; all bits where no pair is set.
+inline std::uint32_t below_nearest(const Centers& centers, std::uint32_t pairs) {
+  const auto outside = [pairs](std::uint32_t r) {
+    return F4::load(kOutside.lanes[pairs >> 4 * r & 0xf].data());
+  };
+  const std::array<F4, 4> distance = {
+      distances<0>(centers) + outside(0), distances<1>(centers) + outside(1),
+      distances<2>(centers) + outside(2), distances<3>(centers) + outside(3)};
+  F4 least = min(min(distance[0], distance[1]), min(distance[2], distance[3]));
+  least = min(least, rotate<2>(least));
+  least = min(least, rotate<1>(least));
+  const std::uint32_t farther = bits(distance[0] > least) | bits(distance[1] > least) << 4 |
+                                bits(distance[2] > least) << 8 | bits(distance[3] > least) << 12;
+  const std::uint32_t nearest = pairs & ~farther;
+  return (nearest & (0 - nearest)) - 1;
 }
 
 /// x's box of all lanes against the boxes of y.

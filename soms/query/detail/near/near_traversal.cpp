@@ -123,12 +123,14 @@ template <class Source>
 void NearTraversal<Source>::start() {
   constexpr float kNoBound = -std::numeric_limits<float>::infinity();
   if constexpr (Source::kInPlace) {
-    SingleBox box = frame_->relative().single_box();
+    SingleBox box;
+    frame_->relative().single_box(box);
     box.slack = pose_.numbers().slack;
     const WideNode* const nodes = y_.nodes();
     if (!pose_.far() && box.pays(nodes[0]) && nodes[0].l1_radius > kWithinReach * box.slack) {
       const WideTree& y = frame_->y().layout();
       ++cost_.node_tests;
+      box.find_place(y);
       if (!box.clear_of(y)) {
         box.descend(y, memory_.stack, memory_.seeds, cost_);
       }

@@ -73,6 +73,8 @@ TEST(Kernels, GiveTheSameBitsOnEveryInstructionSet) {
     const Pair pair(rng);
     const WideTree& x = pair.other.layout();
     const WideTree& y = pair.reference.layout();
+    std::vector<NodeTask> tasks;
+    std::vector<NodeTask> tested;
     for (int repeat = 0; repeat < 40; ++repeat) {
       const auto index_x = static_cast<std::uint32_t>(rng.below(x.nodes().size()));
       const auto index_y = static_cast<std::uint32_t>(rng.below(y.nodes().size()));
@@ -118,6 +120,17 @@ TEST(Kernels, GiveTheSameBitsOnEveryInstructionSet) {
         ASSERT_EQ(blocks_there.lanes_y, blocks_here.lanes_y) << kernels->name;
         TriangleSlot slot_there;
         ASSERT_EQ(kernels->test_boxes(blocks_here, slot_there), rows) << kernels->name;
+      }
+      tasks.push_back(task);
+      tested.push_back(nodes_here);
+    }
+    for (const Kernels* kernels : all) {
+      std::vector<NodeTask> together = tasks;
+      together.resize(tasks.size() - rng.below(8));
+      kernels->test_nodes(together.data(), together.size());
+      for (std::size_t i = 0; i < together.size(); ++i) {
+        ASSERT_EQ(together[i].pairs, tested[i].pairs) << kernels->name;
+        ASSERT_EQ(together[i].below, tested[i].below) << kernels->name;
       }
     }
   });
