@@ -5,19 +5,37 @@
 
 namespace soms::command {
 
+// The report's lists are sorted, by bodies first: only triangles of the city are put in order,
+// those that one mover touches of one body.
 void ContactLog::add(const StepReport& report, std::uint64_t frame) {
   now_.clear();
-  for (const EnvironmentContact& contact : report.environment) {
-    now_.push_back({contact.mover, contact.part, contact.j, frame, frame});
+  const auto push = [&](const Contact& contact) {
+    if (now_.empty() || !now_.back().same_touch(contact)) {
+      now_.push_back(contact);
+    }
+  };
+  auto mover = report.movers.begin();
+  const auto add_movers = [&](std::uint64_t below) {
+    for (; mover != report.movers.end() && mover->a < below; ++mover) {
+      push({mover->a, Contact::kMover, mover->b, frame, frame});
+    }
+  };
+  const auto& environment = report.environment;
+  for (auto begin = environment.begin(); begin != environment.end();) {
+    triangles_.clear();
+    auto end = begin;
+    for (; end != environment.end() && end->mover == begin->mover && end->part == begin->part;
+         ++end) {
+      triangles_.push_back(end->j);
+    }
+    std::sort(triangles_.begin(), triangles_.end());
+    add_movers(begin->mover);
+    for (const TriangleId triangle : triangles_) {
+      push({begin->mover, begin->part, triangle, frame, frame});
+    }
+    begin = end;
   }
-  for (const MoverContact& contact : report.movers) {
-    now_.push_back({contact.a, Contact::kMover, contact.b, frame, frame});
-  }
-  std::sort(now_.begin(), now_.end(),
-            [](const Contact& a, const Contact& b) { return a.touches_less(b); });
-  now_.erase(std::unique(now_.begin(), now_.end(),
-                         [](const Contact& a, const Contact& b) { return a.same_touch(b); }),
-             now_.end());
+  add_movers(std::uint64_t{1} << 32);
   follow(now_, frame);
 }
 

@@ -66,8 +66,9 @@ class ContactLog {
   void follow(std::vector<Contact>& now, std::uint64_t frame);
 
   std::vector<Contact> contacts_;
-  std::vector<Contact> lasting_;  ///< of the frame before, sorted by what is touched
-  std::vector<Contact> now_;      ///< scratch
+  std::vector<Contact> lasting_;       ///< of the frame before, sorted by what is touched
+  std::vector<Contact> now_;           ///< scratch
+  std::vector<TriangleId> triangles_;  ///< scratch
   std::unordered_map<std::uint64_t, Touched> touched_;
   std::uint64_t between_movers_ = 0;
 };

@@ -33,25 +33,59 @@ auto sides_of(const auto& contact) {
   return std::tie(contact.a, contact.b);
 }
 
-/// All contacts of a report, by their sides, then by triangles.
-std::vector<SideContact> sorted_contacts(const StepReport& report, const ContactBodies& bodies) {
+/// The two bodies of a contact.
+template <class Contact>
+using BodiesOf = std::pair<SceneBody, SceneBody> (*)(const Contact&);
+
+/// Contacts of a report's list, by their sides, then by triangles. A step's lists are sorted by
+/// bodies already, so only what one mover touches is put in order, and mostly that is, too.
+template <class Contact>
+std::vector<SideContact> sorted_contacts(const std::vector<Contact>& list,
+                                         const ContactBodies& bodies, BodiesOf<Contact> bodies_of) {
+  if (!std::is_sorted(list.begin(), list.end())) {
+    std::vector<Contact> sorted = list;
+    std::sort(sorted.begin(), sorted.end());
+    return sorted_contacts(sorted, bodies, bodies_of);
+  }
   std::vector<SideContact> contacts;
-  contacts.reserve(report.environment.size() + report.movers.size());
-  const auto side = [&bodies](SceneBodyKind kind, std::uint32_t id, TriangleId triangle) {
-    const SceneBody body{kind, id};
+  contacts.reserve(list.size());
+  const auto side = [&bodies](const SceneBody& body, TriangleId triangle) {
     return ContactSide{body, bodies.part ? bodies.part(body, triangle) : Part::kNoParent};
   };
-  for (const EnvironmentContact& c : report.environment) {
-    contacts.push_back({side(SceneBodyKind::mover, c.mover, c.i),
-                        side(SceneBodyKind::environment, c.part, c.j),
-                        {c.i, c.j}});
+  for (const Contact& c : list) {
+    const auto [a, b] = bodies_of(c);
+    contacts.push_back({side(a, c.i), side(b, c.j), {c.i, c.j}});
   }
-  for (const MoverContact& c : report.movers) {
-    contacts.push_back(
-        {side(SceneBodyKind::mover, c.a, c.i), side(SceneBodyKind::mover, c.b, c.j), {c.i, c.j}});
+  for (auto begin = contacts.begin(); begin != contacts.end();) {
+    const auto end = std::find_if(begin, contacts.end(), [&begin](const SideContact& contact) {
+      return contact.a.body != begin->a.body;
+    });
+    if (!std::is_sorted(begin, end)) {
+      std::sort(begin, end);
+    }
+    begin = end;
   }
-  std::sort(contacts.begin(), contacts.end());
   return contacts;
+}
+
+/// All contacts of a report.
+std::vector<SideContact> sorted_contacts(const StepReport& report, const ContactBodies& bodies) {
+  std::vector<SideContact> with_city =
+      sorted_contacts<EnvironmentContact>(report.environment, bodies, [](const auto& c) {
+        return std::pair(SceneBody{SceneBodyKind::mover, c.mover},
+                         SceneBody{SceneBodyKind::environment, c.part});
+      });
+  if (report.movers.empty()) {
+    return with_city;
+  }
+  const std::vector<SideContact> between_movers = sorted_contacts<
+      MoverContact>(report.movers, bodies, [](const auto& c) {
+    return std::pair(SceneBody{SceneBodyKind::mover, c.a}, SceneBody{SceneBodyKind::mover, c.b});
+  });
+  std::vector<SideContact> all(with_city.size() + between_movers.size());
+  std::merge(with_city.begin(), with_city.end(), between_movers.begin(), between_movers.end(),
+             all.begin());
+  return all;
 }
 
 /// The span after one more step with these contacts, all of them of its two sides.

@@ -12,9 +12,11 @@
 #include "tests/support/host_arithmetic.h"
 #include "tests/support/support.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace soms {
@@ -147,6 +149,34 @@ TEST(ContactSpans, EqualThoseFoundInAllReportsAtOnce) {
   for (const auto& [what, count] : seen) {
     EXPECT_GT(count, 50U) << what;
   }
+}
+
+// A caller may have joined lists of its own.
+TEST(ContactSpans, DoNotDependOnTheOrderOfAReportsLists) {
+  std::size_t unsorted = 0;
+  test::for_each_case("scene/contact-spans-order", 20, [&](Rng& rng) {
+    Scene scene = test::random_scene(rng, 6, 20, 5);
+    const bool divided = rng.below(2) == 0;
+    ContactSpans expected;
+    ContactSpans spans;
+    for (std::uint64_t step = 0; step < 4; ++step) {
+      StepReport report = scene.step();
+      const ContactBodies bodies = bodies_now(scene, divided);
+      expected.follow(step, report, bodies);
+      const auto mix = [&rng](auto& list) {
+        for (std::size_t i = list.size(); i > 1; --i) {
+          std::swap(list[i - 1], list[rng.below(i)]);
+        }
+      };
+      mix(report.environment);
+      mix(report.movers);
+      unsorted += std::is_sorted(report.environment.begin(), report.environment.end()) ? 0U : 1U;
+      spans.follow(step, report, bodies);
+      change_some(scene, rng);
+    }
+    ASSERT_EQ(spans.spans(), expected.spans());
+  });
+  EXPECT_GT(unsorted, 20U);
 }
 
 TEST(ContactSpans, DoNotDependOnThreads) {
