@@ -87,7 +87,8 @@ struct OverlapBatch {
 };
 
 /// `overlap` of `mover` at each of `poses` with `fixed`; answers and costs equal those of single
-/// queries, whatever the batch and the number of threads. `limit` counts for each pose.
+/// queries on one thread, whatever the batch and the number of threads. `limit` counts for each
+/// pose.
 ///
 /// \shape   `poses`: n; the answer's arrays are described there.
 /// \errors  As `overlap`; a pose at fault is named by its index.

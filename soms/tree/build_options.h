@@ -18,7 +18,7 @@ enum class Rule {
   soms,            ///< Spatial Object Median Splitting: plane in the middle of the midpoints' box
   sah,             ///< least surface area cost over 16 bins of the midpoints' box
   soms_sah,        ///< as soms where triangles are small against the node, else as sah
-  fast,            ///< SOMS with a second look, on boxes in float: soonest built with leaves of 8
+  fast,            ///< SOMS with a second look, on boxes in float, for leaves of 8
   quality,         ///< SAH by blocks of leaves, on boxes in float: the fewest boxes entered
   quick,           ///< by Morton codes: soonest built, for meshes that change or are loaded
 };
