@@ -44,7 +44,7 @@ struct Touched {
 /// Follows contacts from frame to frame.
 class ContactLog {
  public:
-  /// Adds the report of the next frame.
+  /// Adds the report of the next frame. \pre Its lists are sorted, as a step's are.
   void add(const StepReport& report, std::uint64_t frame);
 
   /// Ends what still lasts.

@@ -3,6 +3,8 @@
 #include "soms/query/detail/engine/fetch.h"
 #include "soms/query/detail/engine/node_id.h"
 
+#include <span>
+
 namespace soms::detail {
 
 namespace {
@@ -40,7 +42,7 @@ std::size_t BatchedRootDescent::begin(const WideTree& y) {
       continue;
     }
     RootDescent& descent = descents_[i];
-    descent.box.take(relative_, i);
+    descent.box.take(relative_, i, has_grid);
     if (descent.box.pays(y.nodes()[0])) {
       going_[going++] = &descent;
     } else {

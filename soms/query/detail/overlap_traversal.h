@@ -16,7 +16,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -65,6 +64,8 @@ struct RootTest {
   SingleBox box;       ///< that box
 };
 
+/// Tests the roots, which ends most queries of small bodies before anything else is made ready. Not
+/// returned, as GroundPlan::place is not.
 template <class Source>
 void test_roots(const PairFrame& frame, RootTest& roots);
 

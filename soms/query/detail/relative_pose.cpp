@@ -22,8 +22,8 @@ constexpr double kOfMoved = 4.01;
 constexpr double kReach = 3.47;
 constexpr double kRowOfInverse = 1.74;
 
-/// W's rounding, in units of u64 V. Largest seen: 0.023 of W (4.5 u64 V), and 0.013 of the 2 W that
-/// roots give way by (4.9 u64 V).
+/// kSlackOfRounding is W's rounding, in units of u64 V. Largest seen: 0.023 of W (4.5 u64 V), and
+/// 0.013 of the 2 W that roots give way by (4.9 u64 V).
 constexpr double kSumOfRounding =
     3 * kOfProduct * kReach                               // N
     + (2 * kOfMoved + 1.01 + kOfProduct) * kRowOfInverse  // D
@@ -34,8 +34,9 @@ constexpr double kSumOfRounding =
     + (kRowOfInverse + 1) * kReach;                       // corners of blocks
 static_assert(kSumOfRounding <= 184 && 184 <= kSlackOfRounding);
 
-/// W's share of the residual, in units of V. No answer needs it: `inverse_of` leaves a residual of
-/// a few u64, for which kSlackOfRounding has room. Largest seen with a worse inverse: 0.125 of it.
+/// kSlackOfResidual is W's share of the residual, in units of V. No answer needs it: `inverse_of`
+/// leaves a residual of a few u64, for which kSlackOfRounding has room. Largest seen with a worse
+/// inverse: 0.125 of it.
 static_assert(3 * kReach <= 10.5 && 10.5 <= kSlackOfResidual);
 
 /// The margin for floats, in units of S. Largest seen: 0.033 of it, defects included.
@@ -218,7 +219,7 @@ void RelativePose::put(RelativePoses& poses, std::size_t i, const SingleBox& box
   }
   poses.lower[i] = box.place.lower;
   poses.upper[i] = box.place.upper;
-  poses.apart = (poses.apart & ~(1U << i)) | (apart_ ? 1U : 0U) << i;
+  poses.apart |= (apart_ ? 1U : 0U) << i;
 }
 
 void RelativePose::prepare() {

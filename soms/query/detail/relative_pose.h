@@ -151,13 +151,14 @@ class RelativePose {
   /// The same of one found among others.
   RelativePose(const WideTree& x, const WideTree& y, const RelativePoses& poses, std::size_t i);
 
-  /// Puts it beside others, for that constructor; `box` is `single_box()`, its place found.
+  /// Puts it beside others, for that constructor; `box` is its `single_box`, the place found if y
+  /// has a ground plan. \pre Bit i of `poses.apart` is clear.
   void put(RelativePoses& poses, std::size_t i, const SingleBox& box) const;
 
   /// Makes `numbers` and `relate` ready, which cost more than most queries of a small body.
   void prepare();
 
-  /// All of x as one box.
+  /// All of x as one box. Not returned, as GroundPlan::place is not.
   void single_box(SingleBox& box) const;
 
   /// The roots' boxes are surely apart: nothing overlaps, and nothing else may be queried.

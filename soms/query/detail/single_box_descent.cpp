@@ -18,7 +18,7 @@ constexpr float kMargin = BoxNumbers::kMargin;
 
 }  // namespace
 
-void SingleBox::take(const RelativePoses& poses, std::size_t i) {
+void SingleBox::take(const RelativePoses& poses, std::size_t i, bool placed) {
   for (std::size_t k = 0; k < 3; ++k) {
     center[k] = poses.shift[k][i];
     half[k] = poses.half[k][i];
@@ -27,6 +27,9 @@ void SingleBox::take(const RelativePoses& poses, std::size_t i) {
   sum = poses.sum[i];
   slack = poses.slack[i];
   scale = poses.scale[i];
+  if (!placed) {
+    return;
+  }
   for (std::size_t k = 0; k < 2; ++k) {
     place.from[k] = static_cast<std::uint32_t>(static_cast<std::int32_t>(poses.from[k][i]));
     place.to[k] = static_cast<std::uint32_t>(static_cast<std::int32_t>(poses.to[k][i]));

@@ -32,8 +32,9 @@ struct SingleBox {
   double scale;           ///< turns the mesh's units into those of the layout
   layout::PlanBox place;  ///< above y's ground plan, once `find_place` has found it
 
-  /// The box at pose `i` of several, with its place if y has a ground plan.
-  void take(const RelativePoses& poses, std::size_t i);
+  /// The box at pose `i` of several; `placed` if y has a ground plan, so that its place is there,
+  /// too.
+  void take(const RelativePoses& poses, std::size_t i, bool placed);
 
   /// Whether the box is so small beside a tree that it should go down alone.
   [[nodiscard]] bool pays(const WideNode& root) const;

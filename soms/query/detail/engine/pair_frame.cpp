@@ -60,6 +60,7 @@ PoseFrames::PoseFrames(const Shape& mover, const Body& fixed)
 
 void PoseFrames::find(std::span<const Pose* const> poses, RelativePoses& found) const {
   if (mover_is_reference_) {
+    found.apart = 0;
     for (std::size_t i = 0; i < poses.size(); ++i) {
       const RelativePose relative(fixed_.layout(), *fixed_.pose,
                                   ReferenceFrame(mover_->layout(), *poses[i]));

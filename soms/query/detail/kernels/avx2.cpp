@@ -1,4 +1,5 @@
-// AVX2: a register holds the centers of four boxes on one axis, and beside them their radii.
+// AVX2: a register holds numbers of four boxes of x on one axis, and above them those of four boxes
+// of y.
 #include "soms/query/detail/engine/fetch.h"
 #include "soms/query/detail/kernels/instruction_set.h"
 

@@ -64,7 +64,7 @@ struct alignas(64) RelativePoses {
   Row residual;                  ///< of the reference frame; kernels leave it alone
   std::array<FloatRow, 3> half;  ///< SingleBox::half, and sum
   FloatRow sum;
-  std::array<Row, 2> from;  ///< SingleBox::place, if y has a ground plan; whole numbers
+  std::array<Row, 2> from;  ///< SingleBox::place, if y has a ground plan, not yet cut to integers
   std::array<Row, 2> to;
   Row lower;
   Row upper;

@@ -1,6 +1,6 @@
 // N, D and the slack of relative_pose.h, of one pose of x or of several side by side. Included
 // inside a namespace, after `Real`, a double or lanes of them, and `Flag`, what comparing them
-// gives; with `abs`, `max` and `select`.
+// gives; with `abs` and `max`.
 
 inline Real row_times(const std::array<double, 3>& a, const Real& x, const Real& y, const Real& z) {
   return (Real(a[0]) * x + Real(a[1]) * y) + Real(a[2]) * z;

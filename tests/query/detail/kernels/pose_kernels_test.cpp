@@ -100,7 +100,7 @@ TEST(PoseKernels, FindThePosesOfABatchAsOneByOne) {
         expected.single_box(expected_box);
         expected_box.find_place(y);
         SingleBox box_here;
-        box_here.take(found, i);
+        box_here.take(found, i, has_grid);
         expect_same_box(box_here, expected_box, has_grid);
         expect_same_pose(relative, expected);
         apart += expected.apart() ? 1U : 0U;
@@ -144,7 +144,7 @@ TEST(PoseKernels, MakeTheFramesThatOnePoseMakes) {
       alone->relative().single_box(expected);
       expected.find_place(alone->y().layout());
       SingleBox box;
-      box.take(found, i);
+      box.take(found, i, !alone->y().layout().min_max_grid().empty());
       expect_same_box(box, expected, !alone->y().layout().min_max_grid().empty());
       expect_same_pose(together->relative(), alone->relative());
       swapped += alone->swapped() ? 1U : 0U;
