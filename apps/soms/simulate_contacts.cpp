@@ -35,7 +35,7 @@ void ContactLog::add(const StepReport& report, std::uint64_t frame) {
     }
     begin = end;
   }
-  add_movers(std::uint64_t{1} << 32);
+  add_movers(std::uint64_t{1} << 32);  // all that are left
   follow(now_, frame);
 }
 

@@ -203,7 +203,7 @@ inline std::uint32_t test_pair(const NodeTask& task, const SeenNodes& seen, Cent
 }
 
 void test_nodes(NodeTask* tasks, std::size_t count) {
-  // Two halves of a test, each for several tasks: what follows in one does not wait for the other.
+  // In two steps, each for several tasks, so that no step waits for the results of the other.
   constexpr std::size_t kAtOnce = 8;
   std::array<SeenNodes, kAtOnce> seen;
   for (std::size_t begin = 0; begin < count; begin += kAtOnce) {
