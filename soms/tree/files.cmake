@@ -33,10 +33,12 @@ set(SOMS_SOURCES
   layout/min_max_grid.cpp
   layout/compact.cpp
   layout/compact_node.cpp
-  layout/detail/least_ids.cpp
   layout/detail/refit_layout.cpp
   layout/detail/block.cpp
   layout/detail/lay_out.cpp
+  layout/detail/node_boxes.cpp
+  layout/detail/part_plan.cpp
+  layout/detail/parts.cpp
   layout/detail/widen.cpp
   layout/node_axes.cpp
   layout/pages.cpp

@@ -3,7 +3,7 @@
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
 #include "soms/tree/layout/detail/fetch_corners.h"
-#include "soms/tree/layout/detail/widen.h"
+#include "soms/tree/layout/detail/parts.h"
 #include "soms/tree/layout/wide_tree.h"
 
 #include <limits>
@@ -57,10 +57,10 @@ Tree refit(const Tree& tree, const Mesh& mesh, const Parallel& parallel) {
   if (moved.nodes.empty()) {
     return moved;
   }
-  const layout::Parts parts = layout::parts_of(tree);
+  const layout::Cut parts = layout::cut(tree);
   for_each_chunk(parts.parts.size(), 1, parallel, [&](std::size_t k, std::size_t) {
-    const layout::Part& part = parts.parts[k];
-    bound_part(std::span(moved.nodes).subspan(part.first, part.nodes.size()), part.first,
+    const layout::Cut::Range& part = parts.parts[k];
+    bound_part(std::span(moved.nodes).subspan(part.begin, part.end - part.begin), part.begin,
                moved.primitives, mesh);
   });
   // Upper nodes are those of more triangles that have children; their children follow them.

@@ -17,6 +17,7 @@ namespace soms {
 namespace {
 
 using detail::child_of;
+using detail::PartNode;
 using detail::Subtrees;
 using detail::within;
 
@@ -125,9 +126,9 @@ class Builder {
     });
   }
 
-  /// A whole subtree in depth-first order; indices count from its root.
-  std::vector<Node> build_subtree(const Node& root, const Box& root_inner) {
-    std::vector<Node> nodes;
+  /// A whole subtree in depth-first order; numbers count from its root.
+  std::vector<PartNode> build_subtree(const Node& root, const Box& root_inner) {
+    std::vector<PartNode> nodes;
 
     struct Pending {
       Node node;
@@ -137,19 +138,17 @@ class Builder {
 
     std::vector<Pending> pending{{root, root_inner, Node::kNone}};
     while (!pending.empty()) {
-      const auto [start, inner, right_of] = pending.back();
+      const auto [node, inner, right_of] = pending.back();
       pending.pop_back();
       const auto i = static_cast<std::uint32_t>(nodes.size());
-      Node& node = nodes.emplace_back(start);
       const detail::Division division = divide(node, inner);
-      node.undividable = division.undividable;
+      nodes.push_back({node.first, node.count, 0, division.undividable});
       if (division.divided) {
         const std::uint32_t count = division.left_count;
         pending.push_back({child_of(node, true, node.first + count, node.count - count),
                            division.right_inner, i});
         pending.push_back(
             {child_of(node, false, node.first, count), division.left_inner, Node::kNone});
-        node.left = i + 1;
       }
       if (right_of != Node::kNone) {
         nodes[right_of].right = i;
@@ -158,6 +157,7 @@ class Builder {
     const auto run = std::span(primitives_).subspan(root.first, root.count);
     std::transform(run.begin(), run.end(), subtrees_.ids.begin() + root.first,
                    [](const Primitive& p) { return p.id; });
+    detail::order_leaves(nodes, subtrees_.ids);
     return nodes;
   }
 
@@ -187,8 +187,7 @@ Tree build_checked(const Mesh& mesh, const RuleEntry& rule, const BuildOptions& 
     return {};
   }
   Subtrees subtrees = grow(mesh, rule, options, within(parallel, 0, 0.9));
-  detail::finish(subtrees, mesh, within(parallel, 0.9, 1));
-  Tree tree = detail::join(std::move(subtrees), parallel);
+  Tree tree = detail::join(std::move(subtrees), mesh, within(parallel, 0.9, 1));
   if (parallel.progress) {
     parallel.progress(1);
   }
@@ -220,7 +219,7 @@ WideTree build_wide(const Mesh& mesh, const BuildOptions& options, const Paralle
     return {};
   }
   Subtrees subtrees = grow(mesh, entry(options.rule), options, within(parallel, 0, 0.6));
-  return WideTree(detail::parts_of(subtrees, mesh), mesh, within(parallel, 0.6, 1));
+  return {detail::parts_of(subtrees), mesh, within(parallel, 0.6, 1)};
 }
 
 }  // namespace soms

@@ -2,7 +2,6 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/tree/layout/compact_node.h"
-#include "soms/tree/layout/detail/least_ids.h"
 #include "soms/tree/layout/detail/refit_layout.h"
 #include "soms/tree/layout/detail/widen.h"
 
@@ -87,12 +86,14 @@ WideTree::WideTree(const Tree& tree, const Mesh& mesh, const Parallel& parallel)
   }
 }
 
-WideTree::WideTree(layout::Parts tree, const Mesh& mesh, const Parallel& parallel)
+WideTree::WideTree(const layout::Parts& tree, const Mesh& mesh, const Parallel& parallel)
     : bounds_(tree.bounds) {
   const PlainArithmetic plain;
   const double size = settle();
-  layout::widen(std::move(tree), mesh, {origin_, scale_, size}, parallel, nodes_, blocks_);
-  least_ids_ = layout::least_ids(nodes_, blocks_);
+  layout::Laid laid = layout::widen(tree, mesh, {origin_, scale_, size}, parallel);
+  nodes_ = std::move(laid.nodes);
+  blocks_ = std::move(laid.blocks);
+  least_ids_ = std::move(laid.least_ids);
   make_plan(parallel);
 }
 

@@ -108,7 +108,7 @@ class WideTree {
   WideTree(const Tree& tree, const Mesh& mesh, const Parallel& parallel = {});
 
   /// The same from a tree that was never put together; it must not be empty.
-  WideTree(layout::Parts tree, const Mesh& mesh, const Parallel& parallel = {});
+  WideTree(const layout::Parts& tree, const Mesh& mesh, const Parallel& parallel = {});
 
   /// The same nodes and leaves over a mesh whose vertices were moved; its triangles must be the
   /// same. Boxes, places and frames are made as for a new tree: where no vertex moved, the bytes

@@ -33,25 +33,38 @@ class ByMorton {
   }
 
  private:
+  /// The keys of a node.
+  struct Run {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+    std::uint32_t depth = 0;
+
+    [[nodiscard]] Run left(std::uint32_t n) const { return {first, n, depth + 1}; }
+
+    [[nodiscard]] Run right(std::uint32_t left) const {
+      return {first + left, count - left, depth + 1};
+    }
+  };
+
   /// A node to be divided; `even` if its middles are one, so that only halving is left.
   struct Pending {
-    Node node;
+    Run run;
     bool even;
     std::uint32_t place;  // of an upper node, or of the parent of a right child
   };
 
-  [[nodiscard]] bool is_leaf(const Node& node) const {
+  [[nodiscard]] bool is_leaf(const Run& node) const {
     return node.count <= per_leaf_ || node.depth >= last_depth_;
   }
 
   /// From here on only halving ends at kMaxTreeIdDepth; a level limit ends before.
-  [[nodiscard]] bool too_deep(const Node& node) const {
+  [[nodiscard]] bool too_deep(const Run& node) const {
     return !limited_ && node.depth + static_cast<std::uint32_t>(std::bit_width(node.count - 1)) >=
                             kMaxTreeIdDepth;
   }
 
   /// Triangles of the left child. Keys that are all one get new codes first.
-  [[nodiscard]] std::uint32_t divide(const Node& node, bool& even) {
+  [[nodiscard]] std::uint32_t divide(const Run& node, bool& even) {
     const auto run = std::span(keys_).subspan(node.first, node.count);
     if (even || too_deep(node)) {
       return node.count / 2;
@@ -92,17 +105,17 @@ class ByMorton {
     root.id = 0;
     root.count = static_cast<std::uint32_t>(keys_.size());
     subtrees_.upper.push_back({root});
-    std::vector<Pending> pending{{root, false, 0}};
+    std::vector<Pending> pending{{{0, root.count, 0}, false, 0}};
     while (!pending.empty()) {
       check_stop(parallel_);
       Pending next = pending.back();
       pending.pop_back();
-      if (next.node.count <= kSubtreeTriangles || is_leaf(next.node)) {
+      if (next.run.count <= kSubtreeTriangles || is_leaf(next.run)) {
         subtrees_.upper[next.place].subtree = static_cast<std::uint32_t>(roots_.size());
         roots_.push_back(next);
         continue;
       }
-      const std::uint32_t count = divide(next.node, next.even);
+      const std::uint32_t count = divide(next.run, next.even);
       const auto left = static_cast<std::uint32_t>(subtrees_.upper.size());
       Node& node = subtrees_.upper[next.place].node;
       node.undividable = next.even;
@@ -110,11 +123,9 @@ class ByMorton {
       node.right = left + 1;
       const Node parent = node;
       for (const bool right : {false, true}) {
-        const Node child = right
-                               ? child_of(parent, true, parent.first + count, parent.count - count)
-                               : child_of(parent, false, parent.first, count);
-        subtrees_.upper.push_back({child});
-        pending.push_back({child, next.even, left + (right ? 1 : 0)});
+        const Run run = right ? next.run.right(count) : next.run.left(count);
+        subtrees_.upper.push_back({child_of(parent, right, run.first, run.count)});
+        pending.push_back({run, next.even, left + (right ? 1 : 0)});
       }
     }
   }
@@ -126,32 +137,31 @@ class ByMorton {
     });
   }
 
-  /// A whole subtree in depth-first order; indices count from its root.
-  std::vector<Node> build_subtree(const Pending& root) {
-    std::vector<Node> nodes;
-    nodes.reserve(root.node.count / 2 + 1);
-    std::vector<Pending> pending{{root.node, root.even, Node::kNone}};
+  /// A whole subtree in depth-first order; numbers count from its root.
+  std::vector<PartNode> build_subtree(const Pending& root) {
+    std::vector<PartNode> nodes;
+    nodes.reserve(root.run.count / 2 + 1);
+    std::vector<Pending> pending{{root.run, root.even, Node::kNone}};
     while (!pending.empty()) {
       Pending next = pending.back();
       pending.pop_back();
       const auto i = static_cast<std::uint32_t>(nodes.size());
-      Node& node = nodes.emplace_back(next.node);
-      if (!is_leaf(node)) {
-        const std::uint32_t count = divide(node, next.even);
-        node.undividable = next.even;
-        node.left = i + 1;
-        pending.push_back(
-            {child_of(node, true, node.first + count, node.count - count), next.even, i});
-        pending.push_back({child_of(node, false, node.first, count), next.even, Node::kNone});
-      }
+      const bool leaf = is_leaf(next.run);
+      const std::uint32_t count = leaf ? 0 : divide(next.run, next.even);
+      nodes.push_back({next.run.first, next.run.count, 0, !leaf && next.even});
       if (next.place != Node::kNone) {
         nodes[next.place].right = i;
       }
+      if (!leaf) {
+        pending.push_back({next.run.right(count), next.even, i});
+        pending.push_back({next.run.left(count), next.even, Node::kNone});
+      }
     }
     const MortonKey ids = (MortonKey{1} << id_bits_) - 1;
-    for (std::uint32_t k = root.node.first; k < root.node.first + root.node.count; ++k) {
+    for (std::uint32_t k = root.run.first; k < root.run.first + root.run.count; ++k) {
       subtrees_.ids[k] = static_cast<TriangleId>(keys_[k] & ids);
     }
+    order_leaves(nodes, subtrees_.ids);
     return nodes;
   }
 

@@ -34,15 +34,14 @@ class ByReference {
   }
 
  private:
-  [[nodiscard]] bool is_leaf(const Node& node) const {
-    return node.count <= static_cast<std::uint32_t>(options_.per_leaf) || node.depth >= last_depth_;
+  [[nodiscard]] bool is_leaf(std::uint32_t count, std::uint32_t depth) const {
+    return count <= static_cast<std::uint32_t>(options_.per_leaf) || depth >= last_depth_;
   }
 
   /// From here on only halving ends at kMaxTreeIdDepth; a level limit ends before.
-  [[nodiscard]] bool too_deep(const Node& node) const {
+  [[nodiscard]] bool too_deep(std::uint32_t count, std::uint32_t depth) const {
     return options_.level == 0 &&
-           node.depth + static_cast<std::uint32_t>(std::bit_width(node.count - 1)) >=
-               kMaxTreeIdDepth;
+           depth + static_cast<std::uint32_t>(std::bit_width(count - 1)) >= kMaxTreeIdDepth;
   }
 
   void begin_subtree(std::uint32_t i, const PrimitiveRange& range) {
@@ -82,7 +81,8 @@ class ByReference {
       pending.pop_back();
       const Node node = subtrees_.upper[next.upper].node;
       const auto cells = std::span(sorted.cells).subspan(next.begin, next.end - next.begin);
-      if (node.count <= kSubtreeTriangles || is_leaf(node) || cells.size() == 1 || too_deep(node)) {
+      if (node.count <= kSubtreeTriangles || is_leaf(node.count, node.depth) || cells.size() == 1 ||
+          too_deep(node.count, node.depth)) {
         whole_.push_back(next);
         continue;
       }
@@ -134,11 +134,11 @@ class ByReference {
       const PendingRange next = pending.back();
       pending.pop_back();
       const Node node = subtrees_.upper[next.upper].node;
-      if (node.count <= kSubtreeTriangles || is_leaf(node)) {
+      if (node.count <= kSubtreeTriangles || is_leaf(node.count, node.depth)) {
         begin_subtree(next.upper, next.range);
         continue;
       }
-      const Halves halves = divide(divider, node, next.range);
+      const Halves halves = divide(divider, node.depth, next.range);
       subtrees_.upper[next.upper].node.undividable = halves.even;
       const std::uint32_t child = add_children(next.upper, halves.left.count);
       pending.push_back({child + 1, halves.right});
@@ -146,9 +146,9 @@ class ByReference {
     }
   }
 
-  Halves divide(ReferenceDivider& divider, const Node& node, const PrimitiveRange& range) {
-    return too_deep(node) ? ReferenceDivider::halve(references_, range)
-                          : divider.divide(references_, range);
+  Halves divide(ReferenceDivider& divider, std::uint32_t depth, const PrimitiveRange& range) {
+    return too_deep(range.count, depth) ? ReferenceDivider::halve(references_, range)
+                                        : divider.divide(references_, range);
   }
 
   void build_subtrees() {
@@ -158,40 +158,38 @@ class ByReference {
     });
   }
 
-  /// A whole subtree in depth-first order; indices count from its root.
-  std::vector<Node> build_subtree(const Node& root, PrimitiveRange whole) {
+  /// A whole subtree in depth-first order; numbers count from its root.
+  std::vector<PartNode> build_subtree(const Node& root, PrimitiveRange whole) {
     struct Pending {
-      Node node;
       PrimitiveRange range;
+      std::uint32_t depth;
       std::uint32_t right_of;  // parent, for right children
     };
 
     refine(whole);
     ReferenceDivider divider(options_);
-    std::vector<Node> nodes;
-    nodes.reserve(root.count / 2);
-    std::vector<Pending> pending{{root, whole, Node::kNone}};
+    std::vector<PartNode> nodes;
+    nodes.reserve(root.count / 2 + 1);
+    std::vector<Pending> pending{{whole, root.depth, Node::kNone}};
     while (!pending.empty()) {
-      const Pending next = pending.back();
+      const auto [range, depth, right_of] = pending.back();
       pending.pop_back();
       const auto i = static_cast<std::uint32_t>(nodes.size());
-      Node& node = nodes.emplace_back(next.node);
-      if (!is_leaf(node)) {
-        const Halves halves = divide(divider, node, next.range);
-        node.undividable = halves.even;
-        node.left = i + 1;
-        pending.push_back(
-            {child_of(node, true, halves.right.first, halves.right.count), halves.right, i});
-        pending.push_back({child_of(node, false, halves.left.first, halves.left.count), halves.left,
-                           Node::kNone});
+      nodes.push_back({range.first, range.count, 0, false});
+      if (right_of != Node::kNone) {
+        nodes[right_of].right = i;
       }
-      if (next.right_of != Node::kNone) {
-        nodes[next.right_of].right = i;
+      if (!is_leaf(range.count, depth)) {
+        const Halves halves = divide(divider, depth, range);
+        nodes[i].undividable = halves.even;
+        pending.push_back({halves.right, depth + 1, i});
+        pending.push_back({halves.left, depth + 1, Node::kNone});
       }
     }
     for (std::uint32_t k = root.first; k < root.first + root.count; ++k) {
       subtrees_.ids[k] = references_[k].id;
     }
+    order_leaves(nodes, subtrees_.ids);
     return nodes;
   }
 

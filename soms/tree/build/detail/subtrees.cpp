@@ -8,26 +8,36 @@ namespace soms::detail {
 
 namespace {
 
-void bound_leaf(Node& leaf, const Mesh& mesh, std::span<TriangleId> ids) {
-  const auto run = ids.subspan(leaf.first, leaf.count);
-  if (!std::is_sorted(run.begin(), run.end())) {
-    std::sort(run.begin(), run.end());
-  }
-  for (const TriangleId id : run) {
-    leaf.bounds.grow(bounds(mesh.triangle(id)));
-  }
-}
-
-void copy(std::vector<Node>& subtree, std::uint32_t at, Tree& tree) {
-  for (std::size_t k = 0; k < subtree.size(); ++k) {
-    Node& node = tree.nodes[at + k];
-    node = subtree[k];
-    if (!node.is_leaf()) {
-      node.left += at;
-      node.right += at;
+/// A subtree written out: its root's number and depth are there, boxes are found.
+void write_out(const Node& root, std::span<const PartNode> subtree, const Mesh& mesh,
+               std::span<const TriangleId> ids, std::uint32_t at, std::span<Node> nodes) {
+  nodes.front() = root;
+  layout::fetch_corners(mesh, ids.subspan(root.first, root.count));
+  for (std::uint32_t i = 0; i < subtree.size(); ++i) {
+    const PartNode& from = subtree[i];
+    Node& node = nodes[i];
+    node.undividable = from.undividable;
+    if (!from.is_leaf()) {
+      const PartNode& left = subtree[i + 1];
+      const PartNode& right = subtree[from.right];
+      nodes[i + 1] = child_of(node, false, left.first, left.count);
+      nodes[from.right] = child_of(node, true, right.first, right.count);
+      node.left = at + i + 1;
+      node.right = at + from.right;
     }
   }
-  subtree = {};
+  // Children follow their parents, so the last node comes first.
+  for (std::size_t i = subtree.size(); i-- > 0;) {
+    Node& node = nodes[i];
+    if (node.is_leaf()) {
+      for (const TriangleId id : ids.subspan(node.first, node.count)) {
+        node.bounds.grow(bounds(mesh.triangle(id)));
+      }
+    } else {
+      node.bounds = nodes[i + 1].bounds;
+      node.bounds.grow(nodes[subtree[i].right].bounds);
+    }
+  }
 }
 
 }  // namespace
@@ -51,38 +61,18 @@ Parallel within(const Parallel& parallel, double from, double to) {
   return part;
 }
 
-void find_bounds(std::span<Node> subtree, const Mesh& mesh, std::span<TriangleId> ids) {
-  const Node& root = subtree.front();
-  layout::FetchBackwards fetch(mesh, ids.subspan(root.first, root.count));
-  // Children follow their parents, so the last node comes first.
-  for (std::size_t i = subtree.size(); i-- > 0;) {
-    Node& node = subtree[i];
+void order_leaves(std::span<const PartNode> subtree, std::span<TriangleId> ids) {
+  for (const PartNode& node : subtree) {
     if (node.is_leaf()) {
-      fetch.reach(node.first - root.first);
-      bound_leaf(node, mesh, ids);
-    } else {
-      node.bounds = subtree[node.left].bounds;
-      node.bounds.grow(subtree[node.right].bounds);
+      const auto run = ids.subspan(node.first, node.count);
+      if (!std::is_sorted(run.begin(), run.end())) {
+        std::sort(run.begin(), run.end());
+      }
     }
   }
 }
 
-void finish(Subtrees& subtrees, const Mesh& mesh, const Parallel& parallel) {
-  for_each_chunk(subtrees.nodes.size(), 1, parallel, [&](std::size_t k, std::size_t) {
-    find_bounds(subtrees.nodes[k], mesh, subtrees.ids);
-  });
-  for (std::size_t i = subtrees.upper.size(); i-- > 0;) {
-    Upper& upper = subtrees.upper[i];
-    if (upper.subtree != Node::kNone) {
-      upper.node.bounds = subtrees.nodes[upper.subtree].front().bounds;
-    } else {
-      upper.node.bounds = subtrees.upper[upper.node.left].node.bounds;
-      upper.node.bounds.grow(subtrees.upper[upper.node.right].node.bounds);
-    }
-  }
-}
-
-Tree join(Subtrees subtrees, const Parallel& parallel) {
+Tree join(Subtrees subtrees, const Mesh& mesh, const Parallel& parallel) {
   Tree tree;
   std::vector<std::uint32_t> place(subtrees.upper.size());
   std::uint32_t size = 0;
@@ -101,40 +91,43 @@ Tree join(Subtrees subtrees, const Parallel& parallel) {
     }
   }
   tree.nodes.resize(size);
-  for_each_chunk(subtrees.upper.size(), 64, Parallel{parallel.threads, parallel.stop, {}},
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t i = begin; i < end; ++i) {
-                     const Upper& upper = subtrees.upper[i];
-                     if (upper.subtree != Node::kNone) {
-                       copy(subtrees.nodes[upper.subtree], place[i], tree);
-                       continue;
-                     }
-                     Node& node = tree.nodes[place[i]];
-                     node = upper.node;
-                     node.left = place[node.left];
-                     node.right = place[node.right];
-                   }
-                 });
+  for_each_chunk(subtrees.upper.size(), 16, parallel, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Upper& upper = subtrees.upper[i];
+      if (upper.subtree != Node::kNone) {
+        std::vector<PartNode>& nodes = subtrees.nodes[upper.subtree];
+        write_out(upper.node, nodes, mesh, subtrees.ids, place[i],
+                  std::span(tree.nodes).subspan(place[i], nodes.size()));
+        nodes = {};
+      }
+    }
+  });
+  // Children follow their parents among the upper nodes, too.
+  for (std::size_t i = subtrees.upper.size(); i-- > 0;) {
+    const Upper& upper = subtrees.upper[i];
+    if (upper.subtree == Node::kNone) {
+      Node& node = tree.nodes[place[i]];
+      node = upper.node;
+      node.left = place[upper.node.left];
+      node.right = place[upper.node.right];
+      node.bounds = tree.nodes[node.left].bounds;
+      node.bounds.grow(tree.nodes[node.right].bounds);
+    }
+  }
   tree.primitives = std::move(subtrees.ids);
   return tree;
 }
 
-layout::Parts parts_of(Subtrees& subtrees, const Mesh& mesh) {
+layout::Parts parts_of(Subtrees& subtrees) {
   layout::Parts result;
   result.bounds = subtrees.bounds;
-  result.prepare = [&subtrees, &mesh](std::size_t part) {
-    find_bounds(subtrees.nodes[part], mesh, subtrees.ids);
-  };
   result.primitives = subtrees.ids;
   result.upper.reserve(subtrees.upper.size());
   for (const Upper& upper : subtrees.upper) {
     const Node& node = upper.node;
-    result.upper.push_back({{}, node.count, node.left, node.right, upper.subtree});
+    result.upper.push_back({node.count, node.left, node.right, upper.subtree});
   }
-  result.parts.reserve(subtrees.nodes.size());
-  for (const std::vector<Node>& subtree : subtrees.nodes) {
-    result.parts.push_back({subtree, 0});
-  }
+  result.nodes = std::move(subtrees.nodes);
   return result;
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "soms/base/parallel.h"
-#include "soms/tree/layout/detail/widen.h"
+#include "soms/tree/layout/detail/parts.h"
 #include "soms/tree/tree.h"
 
 #include <span>
@@ -15,6 +15,9 @@ namespace soms::detail {
 /// thread. A constant, so that it cannot depend on the threads.
 inline constexpr std::uint32_t kSubtreeTriangles = layout::kPartTriangles;
 
+/// A node of a subtree.
+using layout::PartNode;
+
 /// A node above the subtrees, or the place of one.
 struct Upper {
   Node node;                            ///< children are places in the same array
@@ -22,13 +25,12 @@ struct Upper {
 };
 
 /// Upper node 0 is the root. A subtree begins at each node of at most kSubtreeTriangles, or without
-/// children, below none such; its nodes are in depth-first order and count from its root. Builders
-/// leave boxes, and the order of ids in a leaf, to whoever looks at them first.
+/// children, below none such. Builders leave boxes to whoever looks at them first.
 struct Subtrees {
   Box bounds;  ///< of the mesh
   std::vector<Upper> upper;
-  std::vector<std::vector<Node>> nodes;
-  std::vector<TriangleId> ids;
+  std::vector<std::vector<PartNode>> nodes;
+  std::vector<TriangleId> ids;  ///< in ascending order in each leaf
 };
 
 /// A child with its place and count; bounds are found later.
@@ -38,17 +40,13 @@ struct Subtrees {
 /// `parallel` with progress mapped to a part of the whole.
 [[nodiscard]] Parallel within(const Parallel& parallel, double from, double to);
 
-/// Bounds of a subtree's nodes from its triangles; `ids` are all of the subtrees', and are sorted
-/// in each leaf.
-void find_bounds(std::span<Node> subtree, const Mesh& mesh, std::span<TriangleId> ids);
+/// Puts the ids of each leaf in ascending order.
+void order_leaves(std::span<const PartNode> subtree, std::span<TriangleId> ids);
 
-/// All bounds, and ids in ascending order in each leaf.
-void finish(Subtrees& subtrees, const Mesh& mesh, const Parallel& parallel);
+/// One tree in depth-first order, with all bounds.
+[[nodiscard]] Tree join(Subtrees subtrees, const Mesh& mesh, const Parallel& parallel);
 
-/// One tree in depth-first order.
-[[nodiscard]] Tree join(Subtrees subtrees, const Parallel& parallel);
-
-/// The subtrees as layouts take it, which find its bounds; both must outlive them.
-[[nodiscard]] layout::Parts parts_of(Subtrees& subtrees, const Mesh& mesh);
+/// The subtrees as layouts take them, which find bounds; `ids` must outlive them.
+[[nodiscard]] layout::Parts parts_of(Subtrees& subtrees);
 
 }  // namespace soms::detail

@@ -1,5 +1,7 @@
 #include "soms/tree/layout/detail/block.h"
 
+#include "soms/tree/layout/detail/double_lanes.h"
+
 #include <cstring>
 
 namespace soms::layout {
@@ -10,19 +12,12 @@ namespace {
 // processor has, for AVX2 and for AVX-512. All give the same bytes: each lane is a double, and
 // nothing is fused or reordered.
 
-#if defined(__GNUC__)
-// How halves of rows would be passed without AVX does not matter: nothing passes them.
-#pragma GCC diagnostic ignored "-Wpsabi"
-#endif
-
 constexpr std::size_t kLanes = TriangleBlock::kWidth;
 
-/// Half a row. Compilers keep these in registers; of vectors as long as a row they put the halves
-/// into memory and take them out number by number wherever lanes change places.
-using D4 [[gnu::vector_size(32)]] = double;
 using Floats [[gnu::vector_size(16)]] = float;
 
-/// A number for each triangle.
+/// A number for each triangle. Compilers keep halves in registers; of vectors as long as a row they
+/// put the halves into memory and take them out number by number wherever lanes change places.
 struct Row {
   D4 first;
   D4 last;
@@ -50,16 +45,8 @@ using Rows = std::array<Row, 9>;
 }
 
 [[gnu::always_inline]] inline Row splat(double x) {
-  const D4 v = {x, x, x, x};
+  const D4 v = all_lanes(x);
   return {v, v};
-}
-
-[[gnu::always_inline]] inline D4 lesser(const D4& a, const D4& b) {
-  return b < a ? b : a;
-}
-
-[[gnu::always_inline]] inline D4 greater(const D4& a, const D4& b) {
-  return b > a ? b : a;
 }
 
 struct Range {
@@ -80,9 +67,9 @@ struct Range {
   return {low_odd < low_even ? low_odd : low_even, high_odd > high_even ? high_odd : high_even};
 }
 
-/// Corners about the tree's origin; lanes not in use repeat the last triangle.
+/// Corners; lanes not in use repeat the last triangle.
 [[gnu::always_inline]] inline void gather(const Mesh& mesh, std::span<const TriangleId> ids,
-                                          const Vec3& origin, Rows& rows, TriangleBlock& block) {
+                                          Rows& rows, TriangleBlock& block) {
   std::array<const std::array<std::uint32_t, 3>*, kLanes> corners;
   for (std::size_t k = 0; k < kLanes; ++k) {
     block.id[k] = ids[std::min(k, ids.size() - 1)];
@@ -93,29 +80,35 @@ struct Range {
     for (std::size_t k = 0; k < kLanes; ++k) {
       at[k] = &mesh.vertices[(*corners[k])[c]];
     }
-    const auto row = [&](double Vec3::*axis, double place) {
+    const auto row = [&](double Vec3::*axis) {
       const D4 first = {at[0]->*axis, at[1]->*axis, at[2]->*axis, at[3]->*axis};
       const D4 last = {at[4]->*axis, at[5]->*axis, at[6]->*axis, at[7]->*axis};
-      return Row{first, last} - splat(place);
+      return Row{first, last};
     };
-    set(rows[3 * c], row(&Vec3::x, origin.x));
-    set(rows[3 * c + 1], row(&Vec3::y, origin.y));
-    set(rows[3 * c + 2], row(&Vec3::z, origin.z));
+    set(rows[3 * c], row(&Vec3::x));
+    set(rows[3 * c + 1], row(&Vec3::y));
+    set(rows[3 * c + 2], row(&Vec3::z));
   }
 }
 
 /// Puts the block's origin in the middle and takes corners about it, in units of the layout;
-/// returns the farthest on each axis.
+/// returns the farthest on each axis. Rounding keeps the order of what a place is subtracted from,
+/// so the least is the same before and after.
 [[gnu::always_inline]] inline std::array<double, 3> center(const Frame& frame, Rows& rows,
-                                                           TriangleBlock& block) {
+                                                           TriangleBlock& block, Box& bounds) {
   std::array<double, 3> far = {};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto [lower, upper] = range(rows[axis], rows[3 + axis], rows[6 + axis]);
+    const auto [least, most] = range(rows[axis], rows[3 + axis], rows[6 + axis]);
+    bounds.lower[axis] = least;
+    bounds.upper[axis] = most;
+    const double origin = frame.origin[axis];
+    const double lower = least - origin;
+    const double upper = most - origin;
     const double middle = 0.5 * (lower + upper);
     block.origin[axis] = middle;
     far[axis] = std::max(upper - middle, middle - lower) * frame.scale;
     for (std::size_t row = axis; row < 9; row += 3) {
-      set(rows[row], (rows[row] - splat(middle)) * splat(frame.scale));
+      set(rows[row], ((rows[row] - splat(origin)) - splat(middle)) * splat(frame.scale));
       const Floats first = __builtin_convertvector(rows[row].first, Floats);
       const Floats last = __builtin_convertvector(rows[row].last, Floats);
       std::memcpy(block.corner[row].data(), &first, sizeof first);
@@ -209,12 +202,13 @@ template <std::size_t Axis>
   block.upper = rounded_up(3 * give + upper);
 }
 
-[[gnu::always_inline]] inline Moments make(const Mesh& mesh, std::span<const TriangleId> ids,
-                                           const Frame& frame, TriangleBlock& block) {
+[[gnu::always_inline]] inline BlockContent make(const Mesh& mesh, std::span<const TriangleId> ids,
+                                                const Frame& frame, TriangleBlock& block) {
   Rows rows;
-  gather(mesh, ids, frame.origin, rows, block);
-  const std::array<double, 3> far = center(frame, rows, block);
-  const Moments moments = moments_of(rows, ids.size());
+  BlockContent content;
+  gather(mesh, ids, rows, block);
+  const std::array<double, 3> far = center(frame, rows, block, content.bounds);
+  content.moments = moments_of(rows, ids.size());
   block.count = static_cast<std::uint32_t>(ids.size()) & 0xf;
   const double give = frame.doubt((far[0] + far[1]) + far[2], false);
   double l1_radius = 0;
@@ -223,33 +217,31 @@ template <std::size_t Axis>
     l1_radius += static_cast<double>(block.own_half[axis]);
   }
   block.l1_radius = rounded_up(l1_radius * (1 + 0x1p-50));  // the sum of three had two roundings
-  store_slab(moments.normal, rows, give, block);
-  return moments;
+  store_slab(content.moments.normal, rows, give, block);
+  return content;
 }
 
 #if defined(__x86_64__)
-[[gnu::target("avx2")]] Moments make_by_avx2(const Mesh& mesh, std::span<const TriangleId> ids,
-                                             const Frame& frame, TriangleBlock& block) {
+[[gnu::target("avx2")]] BlockContent make_by_avx2(const Mesh& mesh, std::span<const TriangleId> ids,
+                                                  const Frame& frame, TriangleBlock& block) {
   return make(mesh, ids, frame, block);
 }
 
-[[gnu::target("avx512f,avx512vl,avx512dq")]] Moments make_by_avx512(const Mesh& mesh,
-                                                                    std::span<const TriangleId> ids,
-                                                                    const Frame& frame,
-                                                                    TriangleBlock& block) {
+[[gnu::target("avx512f,avx512vl,avx512dq")]] BlockContent make_by_avx512(
+    const Mesh& mesh, std::span<const TriangleId> ids, const Frame& frame, TriangleBlock& block) {
   return make(mesh, ids, frame, block);
 }
 #endif
 
 }  // namespace
 
-Moments make_block_plainly(const Mesh& mesh, std::span<const TriangleId> ids, const Frame& frame,
-                           TriangleBlock& block) {
+BlockContent make_block_plainly(const Mesh& mesh, std::span<const TriangleId> ids,
+                                const Frame& frame, TriangleBlock& block) {
   return make(mesh, ids, frame, block);
 }
 
-Moments make_block(const Mesh& mesh, std::span<const TriangleId> ids, const Frame& frame,
-                   TriangleBlock& block) {
+BlockContent make_block(const Mesh& mesh, std::span<const TriangleId> ids, const Frame& frame,
+                        TriangleBlock& block) {
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq")) {
     return make_by_avx512(mesh, ids, frame, block);

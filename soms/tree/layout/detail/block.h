@@ -8,13 +8,18 @@
 
 namespace soms::layout {
 
-/// Fills a block with 1 to 8 triangles; `following` is left to the caller. Returns how the corners
-/// lie about the block's origin, in units of the layout.
-Moments make_block(const Mesh& mesh, std::span<const TriangleId> ids, const Frame& frame,
-                   TriangleBlock& block);
+/// What is found out about triangles while their block is made.
+struct BlockContent {
+  Moments moments;  ///< of corners about the block's origin, in units of the layout
+  Box bounds;       ///< of the triangles, in the mesh's own numbers
+};
+
+/// Fills a block with 1 to 8 triangles; `following` is left to the caller.
+BlockContent make_block(const Mesh& mesh, std::span<const TriangleId> ids, const Frame& frame,
+                        TriangleBlock& block);
 
 /// The same bytes by the instructions that every processor has.
-Moments make_block_plainly(const Mesh& mesh, std::span<const TriangleId> ids, const Frame& frame,
-                           TriangleBlock& block);
+BlockContent make_block_plainly(const Mesh& mesh, std::span<const TriangleId> ids,
+                                const Frame& frame, TriangleBlock& block);
 
 }  // namespace soms::layout

@@ -4,6 +4,7 @@
 
 #include "soms/geometry/mesh.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -24,22 +25,21 @@ inline void fetch_corners(const Mesh& mesh, std::span<const TriangleId> ids) {
   }
 }
 
-/// The same for a run that is read from its end to its beginning, a few triangles at a time: what
-/// comes next is on its way, and what was read has made room in the caches.
-class FetchBackwards {
+/// The same for a run that is read in order, a few triangles at a time: what comes next is on its
+/// way, and what was read has made room in the caches.
+class FetchAhead {
  public:
-  FetchBackwards(const Mesh& mesh, std::span<const TriangleId> ids)
-      : mesh_(mesh), ids_(ids), indices_(ids.size()), corners_(ids.size()) {}
+  FetchAhead(const Mesh& mesh, std::span<const TriangleId> ids) : mesh_(mesh), ids_(ids) {}
 
   /// Call before triangles from place `first` on are read.
   void reach(std::size_t first) {
-    const std::size_t far = first > kIndicesAhead ? first - kIndicesAhead : 0;
-    for (; indices_ > far; --indices_) {
-      __builtin_prefetch(&mesh_.triangles[ids_[indices_ - 1]]);
+    const std::size_t far = std::min(ids_.size(), first + kIndicesAhead);
+    for (; indices_ < far; ++indices_) {
+      __builtin_prefetch(&mesh_.triangles[ids_[indices_]]);
     }
-    const std::size_t near = first > kCornersAhead ? first - kCornersAhead : 0;
-    for (; corners_ > near; --corners_) {
-      for (const std::uint32_t corner : mesh_.triangles[ids_[corners_ - 1]]) {
+    const std::size_t near = std::min(ids_.size(), first + kCornersAhead);
+    for (; corners_ < near; ++corners_) {
+      for (const std::uint32_t corner : mesh_.triangles[ids_[corners_]]) {
         __builtin_prefetch(&mesh_.vertices[corner]);
       }
     }
@@ -51,8 +51,8 @@ class FetchBackwards {
 
   const Mesh& mesh_;
   std::span<const TriangleId> ids_;
-  std::size_t indices_;  ///< those from here on are on their way
-  std::size_t corners_;
+  std::size_t indices_ = 0;  ///< those before are on their way
+  std::size_t corners_ = 0;
 };
 
 }  // namespace soms::layout

@@ -1,42 +1,12 @@
 /// \file
-/// Writing the nodes and blocks of one part once their places are known.
+/// Writing the blocks and nodes of one part.
 #pragma once
 
-#include "soms/tree/layout/detail/widen.h"
+#include "soms/tree/layout/detail/block.h"
+#include "soms/tree/layout/detail/frame.h"
+#include "soms/tree/layout/detail/part_plan.h"
 
 namespace soms::layout {
-
-/// What one wide node is made of. Blocks below it lie side by side.
-struct WidePlan {
-  std::uint32_t binary = 0;  ///< the node of the part that it stands for
-  std::uint32_t count = 0;   ///< lanes
-  std::array<std::uint32_t, WideNode::kWidth> slots = {};  ///< nodes of the part, one a lane
-  std::array<std::uint32_t, WideNode::kWidth> child = {};  ///< wide nodes or first blocks, likewise
-  std::uint32_t first_block = 0;
-  std::uint32_t end_block = 0;
-};
-
-/// What a part becomes; indices count from its own first wide node and block.
-struct PartPlan {
-  std::vector<WidePlan> nodes;  ///< parents before children; empty if the part is one leaf
-  std::uint32_t blocks = 0;
-  std::uint32_t root = 0;  ///< node of the part that its first wide node or leaf stands for
-  std::uint32_t node_base = 0;
-  std::uint32_t block_base = 0;
-};
-
-/// Boxes of the lanes about the node's origin, and by how much each gives way.
-struct Lanes {
-  std::array<Box, WideNode::kWidth> box;
-  std::array<double, WideNode::kWidth> give = {};
-};
-
-/// Rounds lanes outward into a node whose count, origin and axes are set.
-void store(const Lanes& lanes, WideNode& node);
-
-/// Places a node above the parts, of which `node.count` is set: boxes along the mesh's axes about
-/// the middle of all of them, `whole`.
-void store_upper(const Box& whole, std::span<const Box> boxes, const Frame& frame, WideNode& node);
 
 /// Blocks of a leaf.
 [[nodiscard]] inline std::uint32_t blocks_for(std::uint32_t triangles) {
@@ -51,10 +21,38 @@ inline void set_leaf(WideNode& node, std::uint32_t k, std::uint32_t block,
   node.leaves = static_cast<std::uint8_t>(node.leaves | 1U << k);
 }
 
-/// Writes a part's blocks and nodes; its corners had better be in the caches. Child nodes count
-/// from `plan.node_base`.
-void lay_out(const Part& part, const PartPlan& plan, std::span<const TriangleId> primitives,
-             const Mesh& mesh, const Frame& frame, std::span<WideNode> nodes,
-             std::span<TriangleBlock> blocks);
+/// Writes the blocks of a leaf, and how the corners of each lie about its origin. Returns the
+/// leaf's bounds. As many blocks and moments as the leaf needs.
+Box write_leaf(const Mesh& mesh, std::span<const TriangleId> ids, const Frame& frame,
+               std::span<TriangleBlock> blocks, std::span<Moments> moments);
+
+/// The least triangle of some blocks.
+[[nodiscard]] TriangleId least_id(std::span<const TriangleBlock> blocks);
+
+/// What a part's blocks tell of its nodes.
+struct PartContent {
+  std::vector<std::uint32_t> first_block;  ///< blocks before each node; at the end, all
+  Pages<Box> boxes;                        ///< of each node
+  Pages<Moments> moments;                  ///< of each block
+};
+
+/// Writes the blocks of a part, leaf after leaf.
+[[nodiscard]] PartContent write_blocks(std::span<const PartNode> part,
+                                       std::span<const TriangleId> primitives, const Mesh& mesh,
+                                       const Frame& frame, std::span<TriangleBlock> blocks);
+
+/// What nodes are made of.
+struct NodeSource {
+  std::span<const WidePlan> plan;
+  std::span<const Box> boxes;
+  std::span<const Moments> moments;
+  std::span<const TriangleBlock> blocks;  ///< of the part
+  std::uint32_t node_base = 0;            ///< that child nodes count from
+  std::uint32_t block_base = 0;           ///< that leaves count from
+};
+
+/// Writes a part's nodes, and the least triangle below each.
+void write_nodes(const NodeSource& from, const Frame& frame, std::span<WideNode> nodes,
+                 std::span<TriangleId> least);
 
 }  // namespace soms::layout

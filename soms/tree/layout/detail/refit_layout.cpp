@@ -2,7 +2,7 @@
 
 #include "soms/tree/layout/detail/fetch_corners.h"
 #include "soms/tree/layout/detail/lay_out.h"
-#include "soms/tree/layout/detail/widen.h"
+#include "soms/tree/layout/detail/node_boxes.h"
 
 #include <algorithm>
 #include <vector>
@@ -98,102 +98,108 @@ Recovered recover(const WideTree& tree, const std::vector<Below>& below) {
   return found;
 }
 
-/// One part as `widen` had it: its wide nodes and their leaves are its nodes, in this order.
-class RefitLayout {
+/// One part as `widen` had it. Boxes are those of its wide nodes, then of its leaves, by the first
+/// block of each.
+class RefitPart {
  public:
-  RefitLayout(const WideTree& tree, const Place& place) : tree_(tree) {
-    plan_.node_base = place.node;
-    plan_.block_base = place.below.first_block;
-    plan_.blocks = place.below.blocks;
-    ids_.reserve(place.below.triangles);
-    if (place.leaf) {
-      add_leaf(place.below.first_block);
-      return;
-    }
-    plan_.nodes.resize(place.below.nodes);
-    nodes_.resize(place.below.nodes);
-    for (std::uint32_t i = 0; i < place.below.nodes; ++i) {
-      add(i);
+  RefitPart(const WideTree& tree, const Place& place)
+      : tree_(tree),
+        from_(tree.blocks().subspan(place.below.first_block, place.below.blocks)),
+        node_base_(place.node),
+        block_base_(place.below.first_block) {
+    plan_.resize(place.below.nodes);
+    for (std::uint32_t i = 0; i < plan_.size(); ++i) {
+      plan(i);
     }
   }
 
   /// Writes it over moved vertices and returns its bounds.
   Box write(const Mesh& mesh, const Frame& frame, std::span<WideNode> nodes,
             std::span<TriangleBlock> blocks) {
-    find_bounds(mesh);
-    lay_out({nodes_, 0}, plan_, ids_, mesh, frame,
-            nodes.subspan(plan_.node_base, plan_.nodes.size()),
-            blocks.subspan(plan_.block_base, plan_.blocks));
-    return nodes_.front().bounds;
+    const auto own = blocks.subspan(block_base_, from_.size());
+    write_leaves(mesh, frame, own);
+    for (std::size_t i = plan_.size(); i-- > 0;) {
+      gather_below(plan_[i]);
+    }
+    Pages<TriangleId> least;
+    least.resize(plan_.size());
+    write_nodes({plan_, boxes_, moments_, own, node_base_, block_base_}, frame,
+                nodes.subspan(node_base_, plan_.size()), least);
+    return boxes_.front();
   }
 
  private:
-  void add(std::uint32_t i) {
-    const WideNode& node = tree_.nodes()[plan_.node_base + i];
-    WidePlan& wide = plan_.nodes[i];
-    wide.binary = i;
+  [[nodiscard]] std::uint32_t box_of_leaf(std::uint32_t block) const {
+    return static_cast<std::uint32_t>(plan_.size()) + block;
+  }
+
+  void plan(std::uint32_t i) {
+    const WideNode& node = tree_.nodes()[node_base_ + i];
+    WidePlan& wide = plan_[i];
+    wide.box = i;
     wide.count = node.count;
     for (std::uint32_t k = 0; k < node.count; ++k) {
+      LanePlan& lane = wide.lanes[k];
       if (is_leaf(node, k)) {
-        const std::uint32_t block = first_block(node.child[k]);
-        wide.slots[k] = static_cast<std::uint32_t>(nodes_.size());
-        wide.child[k] = block - plan_.block_base;
-        add_leaf(block);
+        lane.first_block = first_block(node.child[k]) - block_base_;
+        lane.end_block = lane.first_block + from_[lane.first_block].following + 1;
+        lane.triangles = triangles_of_leaf(&from_[lane.first_block]);
+        lane.box = box_of_leaf(lane.first_block);
       } else {
-        wide.child[k] = wide.slots[k] = node.child[k] - plan_.node_base;
+        lane.child = lane.box = node.child[k] - node_base_;
       }
     }
   }
 
-  void add_leaf(std::uint32_t block) {
-    Node leaf;
-    leaf.first = static_cast<std::uint32_t>(ids_.size());
-    leaf.count = triangles_of_leaf(&tree_.blocks()[block]);
-    for (std::uint32_t left = leaf.count; left > 0; ++block) {
-      const TriangleBlock& from = tree_.blocks()[block];
-      ids_.insert(ids_.end(), from.id.begin(), from.id.begin() + from.count);
-      left -= from.count;
+  void write_leaves(const Mesh& mesh, const Frame& frame, std::span<TriangleBlock> blocks) {
+    std::vector<TriangleId> ids;
+    ids.reserve(from_.size() * TriangleBlock::kWidth);
+    for (const TriangleBlock& block : from_) {
+      ids.insert(ids.end(), block.id.begin(), block.id.begin() + block.count);
     }
-    nodes_.push_back(leaf);
+    boxes_.resize(plan_.size() + blocks.size());
+    moments_.resize(blocks.size());
+    FetchAhead fetch(mesh, ids);
+    std::size_t next = 0;
+    for (std::uint32_t b = 0; b < blocks.size();) {
+      const std::uint32_t count = from_[b].following + 1;
+      const std::uint32_t triangles = triangles_of_leaf(&from_[b]);
+      fetch.reach(next);
+      boxes_[box_of_leaf(b)] =
+          write_leaf(mesh, std::span(ids).subspan(next, triangles), frame, blocks.subspan(b, count),
+                     std::span(moments_).subspan(b, count));
+      next += triangles;
+      b += count;
+    }
   }
 
-  void find_bounds(const Mesh& mesh) {
-    fetch_corners(mesh, ids_);
-    for (std::size_t i = plan_.nodes.size(); i < nodes_.size(); ++i) {
-      Node& leaf = nodes_[i];
-      for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
-        leaf.bounds.grow(bounds(mesh.triangle(ids_[k])));
-      }
-    }
-    for (std::size_t i = plan_.nodes.size(); i-- > 0;) {
-      gather_below(i);
-    }
-    nodes_.front().count = static_cast<std::uint32_t>(ids_.size());
-  }
-
-  /// Bounds, count and blocks of a wide node from those of its lanes.
-  void gather_below(std::size_t i) {
-    WidePlan& wide = plan_.nodes[i];
-    Node& node = nodes_[i];
-    node.left = 0;  // it is no leaf
-    wide.first_block = plan_.blocks;
+  /// Bounds, count and blocks of a wide node from those of its lanes; children were there before.
+  void gather_below(WidePlan& wide) {
+    Box& box = boxes_[wide.box];
+    box = {};
     for (std::uint32_t k = 0; k < wide.count; ++k) {
-      const Node& lane = nodes_[wide.slots[k]];
-      node.bounds.grow(lane.bounds);
-      node.count += lane.count;
-      const bool leaf = lane.is_leaf();
-      const std::uint32_t first = leaf ? wide.child[k] : plan_.nodes[wide.child[k]].first_block;
-      const std::uint32_t end =
-          leaf ? first + blocks_for(lane.count) : plan_.nodes[wide.child[k]].end_block;
-      wide.first_block = std::min(wide.first_block, first);
-      wide.end_block = std::max(wide.end_block, end);
+      LanePlan& lane = wide.lanes[k];
+      if (!lane.is_leaf()) {
+        const WidePlan& below = plan_[lane.child];
+        lane.triangles = below.triangles;
+        lane.first_block = below.lanes[0].first_block;
+        for (const LanePlan& other : below.used()) {
+          lane.first_block = std::min(lane.first_block, other.first_block);
+          lane.end_block = std::max(lane.end_block, other.end_block);
+        }
+      }
+      box.grow(boxes_[lane.box]);
+      wide.triangles += lane.triangles;
     }
   }
 
   const WideTree& tree_;
-  PartPlan plan_;
-  std::vector<Node> nodes_;
-  std::vector<TriangleId> ids_;
+  std::span<const TriangleBlock> from_;  ///< the part's blocks as they were
+  std::uint32_t node_base_;
+  std::uint32_t block_base_;
+  std::vector<WidePlan> plan_;
+  Pages<Box> boxes_;
+  Pages<Moments> moments_;
 };
 
 }  // namespace
@@ -224,10 +230,10 @@ void refit_layout(const WideTree& tree, const Mesh& mesh, const Frame& frame,
   const Recovered found = recover(tree, count_below(tree));
   std::vector<Box> part_bounds(found.places.size());
   for_each_chunk(found.places.size(), 1, parallel, [&](std::size_t k, std::size_t) {
-    part_bounds[k] = RefitLayout(tree, found.places[k]).write(mesh, frame, nodes, blocks);
+    part_bounds[k] = RefitPart(tree, found.places[k]).write(mesh, frame, nodes, blocks);
   });
   // Boxes of the lanes of each upper node, and its own, the last node first.
-  std::vector<std::array<Box, WideNode::kWidth>> boxes(found.upper.size());
+  std::vector<std::array<LaneContent, WideNode::kWidth>> lanes(found.upper.size());
   const auto place_of = [&](std::uint32_t node) {
     return static_cast<std::size_t>(std::lower_bound(found.upper.begin(), found.upper.end(), node) -
                                     found.upper.begin());
@@ -235,7 +241,7 @@ void refit_layout(const WideTree& tree, const Mesh& mesh, const Frame& frame,
   std::vector<Box> whole(found.upper.size());
   for (std::size_t k = 0; k < found.places.size(); ++k) {
     if (found.places[k].parent != Node::kNone) {
-      boxes[place_of(found.places[k].parent)][found.places[k].lane] = part_bounds[k];
+      lanes[place_of(found.places[k].parent)][found.places[k].lane].bounds = part_bounds[k];
     }
   }
   for (std::size_t i = found.upper.size(); i-- > 0;) {
@@ -243,15 +249,16 @@ void refit_layout(const WideTree& tree, const Mesh& mesh, const Frame& frame,
     for (std::size_t k = 0; k < from.count; ++k) {
       if (!is_leaf(from, k) &&
           std::binary_search(found.upper.begin(), found.upper.end(), from.child[k])) {
-        boxes[i][k] = whole[place_of(from.child[k])];
+        lanes[i][k].bounds = whole[place_of(from.child[k])];
       }
-      whole[i].grow(boxes[i][k]);
+      whole[i].grow(lanes[i][k].bounds);
     }
     WideNode node;
     node.count = from.count;
     node.leaves = from.leaves;
     node.child = from.child;
-    store_upper(whole[i], boxes[i], frame, node);
+    node.origin = frame.middle(whole[i]);
+    set_boxes(std::span(lanes[i]).first(node.count), kMeshAxes, frame, node);
     nodes[found.upper[i]] = node;
   }
 }
