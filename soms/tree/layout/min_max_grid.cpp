@@ -174,13 +174,14 @@ void MinMaxGrid::fill(std::span<const TriangleBlock> blocks, double scale,
     change<kShared>(cell.lower, [&](float now) { return std::min(now, band.lower); });
     change<kShared>(cell.upper, [&](float now) { return std::max(now, band.upper); });
   };
-  for_each_block(blocks, scale, parallel, [&](const BlockBands& bands, std::size_t count) {
+  for_each_block(blocks, scale, parallel, [&](const BlockPlace& place, std::size_t count) {
     // Where a block is small, its triangles have about one range: slices tell them apart.
-    const ColumnBand whole = bands.whole();
+    const ColumnBand whole = place.whole();
     if (cells_of(whole, 0) <= kCellsOfSmall) {
       put_band(0, whole, put_range);
       return;
     }
+    const BlockBands bands(place);
     for (std::size_t lane = 0; lane < count; ++lane) {
       put_triangle(bands, lane, put_range);
     }
@@ -201,7 +202,8 @@ void MinMaxGrid::fill(std::span<const TriangleBlock> blocks, double scale,
                  slice_of(static_cast<double>(band.upper), ends)});
     change<kShared>(cell.taken, [=](std::uint64_t now) { return now | taken; });
   };
-  for_each_block(blocks, scale, parallel, [&](const BlockBands& bands, std::size_t count) {
+  for_each_block(blocks, scale, parallel, [&](const BlockPlace& place, std::size_t count) {
+    const BlockBands bands(place);
     for (std::size_t lane = 0; lane < count; ++lane) {
       put_triangle(bands, lane, take_up);
     }
@@ -231,7 +233,7 @@ void MinMaxGrid::for_each_block(std::span<const TriangleBlock> blocks, double sc
                                 const Parallel& parallel, const Put& put) {
   for_each_chunk(blocks.size(), kChunk, parallel, [&](std::size_t begin, std::size_t end) {
     for (const TriangleBlock& block : blocks.subspan(begin, end - begin)) {
-      put(BlockBands(block, scale, plan_), block.count);
+      put(BlockPlace(block, scale, plan_), block.count);
     }
   });
 }

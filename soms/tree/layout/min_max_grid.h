@@ -88,7 +88,7 @@ class MinMaxGrid {
   template <bool kShared>
   void fill(std::span<const TriangleBlock> blocks, double scale, const Parallel& parallel);
 
-  /// Calls `put` with the bands of each block and the number of its triangles.
+  /// Calls `put` with the place of each block and the number of its triangles.
   template <class Put>
   void for_each_block(std::span<const TriangleBlock> blocks, double scale, const Parallel& parallel,
                       const Put& put);

@@ -11,6 +11,9 @@ namespace soms::detail {
 
 namespace {
 
+/// Nodes of at most so many leaves' triangles are cut into full leaves.
+constexpr std::uint64_t kFullLeaves = 4;
+
 class ByMorton {
  public:
   ByMorton(const Mesh& mesh, const BuildOptions& options, const Parallel& parallel)
@@ -73,7 +76,7 @@ class ByMorton {
       even = true;
       return node.count / 2;
     }
-    return node.count <= 2 * std::uint64_t{per_leaf_} ? two_leaves(run) : first_of_right(run);
+    return node.count <= kFullLeaves * per_leaf_ ? full_leaves(run) : first_of_right(run);
   }
 
   /// Where the highest bit in which the run's codes differ is set.
@@ -85,16 +88,21 @@ class ByMorton {
     return static_cast<std::uint32_t>(at - run.data());
   }
 
-  /// The widest gap of those that leave two leaves and no more.
-  [[nodiscard]] std::uint32_t two_leaves(std::span<const MortonKey> run) const {
+  /// The widest gap of those that leave no more leaves than there must be. A leaf that is not full
+  /// costs as much as one that is, to make and to query.
+  [[nodiscard]] std::uint32_t full_leaves(std::span<const MortonKey> run) const {
     const auto count = static_cast<std::uint32_t>(run.size());
-    std::uint32_t best = count - per_leaf_;
+    const std::uint32_t leaves = (count + per_leaf_ - 1) / per_leaf_;
+    const std::uint32_t room = leaves * per_leaf_ - count;
+    std::uint32_t best = per_leaf_;
     MortonKey widest = 0;
-    for (std::uint32_t left = best; left <= per_leaf_; ++left) {
-      const MortonKey gap = run[left - 1] ^ run[left];
-      if (gap > widest) {
-        widest = gap;
-        best = left;
+    for (std::uint32_t full = per_leaf_; full < count; full += per_leaf_) {
+      for (std::uint32_t left = full - room; left <= full; ++left) {
+        const MortonKey gap = run[left - 1] ^ run[left];
+        if (gap > widest) {
+          widest = gap;
+          best = left;
+        }
       }
     }
     return best;

@@ -89,9 +89,19 @@ class ReferenceDivider {
     bool found = false;
   };
 
-  [[nodiscard]] Plane cheapest_plane(std::span<const Reference> run, const PrimitiveRange& range);
-  [[nodiscard]] Halves cut(std::span<Reference> all, const PrimitiveRange& run, const Plane& plane);
-  [[nodiscard]] Halves sweep(std::span<Reference> all, const PrimitiveRange& run);
+  /// \tparam Lanes what keys are compared by
+  template <class Lanes>
+  [[nodiscard, gnu::always_inline]] inline Halves divide_by(std::span<Reference> all,
+                                                            const PrimitiveRange& run);
+  [[nodiscard]] Halves divide_by_avx2(std::span<Reference> all, const PrimitiveRange& run);
+  [[nodiscard, gnu::always_inline]] inline Plane cheapest_plane(std::span<const Reference> run,
+                                                                const PrimitiveRange& range);
+  [[nodiscard, gnu::always_inline]] inline Halves cut(std::span<Reference> all,
+                                                      const PrimitiveRange& run,
+                                                      const Plane& plane);
+  template <class Lanes>
+  [[nodiscard, gnu::always_inline]] inline Halves sweep(std::span<Reference> all,
+                                                        const PrimitiveRange& run);
 
   std::uint32_t per_leaf_;
   bool quality_;

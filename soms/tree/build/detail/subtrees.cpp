@@ -3,6 +3,8 @@
 #include "soms/tree/layout/detail/fetch_corners.h"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 
 namespace soms::detail {
 
@@ -40,6 +42,29 @@ void write_out(const Node& root, std::span<const PartNode> subtree, const Mesh& 
   }
 }
 
+constexpr std::size_t kFew = 8;
+
+/// Ids in ascending order, of which there are at most kFew, by a network of comparisons: the same
+/// steps for all, so that no branch depends on them. \source Knuth 1998, section 5.3.4.
+void sort_few(std::span<TriangleId> ids) {
+  constexpr std::array<std::uint8_t, 19> kLow = {0, 1, 4, 5, 0, 1, 2, 3, 0, 2,
+                                                 4, 6, 2, 3, 1, 3, 1, 3, 5};
+  constexpr std::array<std::uint8_t, 19> kHigh = {2, 3, 6, 7, 4, 5, 6, 7, 1, 3,
+                                                  5, 7, 4, 5, 4, 6, 2, 4, 6};
+  std::array<TriangleId, kFew> sorted;
+  for (std::size_t k = 0; k < kFew; ++k) {
+    sorted[k] = k < ids.size() ? ids[k] : std::numeric_limits<TriangleId>::max();
+  }
+#pragma GCC unroll 19
+  for (std::size_t k = 0; k < kLow.size(); ++k) {
+    const TriangleId a = sorted[kLow[k]];
+    const TriangleId b = sorted[kHigh[k]];
+    sorted[kLow[k]] = a < b ? a : b;
+    sorted[kHigh[k]] = a < b ? b : a;
+  }
+  std::copy_n(sorted.begin(), ids.size(), ids.begin());
+}
+
 }  // namespace
 
 Node child_of(const Node& parent, bool right, std::uint32_t first, std::uint32_t count) {
@@ -65,7 +90,9 @@ void order_leaves(std::span<const PartNode> subtree, std::span<TriangleId> ids) 
   for (const PartNode& node : subtree) {
     if (node.is_leaf()) {
       const auto run = ids.subspan(node.first, node.count);
-      if (!std::is_sorted(run.begin(), run.end())) {
+      if (run.size() <= kFew) {
+        sort_few(run);
+      } else {
         std::sort(run.begin(), run.end());
       }
     }
