@@ -133,18 +133,28 @@ TEST(BuildQuick, SetsLargeTrianglesApartFirst) {
   EXPECT_EQ(std::vector<TriangleId>(apart.begin(), apart.end()), large);
 }
 
-TEST(BuildQuick, MakesTwoLeavesOfWhatTwoLeavesHold) {
+// Unless middles are one, or depths near the last, so that nodes are halved.
+TEST(BuildQuick, MakesNoMoreLeavesThanItMustOfFew) {
   for (const int per_leaf : {1, 2, 3, 8}) {
     const BuildOptions options{.rule = Rule::quick, .per_leaf = per_leaf};
+    const auto most = static_cast<std::uint32_t>(per_leaf);
     for (const test::Input input : test::kInputs) {
       SCOPED_TRACE(test::name(input) + " " + std::to_string(per_leaf));
       const Mesh mesh = test::make_input(input, 500);
       const Tree tree = build(mesh, options);
       ASSERT_EQ(find_fault(tree, mesh), "");
-      for (const Node& node : tree.nodes) {
-        if (!node.is_leaf() && node.count <= 2 * static_cast<std::uint32_t>(per_leaf)) {
-          EXPECT_TRUE(tree.nodes[node.left].is_leaf());
-          EXPECT_TRUE(tree.nodes[node.right].is_leaf());
+      std::vector<std::uint32_t> leaves(tree.nodes.size(), 1);
+      std::vector<bool> halved(tree.nodes.size());
+      for (std::size_t i = tree.nodes.size(); i-- > 0;) {
+        const Node& node = tree.nodes[i];
+        halved[i] = node.undividable || node.depth + 8 > kMaxTreeIdDepth;
+        if (node.is_leaf()) {
+          continue;
+        }
+        leaves[i] = leaves[node.left] + leaves[node.right];
+        halved[i] = halved[i] || halved[node.left] || halved[node.right];
+        if (!halved[i] && node.count <= 4 * most) {
+          EXPECT_EQ(leaves[i], (node.count + most - 1) / most) << node.count;
         }
       }
     }

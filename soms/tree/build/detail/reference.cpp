@@ -162,6 +162,10 @@ Halves ReferenceDivider::divide(std::span<Reference> all, const PrimitiveRange& 
     return divide_by_avx2(all, run);
   }
 #endif
+  return divide_plainly(all, run);
+}
+
+Halves ReferenceDivider::divide_plainly(std::span<Reference> all, const PrimitiveRange& run) {
   return divide_by<FourLanes>(all, run);
 }
 

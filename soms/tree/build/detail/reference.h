@@ -72,6 +72,9 @@ class ReferenceDivider {
   /// \pre At least two references.
   [[nodiscard]] Halves divide(std::span<Reference> all, const PrimitiveRange& run);
 
+  /// The same by the instructions that every processor has.
+  [[nodiscard]] Halves divide_plainly(std::span<Reference> all, const PrimitiveRange& run);
+
   /// Equal counts as they lie, where nothing else may be done.
   [[nodiscard]] static Halves halve(std::span<const Reference> all, const PrimitiveRange& run);
 
