@@ -131,6 +131,7 @@ TEST(NodeBoxes, TurnWhereTheyGetATenthSmallerByIt) {
     const WideNode turned = few.node(kTurned);
     EXPECT_EQ(turned.oriented, 1);
     EXPECT_EQ(turned.axes(), kTurned);
+    few.expect_held_by(turned);
     for (std::size_t k = 0; k < lanes; ++k) {
       EXPECT_LT(turned.half[1][k], 0.02F);
       EXPECT_LT(turned.half[2][k], 0.02F);
@@ -141,9 +142,10 @@ TEST(NodeBoxes, TurnWhereTheyGetATenthSmallerByIt) {
 }
 
 TEST(NodeBoxes, LeaveLanesThatAreNotInUseEmpty) {
-  const FewLanes few(test::make_input(test::Input::random, 32), 2, 8);
+  const FewLanes few(slanted({kTurned[0], kTurned[3], kTurned[6]}), 2, 8);
   for (const Axes& axes : {layout::kMeshAxes, kTurned}) {
     const WideNode node = few.node(axes);
+    EXPECT_EQ(node.oriented, axes == kTurned ? 1 : 0);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       for (const std::size_t k : {2U, 3U}) {
         EXPECT_EQ(node.center[axis][k], 0);
