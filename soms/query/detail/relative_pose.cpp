@@ -109,6 +109,18 @@ double distance_from_identity(const Matrix3& m) {
   return most;
 }
 
+/// Distance of M^T M, which is symmetric, from the identity, for the rows of M.
+double defect_of(const std::array<double, 9>& m) {
+  double most = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = i; j < 3; ++j) {
+      const double sum = (m[i] * m[j] + m[3 + i] * m[3 + j]) + m[6 + i] * m[6 + j];
+      most = std::max(most, std::abs(sum - (i == j ? 1 : 0)));
+    }
+  }
+  return most;
+}
+
 /// `Pose::apply`, close at hand.
 Vec3 moved(const Pose& pose, const Vec3& v) {
   const auto& m = pose.m;
@@ -223,26 +235,23 @@ void RelativePose::put(RelativePoses& poses, std::size_t i, const SingleBox& box
 }
 
 void RelativePose::prepare() {
-  numbers_.rows = {};
-  numbers_.magnitudes = {};
-  numbers_.columns = {};
-  numbers_.column = {};
-  turn_ = {};
-  Matrix3 matrix = {};
-  Matrix3 transposed = {};
+  const auto& m = matrix_;
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      matrix[i][j] = matrix_[3 * i + j];
-      transposed[j][i] = matrix[i][j];
-      numbers_.column[j][i] = matrix[i][j];
-      numbers_.rows[4 * i + j] = static_cast<float>(matrix[i][j]);
-      numbers_.magnitudes[4 * i + j] = std::abs(numbers_.n(i, j));
-      numbers_.columns[4 * j + i] = numbers_.n(i, j);
-      turn_.entry[i][j] = numbers_.n(i, j);
-      turn_.magnitude[i][j] = std::abs(turn_.entry[i][j]);
-    }
+    const F4 row = {static_cast<float>(m[3 * i]), static_cast<float>(m[3 * i + 1]),
+                    static_cast<float>(m[3 * i + 2]), 0};
+    const F4 column = {static_cast<float>(m[i]), static_cast<float>(m[3 + i]),
+                       static_cast<float>(m[6 + i]), 0};
+    store(row, numbers_.rows, 4 * i);
+    store(abs(row), numbers_.magnitudes, 4 * i);
+    store(column, numbers_.columns, 4 * i);
+    store(row, turn_.entry[i], 0);
+    store(abs(row), turn_.magnitude[i], 0);
+    numbers_.column[i] = {m[i], m[3 + i], m[6 + i], 0};
   }
-  const double defect = distance_from_identity(product(transposed, matrix));
+  for (std::array<float, 16>* rows : {&numbers_.rows, &numbers_.magnitudes, &numbers_.columns}) {
+    store(F4{}, *rows, 12);
+  }
+  const double defect = defect_of(m);
   numbers_.relative = rounded_up(kSumOfRadii * (kMarginOfFloats + kMarginOfDefect * defect));
   numbers_.shrink = static_cast<float>(1 - (kLengthsOfFloats + kLengthsOfDefect * defect));
   numbers_.ratio = exponents_ == 0 ? 1 : static_cast<float>(std::ldexp(1.0, exponents_));
