@@ -152,11 +152,11 @@ void Moments::add(const Moments& other, const Vec3& offset) {
 }
 
 Axes axes_of(const Moments& moments) {
-  constexpr double kFlat = 0.7;  // share of the area that the mean normal must keep
+  constexpr double kFlatShare = 0.7;  // share of the area that the mean normal must keep
   const Matrix m = covariance(moments);
   const auto& n = moments.normal;
   const double norm = (std::abs(n[0]) + std::abs(n[1])) + std::abs(n[2]);
-  if (!(norm > kFlat * moments.area) || norm < 0x1p-400) {
+  if (!(norm > kFlatShare * moments.area) || norm < 0x1p-400) {
     return principal_axes(m);
   }
   const std::array<double, 3> scaled{n[0] / norm, n[1] / norm, n[2] / norm};

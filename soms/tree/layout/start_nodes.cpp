@@ -30,13 +30,13 @@ class CellColumn {
   CellColumn(const GroundPlan& plan, double scale, std::uint32_t bits, std::uint32_t x,
              std::uint32_t y)
       : axis_{plan.axis[0], plan.axis[1]}, scale_(scale) {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    constexpr double kEndless = std::numeric_limits<double>::infinity();
     const std::array<std::uint64_t, 2> at = {x, y};
     for (std::size_t k = 0; k < 2; ++k) {
       const std::uint64_t last = static_cast<std::uint64_t>(plan.last[k]) >> bits;
       // The first and the last column take up what is outside of the plan.
-      lower_[k] = at[k] == 0 ? -kInfinity : plan.begin_of(k, at[k] << bits) - plan.rounding;
-      upper_[k] = at[k] == last ? kInfinity : plan.begin_of(k, (at[k] + 1) << bits) + plan.rounding;
+      lower_[k] = at[k] == 0 ? -kEndless : plan.begin_of(k, at[k] << bits) - plan.rounding;
+      upper_[k] = at[k] == last ? kEndless : plan.begin_of(k, (at[k] + 1) << bits) + plan.rounding;
     }
     half_side_ = static_cast<float>(0.5 * static_cast<double>(1U << bits) / plan.columns_a_unit);
   }

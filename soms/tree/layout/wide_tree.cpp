@@ -66,14 +66,14 @@ double area_of_triangles(const TriangleBlock& block) {
 template <class Place>
 double sum_of(std::span<const Place> places, double (*area)(const Place&),
               const Parallel& parallel) {
-  constexpr std::size_t kChunk = 4096;
-  std::vector<double> sums((places.size() + kChunk - 1) / kChunk, 0.0);
-  for_each_chunk(places.size(), kChunk, parallel, [&](std::size_t begin, std::size_t end) {
+  constexpr std::size_t kPlacesPerChunk = 4096;
+  std::vector<double> sums((places.size() + kPlacesPerChunk - 1) / kPlacesPerChunk, 0.0);
+  for_each_chunk(places.size(), kPlacesPerChunk, parallel, [&](std::size_t begin, std::size_t end) {
     double sum = 0;
     for (const Place& place : places.subspan(begin, end - begin)) {
       sum += area(place);
     }
-    sums[begin / kChunk] = sum;
+    sums[begin / kPlacesPerChunk] = sum;
   });
   return std::accumulate(sums.begin(), sums.end(), 0.0);
 }

@@ -62,12 +62,14 @@ struct FourLanes {
   static constexpr Ints kLane = {0, 1, 2, 3};
 };
 
+#if defined(__x86_64__)
 /// Eight lanes, where AVX2 is.
 struct EightLanes {
   using Floats [[gnu::vector_size(32)]] = float;
   using Ints [[gnu::vector_size(32)]] = std::int32_t;
   static constexpr Ints kLane = {0, 1, 2, 3, 4, 5, 6, 7};
 };
+#endif
 
 /// References by their middles on an axis, equal ones as they lie: each is put where as many are
 /// before it, which takes no branch that depends on them. All places are counted side by side.

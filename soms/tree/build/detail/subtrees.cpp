@@ -118,15 +118,13 @@ Tree join(Subtrees subtrees, const Mesh& mesh, const Parallel& parallel) {
     }
   }
   tree.nodes.resize(size);
-  for_each_chunk(subtrees.upper.size(), 16, parallel, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const Upper& upper = subtrees.upper[i];
-      if (upper.subtree != Node::kNone) {
-        std::vector<PartNode>& nodes = subtrees.nodes[upper.subtree];
-        write_out(upper.node, nodes, mesh, subtrees.ids, place[i],
-                  std::span(tree.nodes).subspan(place[i], nodes.size()));
-        nodes = {};
-      }
+  for_each_chunk(subtrees.upper.size(), 1, parallel, [&](std::size_t i, std::size_t) {
+    const Upper& upper = subtrees.upper[i];
+    if (upper.subtree != Node::kNone) {
+      std::vector<PartNode>& nodes = subtrees.nodes[upper.subtree];
+      write_out(upper.node, nodes, mesh, subtrees.ids, place[i],
+                std::span(tree.nodes).subspan(place[i], nodes.size()));
+      nodes = {};
     }
   });
   // Children follow their parents among the upper nodes, too.

@@ -68,8 +68,8 @@ struct Range {
 }
 
 /// Corners; lanes not in use repeat the last triangle.
-[[gnu::always_inline]] inline void gather(const Mesh& mesh, std::span<const TriangleId> ids,
-                                          Rows& rows, TriangleBlock& block) {
+[[gnu::always_inline]] inline void read_corners(const Mesh& mesh, std::span<const TriangleId> ids,
+                                                Rows& rows, TriangleBlock& block) {
   std::array<const std::array<std::uint32_t, 3>*, kLanes> corners;
   for (std::size_t k = 0; k < kLanes; ++k) {
     block.id[k] = ids[std::min(k, ids.size() - 1)];
@@ -206,7 +206,7 @@ template <std::size_t Axis>
                                                 const Frame& frame, TriangleBlock& block) {
   Rows rows;
   BlockContent content;
-  gather(mesh, ids, rows, block);
+  read_corners(mesh, ids, rows, block);
   const std::array<double, 3> far = center(frame, rows, block, content.bounds);
   content.moments = moments_of(rows, ids.size());
   block.count = static_cast<std::uint32_t>(ids.size()) & 0xf;

@@ -1,12 +1,13 @@
 /// \file
-/// Four doubles side by side, for code that is compiled for several instruction sets: nothing here
-/// is ever passed, all is inlined.
+/// Four doubles side by side, for code that is compiled for several instruction sets. Functions
+/// that take or return them must be inlined by force: otherwise callers for AVX pass them in other
+/// places than callees without it expect. So none is a lambda.
 #pragma once
 
 #include <cstddef>
 
 #if defined(__GNUC__)
-// How vectors would be passed without AVX does not matter: nothing passes them.
+// GCC warns of how they would be passed.
 #pragma GCC diagnostic ignored "-Wpsabi"
 #endif
 

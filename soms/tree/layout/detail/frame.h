@@ -50,13 +50,4 @@ struct Frame {
   }
 };
 
-/// The 1-norm of the box's farthest corner from the origin.
-[[nodiscard]] inline double norm_of(const Box& box) {
-  double norm = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    norm += std::max(std::abs(box.lower[k]), std::abs(box.upper[k]));
-  }
-  return norm;
-}
-
 }  // namespace soms::layout

@@ -1,6 +1,5 @@
 #include "soms/tree/layout/detail/lay_out.h"
 
-#include "soms/tree/layout/detail/fetch_corners.h"
 #include "soms/tree/layout/detail/node_boxes.h"
 
 #include <limits>
@@ -81,13 +80,15 @@ class NodeWriter {
 
 }  // namespace
 
-Box write_leaf(const Mesh& mesh, std::span<const TriangleId> ids, const Frame& frame,
-               std::span<TriangleBlock> blocks, std::span<Moments> moments) {
+Box LeafWriter::write(std::size_t first, std::size_t count, std::span<TriangleBlock> blocks,
+                      std::span<Moments> moments) {
   constexpr std::size_t kWidth = TriangleBlock::kWidth;
   Box box;
   for (std::size_t b = 0; b < blocks.size(); ++b) {
-    const auto run = ids.subspan(b * kWidth, std::min(ids.size() - b * kWidth, kWidth));
-    const BlockContent content = make_block(mesh, run, frame, blocks[b]);
+    const std::size_t begin = b * kWidth;
+    fetch_.reach(first + begin);
+    const auto run = ids_.subspan(first + begin, std::min(count - begin, kWidth));
+    const BlockContent content = make_block(mesh_, run, frame_, blocks[b]);
     blocks[b].following = static_cast<std::uint32_t>(blocks.size() - 1 - b) & (WideNode::kMost - 1);
     moments[b] = content.moments;
     box.grow(content.bounds);
@@ -111,18 +112,16 @@ PartContent write_blocks(std::span<const PartNode> part, std::span<const Triangl
   content.boxes.resize(part.size());
   content.moments.resize(blocks.size());
   const auto ids = primitives.subspan(part.front().first, part.front().count);
-  FetchAhead fetch(mesh, ids);
+  LeafWriter leaves(mesh, ids, frame);
   std::uint32_t next = 0;
   for (std::size_t i = 0; i < part.size(); ++i) {
     const PartNode& node = part[i];
     content.first_block[i] = next;
     if (node.is_leaf()) {
-      const std::uint32_t first = node.first - part.front().first;
       const std::uint32_t count = blocks_for(node.count);
-      fetch.reach(first);
       content.boxes[i] =
-          write_leaf(mesh, ids.subspan(first, node.count), frame, blocks.subspan(next, count),
-                     std::span(content.moments).subspan(next, count));
+          leaves.write(node.first - part.front().first, node.count, blocks.subspan(next, count),
+                       std::span(content.moments).subspan(next, count));
       next += count;
     }
   }

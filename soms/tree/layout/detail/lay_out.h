@@ -3,6 +3,7 @@
 #pragma once
 
 #include "soms/tree/layout/detail/block.h"
+#include "soms/tree/layout/detail/fetch_corners.h"
 #include "soms/tree/layout/detail/frame.h"
 #include "soms/tree/layout/detail/part_plan.h"
 
@@ -21,10 +22,23 @@ inline void set_leaf(WideNode& node, std::uint32_t k, std::uint32_t block,
   node.leaves = static_cast<std::uint8_t>(node.leaves | 1U << k);
 }
 
-/// Writes the blocks of a leaf, and how the corners of each lie about its origin. Returns the
-/// leaf's bounds. As many blocks and moments as the leaf needs.
-Box write_leaf(const Mesh& mesh, std::span<const TriangleId> ids, const Frame& frame,
-               std::span<TriangleBlock> blocks, std::span<Moments> moments);
+/// Writes the blocks of leaves, whose triangles follow each other in `ids`.
+class LeafWriter {
+ public:
+  LeafWriter(const Mesh& mesh, std::span<const TriangleId> ids, const Frame& frame)
+      : mesh_(mesh), ids_(ids), frame_(frame), fetch_(mesh, ids) {}
+
+  /// Of `count` triangles from place `first` on; returns their bounds. Writes how the corners of
+  /// each block lie about its origin. There are as many blocks and moments as the leaf needs.
+  Box write(std::size_t first, std::size_t count, std::span<TriangleBlock> blocks,
+            std::span<Moments> moments);
+
+ private:
+  const Mesh& mesh_;
+  std::span<const TriangleId> ids_;
+  const Frame& frame_;
+  FetchAhead fetch_;
+};
 
 /// The least triangle of some blocks.
 [[nodiscard]] TriangleId least_id(std::span<const TriangleBlock> blocks);

@@ -18,7 +18,9 @@ namespace {
 constexpr double kWorthTurning = 0.9;
 
 using NarrowFloats [[gnu::vector_size(16)]] = float;
+#if defined(__x86_64__)
 using WideFloats [[gnu::vector_size(32)]] = float;
+#endif
 using Bits64 [[gnu::vector_size(32)]] = std::int64_t;
 using Bits32 [[gnu::vector_size(16)]] = std::int32_t;
 
@@ -64,6 +66,13 @@ struct LaneBoxes {
   return ((area[0] + area[1]) + area[2]) + area[3];
 }
 
+/// Coordinates on an axis about the node's origin, in units of the layout.
+[[gnu::always_inline]] inline D4 seen_from(const WideNode& node, const Frame& frame,
+                                           std::size_t axis, const D4& v) {
+  return ((v - all_lanes(frame.origin[axis])) - all_lanes(node.origin[axis])) *
+         all_lanes(frame.scale);
+}
+
 [[gnu::always_inline]] inline LaneBoxes plain_boxes(std::span<const LaneContent> lanes,
                                                     const Frame& frame, const WideNode& node) {
   LaneBoxes boxes;
@@ -73,15 +82,14 @@ struct LaneBoxes {
     at[k] = &lanes[k < lanes.size() ? k : 0].bounds;
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto local = [&](const D4& v) {
-      const D4 seen = ((v - all_lanes(frame.origin[axis])) - all_lanes(node.origin[axis])) *
-                      all_lanes(frame.scale);
-      return used ? seen : D4{};
-    };
-    boxes.lower[axis] =
-        local(D4{at[0]->lower[axis], at[1]->lower[axis], at[2]->lower[axis], at[3]->lower[axis]});
-    boxes.upper[axis] =
-        local(D4{at[0]->upper[axis], at[1]->upper[axis], at[2]->upper[axis], at[3]->upper[axis]});
+    const D4 lower = {at[0]->lower[axis], at[1]->lower[axis], at[2]->lower[axis],
+                      at[3]->lower[axis]};
+    const D4 upper = {at[0]->upper[axis], at[1]->upper[axis], at[2]->upper[axis],
+                      at[3]->upper[axis]};
+    const D4 seen_lower = seen_from(node, frame, axis, lower);
+    const D4 seen_upper = seen_from(node, frame, axis, upper);
+    boxes.lower[axis] = used ? seen_lower : D4{};
+    boxes.upper[axis] = used ? seen_upper : D4{};
   }
   const D4 give = doubts(frame, norms(boxes), false);
   boxes.give = used ? give : D4{};
@@ -108,6 +116,7 @@ template <class Vector>
   return v;
 }
 
+#if defined(__x86_64__)
 [[gnu::always_inline]] inline NarrowFloats lesser_half(const WideFloats& v) {
   const NarrowFloats low = __builtin_shufflevector(v, v, 0, 1, 2, 3);
   const NarrowFloats high = __builtin_shufflevector(v, v, 4, 5, 6, 7);
@@ -119,6 +128,7 @@ template <class Vector>
   const NarrowFloats high = __builtin_shufflevector(v, v, 4, 5, 6, 7);
   return high > low ? high : low;
 }
+#endif
 
 /// Bounds of points in float, several at a time.
 template <class Vector>
@@ -161,8 +171,11 @@ struct Quad {
   std::array<NarrowFloats, WideNode::kWidth> lane;
 };
 
+[[gnu::always_inline]] inline NarrowFloats lesser_of(const NarrowFloats& a, const NarrowFloats& b) {
+  return b < a ? b : a;
+}
+
 [[gnu::always_inline]] inline D4 least_of(const Quad& q) {
-  const auto lesser_of = [](const NarrowFloats& a, const NarrowFloats& b) { return b < a ? b : a; };
   const NarrowFloats ab = lesser_of(__builtin_shufflevector(q.lane[0], q.lane[1], 0, 1, 4, 5),
                                     __builtin_shufflevector(q.lane[0], q.lane[1], 2, 3, 6, 7));
   const NarrowFloats cd = lesser_of(__builtin_shufflevector(q.lane[2], q.lane[3], 0, 1, 4, 5),

@@ -1,5 +1,7 @@
 #include "soms/tree/layout/detail/parts.h"
 
+#include <utility>
+
 namespace soms::layout {
 
 Cut cut(const Tree& tree) {

@@ -1,6 +1,5 @@
 #include "soms/tree/layout/detail/refit_layout.h"
 
-#include "soms/tree/layout/detail/fetch_corners.h"
 #include "soms/tree/layout/detail/lay_out.h"
 #include "soms/tree/layout/detail/node_boxes.h"
 
@@ -159,15 +158,13 @@ class RefitPart {
     }
     boxes_.resize(plan_.size() + blocks.size());
     moments_.resize(blocks.size());
-    FetchAhead fetch(mesh, ids);
+    LeafWriter leaves(mesh, ids, frame);
     std::size_t next = 0;
     for (std::uint32_t b = 0; b < blocks.size();) {
       const std::uint32_t count = from_[b].following + 1;
       const std::uint32_t triangles = triangles_of_leaf(&from_[b]);
-      fetch.reach(next);
-      boxes_[box_of_leaf(b)] =
-          write_leaf(mesh, std::span(ids).subspan(next, triangles), frame, blocks.subspan(b, count),
-                     std::span(moments_).subspan(b, count));
+      boxes_[box_of_leaf(b)] = leaves.write(next, triangles, blocks.subspan(b, count),
+                                            std::span(moments_).subspan(b, count));
       next += triangles;
       b += count;
     }
