@@ -7,6 +7,8 @@
 /// 2^-23 L. So a place is off by less than 2^-21 (L s + 1), of which columns of doubles, places of
 /// at most 2^22, are off by 2^-28. Moved outward by 2^-20 (L s + 1), which is rounded twice, it
 /// lies on the right side of every column that ground_plan.h finds for a point of the triangle.
+/// What corners lost when they were taken about the tree's and the block's origins, 2^-52 of the
+/// mesh's size, is in what a query's box gives way by (relative_pose.h).
 #pragma once
 
 #include "soms/base/lanes.h"
