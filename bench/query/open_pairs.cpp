@@ -2,7 +2,6 @@
 // of blocks whose spheres meet are judged as queries judge them, and what is open is counted by
 // kind. Counts, the same on every machine.
 #include "soms/geometry/triangle_overlap.h"
-#include "soms/query/detail/engine/node_id.h"
 #include "soms/query/detail/leaf_pairs.h"
 #include "soms/query/overlap.h"
 
@@ -28,8 +27,8 @@ using detail::BlockTask;
 using detail::kJudged;
 using detail::PairFrame;
 
-/// Triangles that differ so much in size are unlike. One is far where its partner's corners are so
-/// many times its length away.
+/// Triangles that differ so much in size are unlike. The smaller one is far where its first corner
+/// is so many times its length away from the other's corners.
 constexpr double kUnlike = 16;
 
 /// A triangle whose height is less than this share of its longest side is thin.
@@ -210,20 +209,10 @@ class Judge {
   Counts& counts_;
 };
 
-Shape shape_of(const FloatMesh& from) {
-  Mesh mesh;
-  mesh.vertices.reserve(from.vertices.size());
-  for (const auto& v : from.vertices) {
-    mesh.vertices.push_back(wide(v));
-  }
-  mesh.triangles = from.triangles;
-  return Shape(std::move(mesh));
-}
-
 void count_scene(const Scene& scene, std::size_t most_poses) {
   const auto queue = std::make_unique<detail::LeafQueue>();
-  Body mover{shape_of(scene.mover)};
-  const Body fixed{shape_of(scene.fixed)};
+  Body mover{Shape(widened(scene.mover))};
+  const Body fixed{Shape(widened(scene.fixed))};
   for (const PoseSet& set : scene.sets) {
     Counts counts;
     const std::size_t poses = std::min(most_poses, set.poses.size());

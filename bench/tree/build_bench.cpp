@@ -40,13 +40,7 @@ struct Place {
 };
 
 std::shared_ptr<const Mesh> wide_mesh(const FloatMesh& from) {
-  Mesh mesh;
-  mesh.vertices.reserve(from.vertices.size());
-  for (const auto& v : from.vertices) {
-    mesh.vertices.push_back(wide(v));
-  }
-  mesh.triangles = from.triangles;
-  return std::make_shared<const Mesh>(std::move(mesh));
+  return std::make_shared<const Mesh>(widened(from));
 }
 
 Pose shifted(Pose pose, const Vec3& t) {
