@@ -30,6 +30,8 @@ set(SOMS_PYTHON_FILES
   src/objects.h
   src/one_caller.h
   src/overlap.cpp
+  src/packing.cpp
+  src/packing.h
   src/page_scene.cpp
   src/page_scene.h
   src/pages.cpp
@@ -58,6 +60,8 @@ set(SOMS_PYTHON_FILES
   src/scene_columns.h
   src/scene_queries.cpp
   src/shapes.cpp
+  src/signed_distance.cpp
+  src/signed_distance.h
   src/solid.cpp
   src/step_report.cpp
   src/text.h

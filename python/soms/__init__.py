@@ -131,6 +131,7 @@ from soms._soms import (
     read_robot as read_robot,
     robot_contacts as robot_contacts,
     sees as sees,
+    signed_distance as signed_distance,
     solid as solid,
     winding as winding,
     within as within,

@@ -7,6 +7,7 @@
 
 #include "python/src/arrays.h"
 #include "python/src/enums.h"
+#include "python/src/packing.h"
 #include "python/src/text.h"
 
 #include <pybind11/pybind11.h>
@@ -60,7 +61,11 @@ using Getter = std::function<py::object(const py::object& self)>;
 /// Adds a property to a class. All have one type in C++: pybind11 would make code for each.
 void def_property(py::object of_class, const char* name, Getter get, const char* doc);
 
-/// Binds an answer: T must print and compare.
+/// Whether a class says itself how it is pickled, as it refers to other objects of Python.
+template <class T>
+inline constexpr bool kPicklesItself = false;
+
+/// Binds an answer: T must print and compare. It is pickled by its fields.
 template <class T, class... Bases>
 class AnswerClass : public py::class_<T, Bases...> {
  public:
@@ -73,6 +78,9 @@ class AnswerClass : public py::class_<T, Bases...> {
     const std::string refusal =
         std::string(name) + " is neither true nor false: look at one of its fields";
     this->def("__bool__", [refusal](const T&) -> bool { throw py::type_error(refusal); });
+    if constexpr (!kPicklesItself<T>) {
+      this->def(py::pickle(&packed<T>, &unpacked<T>));
+    }
   }
 
   /// A field of a single answer.

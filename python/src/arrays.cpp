@@ -1,5 +1,6 @@
 #include "python/src/arrays.h"
 
+#include <cmath>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -75,7 +76,59 @@ std::uint32_t index_of(std::int64_t value, std::size_t row, const char* what) {
   return static_cast<std::uint32_t>(value);
 }
 
+constexpr std::int64_t kExact = std::int64_t{1} << 53;
+
+[[noreturn]] void refuse_integer(const char* what) {
+  throw Error(ErrorKind::out_of_range,
+              std::string(what) + ": an integer beyond 2^53, which a double may not hold",
+              "give floats");
+}
+
+/// Looks at the integers themselves: the double of 2^53 + 1 is 2^53.
+template <class Integer>
+void check_integers(const py::array& array, const char* what) {
+  const py::array_t<Integer, py::array::c_style | py::array::forcecast> integers(array);
+  for (py::ssize_t i = 0; i < integers.size(); ++i) {
+    const Integer value = integers.data()[i];
+    if (std::cmp_greater(value, kExact) || std::cmp_less(value, -kExact)) {
+      refuse_integer(what);
+    }
+  }
+}
+
+/// The integers of nested lists, of which numpy makes floats where one number is a float.
+void check_listed(py::handle given, const char* what) {
+  if (PyLong_Check(given.ptr()) != 0) {
+    check_number(given, what);
+  } else if (PyList_Check(given.ptr()) != 0 || PyTuple_Check(given.ptr()) != 0) {
+    for (const py::handle one : py::reinterpret_borrow<py::sequence>(given)) {
+      check_listed(one, what);
+    }
+  }
+}
+
+/// \errors ErrorKind::out_of_range for lists with an integer that was rounded.
+void check_rounded(py::handle given, const Doubles& doubles, const char* what) {
+  for (py::ssize_t i = 0; i < doubles.size(); ++i) {
+    if (std::abs(doubles.data()[i]) >= static_cast<double>(kExact)) {
+      check_listed(given, what);
+      return;
+    }
+  }
+}
+
 }  // namespace
+
+void check_number(py::handle given, const char* what) {
+  if (PyLong_Check(given.ptr()) == 0) {
+    return;
+  }
+  int overflow = 0;
+  const long long value = PyLong_AsLongLongAndOverflow(given.ptr(), &overflow);
+  if (overflow != 0 || value > kExact || value < -kExact) {
+    refuse_integer(what);
+  }
+}
 
 Doubles doubles_of(py::handle given, const char* what) {
   const py::array array = any_array(given, what);
@@ -85,16 +138,14 @@ Doubles doubles_of(py::handle given, const char* what) {
   if (!is_float && !is_integer) {
     refuse_type(array, what, "floats of 4 or 8 bytes, or integers");
   }
+  if (kind == 'i' && array.itemsize() == 8) {
+    check_integers<std::int64_t>(array, what);
+  } else if (kind == 'u' && array.itemsize() == 8) {
+    check_integers<std::uint64_t>(array, what);
+  }
   Doubles doubles(array);
-  if (is_integer && array.itemsize() == 8) {
-    constexpr double kExact = 0x1p53;
-    for (py::ssize_t i = 0; i < doubles.size(); ++i) {
-      if (!(doubles.data()[i] >= -kExact && doubles.data()[i] <= kExact)) {
-        throw Error(ErrorKind::out_of_range,
-                    std::string(what) + ": an integer beyond 2^53, which a double may not hold",
-                    "give floats");
-      }
-    }
+  if (is_float && !py::isinstance<py::array>(given)) {
+    check_rounded(given, doubles, what);
   }
   return doubles;
 }

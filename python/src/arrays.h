@@ -60,9 +60,11 @@ class Rows {
   Doubles numbers_;
 };
 
+/// \errors ErrorKind::out_of_range for an integer beyond 2^53, of which a double may be another.
+void check_number(py::handle given, const char* what);
+
 /// Numbers of an array or nested lists, as doubles. Floats of up to 8 bytes and integers are taken,
-/// which doubles hold exactly. \errors ErrorKind::usage for other types and for integers beyond
-/// 2^53.
+/// which doubles hold exactly. \errors ErrorKind::usage for other types; as `check_number`.
 [[nodiscard]] Doubles doubles_of(py::handle given, const char* what);
 
 /// "(4, 2)".

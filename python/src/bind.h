@@ -18,6 +18,7 @@ void bind_within(pybind11::module_& module);
 void bind_solid(pybind11::module_& module);
 void bind_contains(pybind11::module_& module);
 void bind_closest(pybind11::module_& module);
+void bind_signed_distance(pybind11::module_& module);
 void bind_winding(pybind11::module_& module);
 void bind_rays(pybind11::module_& module);
 void bind_scene(pybind11::module_& module);

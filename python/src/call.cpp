@@ -1,5 +1,7 @@
 #include "python/src/call.h"
 
+#include "soms/base/threads.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
@@ -109,8 +111,9 @@ void prepare_calls() {
 
 Call::Call(Work work, int threads, const py::object& progress)
     : is_main_(PyThread_get_thread_ident() == main_thread) {
-  if (threads < 0) {
-    throw usage("threads: " + std::to_string(threads), "give 0 for all processors, or a number");
+  if (threads < 0 || threads > kMostThreads) {
+    throw usage("threads: " + std::to_string(threads),
+                "give 0 for all processors, or a number up to " + std::to_string(kMostThreads));
   }
   parallel_.threads = threads;
   if (is_main_) {

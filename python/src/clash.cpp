@@ -69,6 +69,29 @@ std::ostream& operator<<(std::ostream& out, const HeldClashes& held) {
   return out << held.list;
 }
 
+}  // namespace
+
+template <>
+inline constexpr bool kPicklesItself<HeldClashes> = true;
+
+namespace {
+
+/// With the parts, which copies of a list share.
+py::tuple clashes_state(const HeldClashes& held) {
+  py::tuple list = packed(held.list);
+  return py::make_tuple(held.a, held.b, std::move(list), packed(held.keys));
+}
+
+HeldClashes clashes_from(const py::tuple& state) {
+  if (state.size() != 4) {
+    refuse_pickle();
+  }
+  return {.list = unpacked<ClashList>(state[2]),
+          .a = state[0].cast<SharedParts>(),
+          .b = state[1].cast<SharedParts>(),
+          .keys = unpacked<std::vector<std::uint64_t>>(state[3])};
+}
+
 std::vector<std::uint64_t> keys_of(const HeldClashes& held) {
   std::vector<MeshPart> named;
   const auto add = [&](const PartSet& set) {
@@ -274,6 +297,7 @@ void bind_clash_list(py::module_& module) {
           "coverage", [](const HeldClashes& h) { return member(h.list.coverage); }, "Coverage.")
       .derived(
           "cost", [](const HeldClashes& h) { return h.list.cost; }, "Cost.");
+  list.def(py::pickle(&clashes_state, &clashes_from));
   list.def("__len__", [](const HeldClashes& h) { return h.list.clashes.size(); });
   list.def("__getitem__", &clash_at, py::arg("row"), "The Clash of a row.");
   list.def(

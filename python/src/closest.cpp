@@ -9,6 +9,7 @@
 #include "python/src/closest_fields.h"
 #include "python/src/function.h"
 #include "python/src/point_query.h"
+#include "python/src/signed_distance.h"
 
 #include <optional>
 
@@ -90,11 +91,24 @@ void bind_signed(py::module_& module) {
           "lower", [](const SignedClosest& c) { return c.distance().lower; },
           "The signed distance, below 0 inside, is at least this,")
       .derived(
-          "upper", [](const SignedClosest& c) { return c.distance().upper; }, "and at most this.");
+          "upper", [](const SignedClosest& c) { return c.distance().upper; }, "and at most this.")
+      .derived(
+          "signed",
+          [](const SignedClosest& c) {
+            return signed_distance(c.closest.distance.upper, c.side, c.closest.coverage);
+          },
+          "The signed distance as one number, as signed_distance returns it.");
   AnswerClass<SignedClosestBatch> batch(module, "SignedClosestBatch",
                                         "Answers of closest for n points and a ClosedBody.");
   batch.field("closest", &SignedClosestBatch::closest, "ClosestBatch, of the surface; a copy.")
       .column("side", &SignedClosestBatch::side, "(n,) integers of Side.")
+      .derived(
+          "signed",
+          [](const SignedClosestBatch& b) {
+            const std::vector<double> all = signed_distances(b.closest, b.side);
+            return py::array_t<double>(static_cast<py::ssize_t>(all.size()), all.data());
+          },
+          "(n,) float64: the signed distances as signed_distance returns them; a copy.")
       .entries();
 }
 

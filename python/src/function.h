@@ -6,6 +6,7 @@
 /// the pointers that interned strings are, by CPython's own vectorcall.
 #pragma once
 
+#include "python/src/arrays.h"
 #include "python/src/errors.h"
 
 #include <pybind11/pybind11.h>
@@ -14,6 +15,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -52,6 +54,9 @@ template <class T>
   if constexpr (std::is_same_v<T, py::object>) {
     return py::reinterpret_borrow<py::object>(given);
   } else {
+    if constexpr (std::is_same_v<T, double> || std::is_same_v<T, std::optional<double>>) {
+      check_number(given, parameter);
+    }
     py::detail::make_caster<T> caster;
     if (!caster.load(given, true)) {
       refuse_argument(function, parameter, given);

@@ -25,6 +25,7 @@ PYBIND11_MODULE(_soms, module) {
   bind_solid(module);
   bind_contains(module);
   bind_closest(module);
+  bind_signed_distance(module);
   bind_winding(module);
   bind_rays(module);
   bind_scene(module);

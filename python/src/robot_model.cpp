@@ -115,6 +115,20 @@ std::ostream& operator<<(std::ostream& out, const RobotAnswerBatch& batch) {
              << batch.contacts.size() << " contacts}";
 }
 
+}  // namespace
+
+/// All else of a batch follows from its answers.
+template <>
+struct Packing<RobotAnswerBatch> {
+  static void put(Packer& to, const RobotAnswerBatch& batch) { to.put(batch.answers); }
+
+  static RobotAnswerBatch get(Unpacker& from) {
+    return RobotAnswerBatch(from.get<std::vector<RobotAnswer>>());
+  }
+};
+
+namespace {
+
 /// The meshes of a cell where they stand: their vertices are those that queries would move.
 std::vector<Mesh> placed(const std::vector<PosedMesh>& models) {
   std::vector<Mesh> meshes;
@@ -252,6 +266,9 @@ void bind_robot_answer(py::module_& module) {
       .column("contacts", &RobotAnswer::contacts,
               "(m,) with fields link, other, cell (other is a part of the cell, not a link), "
               "surfaces_meet (else one is inside the other); sorted.")
+      .derived(
+          "free", [](const RobotAnswer& a) { return a.verdict == RobotVerdict::free; },
+          "bool: nothing that is compared touches.")
       .field("undecided", &RobotAnswer::undecided, "Pairs of bodies that were not decided.")
       .column("beyond_limits", &RobotAnswer::beyond_limits,
               "(m,) uint32: joints outside of their limits; the state is answered nevertheless.")

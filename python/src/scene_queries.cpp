@@ -11,6 +11,23 @@
 
 namespace soms::python {
 
+template <>
+struct Packing<SceneClosest> : ExtendedPacking<SceneClosest, Closest, &SceneClosest::body> {};
+
+template <>
+struct Packing<SceneClosestBatch>
+    : ExtendedPacking<SceneClosestBatch, ClosestBatch, &SceneClosestBatch::body> {};
+
+template <>
+struct Packing<SceneHit> : ExtendedPacking<SceneHit, ClosestHit, &SceneHit::body> {};
+
+template <>
+struct Packing<SceneHitBatch>
+    : ExtendedPacking<SceneHitBatch, ClosestHitBatch, &SceneHitBatch::body> {};
+
+template <>
+struct Packing<SceneAllHits> : ExtendedPacking<SceneAllHits, AllHits, &SceneAllHits::body> {};
+
 py::dtype RowType<SceneBody>::get() {
   return structured(
       {{"kind", "u1", offsetof(SceneBody, kind)}, {"number", "u4", offsetof(SceneBody, id)}},

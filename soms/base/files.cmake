@@ -18,6 +18,7 @@ set(SOMS_HEADERS
   random.h
   stop_token.h
   text.h
+  threads.h
   vector.h
 )
 set(SOMS_SOURCES

@@ -84,6 +84,9 @@ struct OverlapBatch {
   [[nodiscard]] std::span<const TrianglePair> pairs_of(std::size_t pose) const {
     return std::span(pairs).subspan(offsets[pose], offsets[pose + 1] - offsets[pose]);
   }
+
+  /// The answer for a pose.
+  [[nodiscard]] Overlap at(std::size_t pose) const;
 };
 
 /// `overlap` of `mover` at each of `poses` with `fixed`; answers and costs equal those of single

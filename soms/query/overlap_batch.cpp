@@ -49,6 +49,11 @@ OverlapBatch join(std::span<OverlapBatch> blocks) {
 
 }  // namespace
 
+Overlap OverlapBatch::at(std::size_t pose) const {
+  const std::span<const TrianglePair> own = pairs_of(pose);
+  return {any[pose] != 0, {own.begin(), own.end()}, coverage[pose], costs[pose]};
+}
+
 OverlapBatch overlap(const Shape& mover, std::span<const Pose> poses, const Body& fixed,
                      const OverlapOptions& options, const Parallel& parallel) {
   const PlainArithmetic plain;

@@ -1,11 +1,26 @@
 """Errors are soms.Error with kind, place and remedy; what is given wrongly is said with its shape."""
+import pathlib
 import pickle
+import re
 import unittest
 
 import numpy as np
 
 import soms
 from models import FACES, TETRAHEDRON, Foreign, tetrahedron
+
+
+SOURCES = pathlib.Path(__file__).resolve().parents[2] / "soms"
+
+
+def is_in_python(word):
+    """`Layout.wide` of the package; the words after "give" are not names."""
+    found = soms
+    for name in word.split("."):
+        if not hasattr(found, name):
+            return False
+        found = getattr(found, name)
+    return True
 
 
 class Errors(unittest.TestCase):
@@ -68,8 +83,25 @@ class Errors(unittest.TestCase):
             soms.Mesh([[1, 2, 3], [4]], FACES)
         with self.fails("usage", "a:", "str"):
             soms.overlap("car.ply", tetrahedron())
-        with self.fails("out_of_range", "2^53"):
-            soms.Mesh(np.full((3, 3), 2**60), [[0, 1, 2]])
+
+    def test_integers_that_a_double_does_not_hold(self):
+        exact, beyond = 2**53, 2**53 + 1  # whose double is 2^53
+        for sign in (1, -1):
+            for row in ([exact] * 3, [exact, 0.5, 0]):
+                self.assertEqual(len(soms.contains(tetrahedron(), [[sign * x for x in row]])), 1)
+            for row in ([sign * beyond] * 3, [sign * beyond, 0.5, 0], (0, 0.5, sign * 2**62),
+                        np.array([sign * beyond, 0, 0])):
+                with self.fails("out_of_range", "2^53"):
+                    soms.contains(tetrahedron(), [row])
+        for given in (np.full((3, 3), 2**60), np.full((3, 3), 2**63 + 1, dtype=np.uint64)):
+            with self.fails("out_of_range", "2^53"):
+                soms.Mesh(given, [[0, 1, 2]])
+        with self.fails("out_of_range", "at_most", "2^53"):
+            soms.distance(tetrahedron(), tetrahedron(), at_most=beyond)
+        with self.fails("out_of_range", "at_most", "2^53"):
+            soms.distance(tetrahedron(), tetrahedron(), at_most=10**400)
+        with self.fails("out_of_range", "within", "2^53"):
+            soms.clash(tetrahedron(), within=beyond)
 
     def test_calls(self):
         mesh = tetrahedron()
@@ -117,12 +149,42 @@ class Errors(unittest.TestCase):
             soms.overlap(tetrahedron(), tetrahedron(), mode="some")
         with self.fails("usage", "threads"):
             soms.overlap(tetrahedron(), tetrahedron(), threads=-1)
+        for threads in (1025, 10**6, 2**31 - 1):
+            with self.fails("usage", str(threads), "1024"):
+                soms.overlap(tetrahedron(), tetrahedron(), threads=threads)
+            with self.fails("usage", str(threads)):
+                soms.Shape(tetrahedron(), threads=threads)
         with self.fails("usage", "seconds"):
             soms.overlap(tetrahedron(), tetrahedron(), seconds=float("nan"))
         with self.fails("usage"):
             soms.distance(tetrahedron(), tetrahedron(), at_most=-1)
         with self.fails("usage", "directions and ends"):
             soms.any_hit(tetrahedron(), [0, 0, 0])
+
+    def test_what_to_do_is_said_in_names_of_python(self):
+        with self.fails("usage", "width must be 0 to 1"):
+            soms.winding(tetrahedron(), [0, 0, 0], width=7)
+        scene = soms.Scene()
+        scene.add_mover(soms.Body(tetrahedron()))
+        with self.fails("usage", "StepScope.every_pair"):
+            scene.step(scope="first_contact", clearance=1)
+        with self.fails("cannot_open", "A::b.ply"):
+            soms.read_mesh("/nowhere/A::b.ply")
+        with self.fails("bad_file", "Pose::b.ply"):
+            soms.read_mesh(b"ply nonsense", name="Pose::b.ply")
+
+    def test_names_of_types_in_errors_are_there(self):
+        literal = re.compile(r'"(?:[^"\\\n]|\\.)*"')
+        kind = re.compile(r"\b([A-Z]\w+)::(\w+)")
+        names = set()
+        for path in SOURCES.rglob("*.cpp"):
+            if "thesis" not in path.parts:
+                for text in literal.findall(path.read_text(encoding="utf-8")):
+                    names.update(kind.findall(text))
+        self.assertGreater(len(names), 3)
+        for of_class, member in sorted(names):
+            if not of_class.endswith("Options"):
+                self.assertTrue(is_in_python(f"{of_class}.{member}"), (of_class, member))
 
     def test_surfaces_that_are_open(self):
         with self.fails("not_closed"):
