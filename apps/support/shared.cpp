@@ -14,7 +14,8 @@ void add_shared_options(CLI::App& app, Shared& shared) {
   const char* const group = kSharedGroup;
   app.add_flag("--json", shared.json, "print answers as JSON")->group(group);
   app.add_flag("-q,--quiet", shared.quiet, "print only errors on standard error")->group(group);
-  add_count(app, "--threads", shared.threads, 0, kMostThreads, "number of threads; 0: one per processor")
+  add_count(app, "--threads", shared.threads, 0, kMostThreads,
+            "number of threads; 0: one per processor")
       ->group(group);
   add_count(app, "--seed", shared.seed, 0, ~std::uint64_t{0}, "seed of all random choices (1)")
       ->group(group);

@@ -75,7 +75,7 @@ consteval std::size_t field_count() {
 template <class T, class Function>
 decltype(auto) with_fields(T& value, Function&& function) {
   constexpr std::size_t kCount = field_count<std::remove_const_t<T>>();
-  static_assert(kCount > 0 && kCount < 14, "more fields than are told apart here");
+  static_assert(kCount > 0 && kCount < 14, "more fields than there are cases here");
   // clang-format off
   if constexpr (kCount == 1) { auto& [a] = value; return function(a); }
   else if constexpr (kCount == 2) { auto& [a, b] = value; return function(a, b); }
