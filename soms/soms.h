@@ -20,6 +20,7 @@
 #include "soms/generate/statue.h"
 #include "soms/generate/teapot.h"
 #include "soms/generate/urban.h"
+#include "soms/geometry/bodies_of.h"
 #include "soms/geometry/closedness.h"
 #include "soms/geometry/contact_box.h"
 #include "soms/geometry/counts.h"

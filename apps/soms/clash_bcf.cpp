@@ -123,13 +123,21 @@ std::vector<std::string> labels_of(const Json& row) {
   return labels;
 }
 
-BcfComponent component_of(const Json& row, const char* side, look::Rgb color) {
+/// The part of a side, and the others of its body.
+void add_components(const Json& row, const char* side, look::Rgb color,
+                    std::vector<BcfComponent>& components) {
   const Json& part = row.contains(side) && row[side].is_object() ? row[side] : Json::object();
   std::string hex = look::hex(color).substr(1);
   std::transform(hex.begin(), hex.end(), hex.begin(), [](char c) {
     return c >= 'a' && c <= 'f' ? static_cast<char>(c - 'a' + 'A') : c;
   });
-  return {text_of(part, "id"), file_name(row, side), side_label(row, side), hex};
+  components.push_back({text_of(part, "id"), file_name(row, side), side_label(row, side), hex});
+  const Json others = part.value("joined", Json::array());
+  for (const Json& other : others) {
+    if (other.is_object()) {
+      components.push_back({text_of(other, "id"), file_name(row, side), text_of(other, "part"), hex});
+    }
+  }
 }
 
 BcfCamera camera_in_meters(const ClashSight& sight, double unit) {
@@ -234,8 +242,8 @@ class BcfWriter {
         topic.files.push_back(file);
       }
     }
-    topic.components = {component_of(clash.row, "a", look::kBodyA.light),
-                        component_of(clash.row, "b", look::kBodyB.light)};
+    add_components(clash.row, "a", look::kBodyA.light, topic.components);
+    add_components(clash.row, "b", look::kBodyB.light, topic.components);
     if (const auto sight = sight_of(clashes_.report().models, clash)) {
       topic.camera = camera_in_meters(*sight, unit_);
       topic.has_snapshot = options_.snapshots;

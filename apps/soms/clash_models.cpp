@@ -101,8 +101,7 @@ void add_parts(Mesh mesh, ClashSet& set, Console& console) {
                   [&](const Parallel& parallel) { return part_bodies(mesh, {}, parallel); });
   set.mesh.insert(set.mesh.end(), parts.size(), static_cast<std::uint32_t>(set.meshes.size()));
   for (const PartBody& part : parts) {
-    set.labels.push_back(part.part == Part::kNoParent ? part_label(mesh, part.part)
-                                                      : part_path_label(mesh, part.part));
+    set.labels.push_back(body_label(mesh, part.part, part.joined));
   }
   std::move(parts.begin(), parts.end(), std::back_inserter(set.parts));
   set.meshes.push_back(std::move(mesh));
@@ -169,6 +168,22 @@ Json open_edges(const PartBody& part) {
   return edges;
 }
 
+/// What a file says of a part: name, id, type, path, index.
+Json named_side(const Mesh& mesh, std::uint32_t part) {
+  if (part == Part::kNoParent) {
+    return {{"part", nullptr},
+            {"id", nullptr},
+            {"type", nullptr},
+            {"path", Json::array()},
+            {"index", nullptr}};
+  }
+  return {{"part", mesh.parts[part].name},
+          {"id", text_or_null(mesh.parts[part].id)},
+          {"type", text_or_null(mesh.parts[part].type)},
+          {"path", part_path(mesh, part)},
+          {"index", part}};
+}
+
 }  // namespace
 
 std::uint64_t ClashModels::pairs() const {
@@ -220,18 +235,9 @@ Json clash_side(const ClashSet& set, std::uint32_t number) {
   const PartBody& part = set.parts[number];
   const Mesh& mesh = set.mesh_of(number);
   Json side = {{"file", mesh.source}, {"set", set.sets[number]}};
-  if (part.part == Part::kNoParent) {
-    side["part"] = nullptr;
-    side["id"] = nullptr;
-    side["type"] = nullptr;
-    side["path"] = Json::array();
-    side["index"] = nullptr;
-  } else {
-    side["part"] = mesh.parts[part.part].name;
-    side["id"] = text_or_null(mesh.parts[part.part].id);
-    side["type"] = text_or_null(mesh.parts[part.part].type);
-    side["path"] = part_path(mesh, part.part);
-    side["index"] = part.part;
+  side.update(named_side(mesh, part.part));
+  for (const std::uint32_t other : part.joined) {
+    side["joined"].push_back(named_side(mesh, other));
   }
   if (!part.closed) {
     side["odd_edges"] = part.odd_edges;

@@ -64,7 +64,8 @@ struct ClashModelOptions {
 /// \errors As `read_model`; ErrorKind::usage where a model is named twice.
 [[nodiscard]] ClashModels read_clash_models(const ClashModelOptions& options, Console& console);
 
-/// A part as a side of a clash: file, name, id, type, path, index, and where it is open.
+/// A part as a side of a clash: file, name, id, type, path, index, the other parts of its body, and
+/// where it is open.
 [[nodiscard]] Json clash_side(const ClashSet& set, std::uint32_t part);
 
 }  // namespace soms::command

@@ -88,10 +88,18 @@ std::string parent_of(const ClashSet& set, std::uint32_t part) {
 }  // namespace
 
 bool is_called(const ClashSet& set, std::uint32_t part, const std::string& pattern) {
-  const Part* const named = named_part(set, part);
-  return fits(pattern, set.labels[part]) ||
-         (named != nullptr &&
-          (fits(pattern, named->name) || (!named->id.empty() && fits(pattern, named->id))));
+  if (fits(pattern, set.labels[part])) {
+    return true;
+  }
+  const Mesh& mesh = set.mesh_of(part);
+  const PartBody& body = set.parts[part];
+  const auto is = [&](std::uint32_t number) {
+    const Part* const named = number == Part::kNoParent ? nullptr : &mesh.parts[number];
+    return named != nullptr &&
+           (fits(pattern, named->name) || (!named->id.empty() && fits(pattern, named->id)) ||
+            (!body.joined.empty() && fits(pattern, part_path_label(mesh, number))));
+  };
+  return is(body.part) || std::any_of(body.joined.begin(), body.joined.end(), is);
 }
 
 std::pair<std::string, std::string> set_pattern(const std::string& text) {

@@ -14,7 +14,7 @@
 namespace soms::command {
 
 /// True if a pattern of a shell (* ? [a-z]) fits the path of a part's names, its own name, or its
-/// id.
+/// id; of a body of several parts, those of one of them.
 [[nodiscard]] bool is_called(const ClashSet& set, std::uint32_t part, const std::string& pattern);
 
 /// Which set a part belongs to, and which sets are compared.

@@ -64,7 +64,7 @@ class PartsRun : public ProbeRun<PointSource> {
   /// The path of a named part; "the part of triangle 12" of another one. Printable.
   [[nodiscard]] std::string label(std::uint32_t part) const {
     const BodyPart& found = body_.parts()[part];
-    return found.named != Part::kNoParent ? part_in_text(mesh(), found.named)
+    return found.named != Part::kNoParent ? printable(body_label(mesh(), found.named, found.joined))
                                           : fmt::format("the part of triangle {}", found.first);
   }
 
@@ -160,7 +160,8 @@ class PartsRun : public ProbeRun<PointSource> {
   [[nodiscard]] Json part_json(std::uint32_t part) const {
     const BodyPart& found = body_.parts()[part];
     Json json =
-        body_.partition() == Partition::named ? part_as_json(mesh(), found.named) : Json::object();
+        body_.partition() == Partition::named ? body_as_json(mesh(), found.named, found.joined)
+                                              : Json::object();
     json["first"] = found.first;
     return json;
   }

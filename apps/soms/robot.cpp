@@ -193,6 +193,12 @@ class RobotRun : public RowRun {
           apart_warning("the robot", "the cell", boxes_watched_.least_gap(), "at every state "));
       tell_warnings({models_.warnings.back()}, options_.reading.strict, console());
     }
+    if (const auto warning = open_warning(report_)) {
+      if (options_.reading.strict) {
+        throw Error(warning->kind(), "--strict: " + warning->place(), warning->remedy());
+      }
+      console().note(std::string("warning: ") + warning->what());
+    }
   }
 
   void finish(End end) override {
@@ -322,11 +328,12 @@ Action add_robot(CLI::App& app, Shared& shared) {
   add_robot_questions(app, *options);
   add_model_options(app, options->reading, "--scale", "--up", "the cell");
   app.add_flag("--strict", options->reading.strict,
-               "treat warnings, notes and states outside of joint limits as errors (exit status 3)")
+               "treat warnings, notes, states outside of joint limits and states that an open body "
+               "leaves undecided as errors (exit status 3)")
       ->group("Models");
   app.footer(
       "Exact for the poses that the joints give: surfaces that meet, and links inside of closed\n"
-      "bodies. Without --srdf, links that a joint connects are not compared. Radians and meters.\n"
+      "bodies; what may be inside of an open one is undecided. Without --srdf, links that a joint connects are not compared. Radians and meters.\n"
       "\nExample:\n"
       "  soms generate sphere --triangles 800 -o ball.off\n"
       "  printf '<robot><link name=\"a\"><collision><geometry><box size=\"1 1 1\"/></geometry>"

@@ -129,11 +129,13 @@ RobotModelOptions model_options(const RobotModelsOptions& options, const Robot& 
 /// Names of the cell's parts, and of all bodies that are open.
 void name_bodies(RobotModels& models) {
   for (const RobotBody& body : models.model.cell_bodies()) {
-    const Mesh& mesh = models.cell[body.mesh];
-    models.cell_files.push_back(mesh.source);
-    models.cell_names.push_back(body.part.part == Part::kNoParent
-                                    ? part_label(mesh, body.part.part)
-                                    : part_path_label(mesh, body.part.part));
+    models.cell_files.push_back(models.cell[body.mesh].source);
+    std::vector<std::string> labels{
+        body_label(models.cell[body.mesh], body.part.part, {})};
+    for (const RobotMeshPart& other : body.joined) {
+      labels.push_back(body_label(models.cell[other.mesh], other.part, {}));
+    }
+    models.cell_names.push_back(joined_label(labels));
   }
   for (const RobotBody& body : models.model.link_bodies()) {
     if (!body.part.closed) {

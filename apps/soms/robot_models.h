@@ -35,8 +35,8 @@ struct RobotModels {
   Robot robot;
   std::vector<Mesh> cell;
   RobotModel model;
-  std::vector<std::string> cell_names = {};  ///< of each part of the cell
-  std::vector<std::string> cell_files = {};  ///< of each part, the file that it is in
+  std::vector<std::string> cell_names = {};  ///< of each body of the cell
+  std::vector<std::string> cell_files = {};  ///< of each body, the file that it is in
   std::vector<std::string> open = {};        ///< bodies that are not closed, as people call them
   std::vector<FrameWarning> warnings = {};
   std::vector<std::string> notes = {};

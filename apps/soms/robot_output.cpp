@@ -127,6 +127,9 @@ void RobotTotals::add(const RobotAnswer& answer) {
   free += answer.verdict == RobotVerdict::free ? 1U : 0U;
   contact += answer.verdict == RobotVerdict::contact ? 1U : 0U;
   undecided += answer.verdict == RobotVerdict::undecided ? 1U : 0U;
+  const bool is_cut = answer.coverage == Coverage::cut;
+  cut += is_cut ? 1U : 0U;
+  open += answer.verdict == RobotVerdict::undecided && !is_cut ? 1U : 0U;
   if (answer.verdict == RobotVerdict::contact && !first_contact) {
     first_contact = state;
   }
@@ -187,7 +190,7 @@ std::string models_in_text(const RobotModels& models) {
                         counted(models.model.on_cell().size(), "link"));
   }
   if (!models.open.empty()) {
-    text += fmt::format("not closed, so that only surfaces are compared with {}: {}{}\n",
+    text += fmt::format("not closed, so that what lies in {} is undecided: {}{}\n",
                         models.open.size() == 1 ? "it" : "them", printable(models.open.front()),
                         models.open.size() == 1
                             ? std::string()
@@ -202,7 +205,8 @@ std::string answer_in_text(const RobotModels& models, std::uint64_t state,
   if (!answer.contacts.empty()) {
     text += ": " + contacts_in_text(models, answer);
   } else if (answer.gap) {
-    text += ", " + gap_in_text(models, *answer.gap);
+    text += (answer.verdict == RobotVerdict::undecided ? ", surfaces " : ", ") +
+            gap_in_text(models, *answer.gap);
   }
   if (!answer.beyond_limits.empty()) {
     text += "; out of limits: " + joints_in_text(models, answer.beyond_limits);
@@ -277,6 +281,19 @@ Json answer_as_json(const RobotModels& models, std::uint64_t state, const RobotA
   return json;
 }
 
+std::optional<Error> open_warning(const RobotReport& report) {
+  if (report.totals.open == 0) {
+    return std::nullopt;
+  }
+  return Error(ErrorKind::bad_file,
+               fmt::format("{} undecided: a link or the cell may be inside of a body that is not "
+                           "closed, such as {}",
+                           counted(report.totals.open, "state"),
+                           report.models.open.empty() ? "one that its pose rounds"
+                                                      : printable(report.models.open.front())),
+               "close its mesh: soms info lists where it is open");
+}
+
 Json totals_as_json(const RobotReport& report) {
   const RobotTotals& totals = report.totals;
   const RobotModels& models = report.models;
@@ -318,7 +335,7 @@ Json totals_as_json(const RobotReport& report) {
   json["open"] = models.open;
   json["round_error"] = models.robot.tessellation_error;
   json["coverage"] =
-      totals.undecided == 0 && !report.timed_out && !report.interrupted ? "complete" : "cut";
+      totals.cut == 0 && !report.timed_out && !report.interrupted ? "complete" : "cut";
   json["cost"] = {{"node_tests", totals.cost.node_tests},
                   {"triangle_tests", totals.cost.triangle_tests},
                   {"exact_tests", totals.cost.exact_tests}};
@@ -331,6 +348,9 @@ Json totals_as_json(const RobotReport& report) {
   }
   json["notes"] = models.notes;
   json["warnings"] = warnings_json(models.warnings);
+  if (const auto warning = open_warning(report)) {
+    json["warnings"].push_back({{"kind", "open"}, {"message", warning->what()}});
+  }
   return json;
 }
 

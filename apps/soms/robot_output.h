@@ -2,6 +2,7 @@
 /// States of a robot as text, JSON and CSV.
 #pragma once
 
+#include "soms/base/error.h"
 #include "soms/robot/robot_query.h"
 
 #include "apps/soms/robot_models.h"
@@ -21,6 +22,8 @@ struct RobotTotals {
   std::uint64_t free = 0;
   std::uint64_t contact = 0;
   std::uint64_t undecided = 0;
+  std::uint64_t open = 0;                         ///< undecided, though there was time
+  std::uint64_t cut = 0;                          ///< for lack of time
   std::uint64_t beyond_limits = 0;                ///< states
   std::map<RobotPair, std::uint64_t> pairs;       ///< that touch: in how many states
   std::map<std::uint32_t, std::uint64_t> limits;  ///< joints beyond: in how many states
@@ -58,6 +61,9 @@ struct RobotReport {
 
 /// Lines for all states.
 [[nodiscard]] std::string totals_in_text(const RobotReport& report);
+
+/// What is wrong where states are undecided because bodies are open.
+[[nodiscard]] std::optional<Error> open_warning(const RobotReport& report);
 
 /// An object for a state (soms.robot/1). `verified` is left out where brute force did not look.
 [[nodiscard]] Json answer_as_json(const RobotModels& models, std::uint64_t state,

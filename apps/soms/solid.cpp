@@ -176,7 +176,9 @@ class SolidPartsRun : public PoseRun {
  private:
   [[nodiscard]] std::vector<PartBody> parts_of(const Mesh& mesh) const {
     return console().run("looking for closed parts",
-                         [&](const Parallel& parallel) { return part_bodies(mesh, {}, parallel); });
+                         [&](const Parallel& parallel) {
+                           return part_bodies(mesh, {}, parallel, OpenParts::joined);
+                         });
   }
 
   void reserve(std::size_t rows) override { answers_.assign(rows, {}); }
@@ -249,10 +251,14 @@ class SolidPartsRun : public PoseRun {
                                              report().single ? ":" : ""));
     for (std::size_t i = 0; i < count && report().single; ++i) {
       const SolidPair& pair = answers_[k][i];
-      console().print(fmt::format("  {} and {}: {}{}\n", part_in_text(report().a, pair.a->part),
-                                  part_in_text(report().b, pair.b->part),
+      console().print(fmt::format("  {} and {}: {}{}\n", body_in_text(report().a, *pair.a),
+                                  body_in_text(report().b, *pair.b),
                                   relation_label(pair.answer.relation), reason(pair)));
     }
+  }
+
+  [[nodiscard]] static std::string body_in_text(const Mesh& mesh, const PartBody& body) {
+    return printable(body_label(mesh, body.part, body.joined));
   }
 
   /// ", A is open (3 edges of an odd number of triangles)"
@@ -282,8 +288,8 @@ class SolidPartsRun : public PoseRun {
     for (const SolidPair& pair : answers_[k]) {
       std::string text =
           fmt::format("{}{{\"a\":{},\"b\":{},{}", &pair == answers_[k].data() ? "" : ",",
-                      json_text(part_as_json(report().a, pair.a->part)),
-                      json_text(part_as_json(report().b, pair.b->part)), solid_keys(pair.answer));
+                      json_text(body_as_json(report().a, pair.a->part, pair.a->joined)),
+                      json_text(body_as_json(report().b, pair.b->part, pair.b->joined)), solid_keys(pair.answer));
       if (pair.answer.why == Undecided::open) {
         text += fmt::format(",\"odd_edges\":[{},{}]", pair.a->odd_edges, pair.b->odd_edges);
       }

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace soms::command {
@@ -48,6 +49,33 @@ Json part_as_json(const Mesh& mesh, std::uint32_t part) {
     return {{"id", nullptr}, {"name", nullptr}, {"path", Json::array()}};
   }
   return {{"id", part}, {"name", mesh.parts[part].name}, {"path", part_path(mesh, part)}};
+}
+
+std::string joined_label(const std::vector<std::string>& labels) {
+  constexpr std::size_t kMost = 3;
+  const std::size_t named = labels.size() > kMost ? kMost - 1 : labels.size();
+  std::string text = fmt::format("{}", fmt::join(labels.begin(), labels.begin() + static_cast<std::ptrdiff_t>(named), " + "));
+  return named == labels.size() ? text : fmt::format("{} + {} more", text, labels.size() - named);
+}
+
+std::string body_label(const Mesh& mesh, std::uint32_t part,
+                       std::span<const std::uint32_t> joined) {
+  const auto label = [&](std::uint32_t number) {
+    return number == Part::kNoParent ? part_label(mesh, number) : part_path_label(mesh, number);
+  };
+  std::vector<std::string> labels{label(part)};
+  for (const std::uint32_t other : joined) {
+    labels.push_back(label(other));
+  }
+  return joined_label(labels);
+}
+
+Json body_as_json(const Mesh& mesh, std::uint32_t part, std::span<const std::uint32_t> joined) {
+  Json json = part_as_json(mesh, part);
+  for (const std::uint32_t other : joined) {
+    json["joined"].push_back(part_as_json(mesh, other));
+  }
+  return json;
 }
 
 std::string triangle_label(const Mesh& mesh, TriangleId i) {

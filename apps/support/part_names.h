@@ -11,7 +11,9 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace soms::command {
 
@@ -30,6 +32,18 @@ namespace soms::command {
 
 /// Number, name and path of a part, null and an empty path for Part::kNoParent.
 [[nodiscard]] Json part_as_json(const Mesh& mesh, std::uint32_t part);
+
+/// Labels of what is one body with a plus between; of more than three, how many more there are.
+[[nodiscard]] std::string joined_label(const std::vector<std::string>& labels);
+
+/// What a body of a part and others is called: `part_path_label`, or `part_label` of no part, of
+/// each, as `joined_label` has it.
+[[nodiscard]] std::string body_label(const Mesh& mesh, std::uint32_t part,
+                                     std::span<const std::uint32_t> joined);
+
+/// `part_as_json` of the part; `joined` has that of each other part, where there is one.
+[[nodiscard]] Json body_as_json(const Mesh& mesh, std::uint32_t part,
+                                std::span<const std::uint32_t> joined);
 
 /// The number of a triangle as people read it: "12", or "12 (wall)" where its part has a name.
 /// \cost O(p) for p parts.

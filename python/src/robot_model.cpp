@@ -179,13 +179,17 @@ SharedModel make_model(const SharedRobot& robot, const py::object& cell, const p
     auto held = std::make_shared<HeldRobotModel>(
         HeldRobotModel{robot, RobotModel(robot->robot, meshes, options, parallel), {}});
     for (const RobotBody& body : held->model.cell_bodies()) {
-      held->cell_names.push_back(part_text(meshes[body.mesh], body.part.part));
+      std::string name = part_text(meshes[body.mesh], body.part.part);
+      for (const RobotMeshPart& other : body.joined) {
+        name += " + " + part_text(meshes[other.mesh], other.part);
+      }
+      held->cell_names.push_back(name);
     }
     return held;
   });
 }
 
-/// Bodies that are not closed, so that surfaces alone are compared with them.
+/// Bodies that are not closed, so that what may lie in them is undecided.
 std::vector<Text> open_bodies(const HeldRobotModel& held) {
   std::vector<Text> names;
   for (std::size_t i = 0; i < held.model.bodies(); ++i) {

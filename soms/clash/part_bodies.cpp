@@ -1,7 +1,9 @@
 #include "soms/clash/part_bodies.h"
 
 #include "soms/base/arithmetic.h"
+#include "soms/geometry/bodies_of.h"
 #include "soms/geometry/closedness.h"
+#include "soms/geometry/detail/part_groups.h"
 #include "soms/geometry/parts_of.h"
 #include "soms/query/detail/closed_surface.h"
 #include "soms/query/detail/moved_triangle.h"
@@ -10,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <utility>
 
 namespace soms {
@@ -49,8 +52,23 @@ Mesh mesh_of(const Mesh& mesh, const std::vector<TriangleId>& triangles) {
   return part;
 }
 
+/// A body while it is made.
+struct Piece {
+  PartBody part;
+  Mesh mesh = {};  ///< its own triangles
+  std::shared_ptr<const detail::ClosedSurface> surface = nullptr;
+  bool may_close = true;  ///< false for a group that may be closed in several ways
+
+  /// Gives it the mesh and the surface of its triangles.
+  void cut_out_of(const Mesh& whole) {
+    mesh = mesh_of(whole, part.triangles);
+    surface =
+        std::make_shared<const detail::ClosedSurface>(detail::closed_surface(mesh, Parallel()));
+  }
+};
+
 /// The triangles of each part, by the order of Mesh::parts.
-std::vector<PartBody> divided(const Mesh& mesh) {
+std::vector<Piece> divided(const Mesh& mesh) {
   const PartsOf part_of(mesh);
   // One place more, for the triangles of no part.
   std::vector<std::vector<TriangleId>> triangles(mesh.parts.size() + 1);
@@ -58,15 +76,68 @@ std::vector<PartBody> divided(const Mesh& mesh) {
     const auto id = static_cast<TriangleId>(i);
     triangles[std::min<std::size_t>(part_of(id), mesh.parts.size())].push_back(id);
   }
-  std::vector<PartBody> parts;
+  std::vector<Piece> pieces;
   for (std::size_t p = 0; p < triangles.size(); ++p) {
     if (!triangles[p].empty()) {
       const auto part = static_cast<std::uint32_t>(p);
-      parts.push_back({.part = p < mesh.parts.size() ? part : Part::kNoParent,
-                       .triangles = std::move(triangles[p])});
+      pieces.push_back({.part = {.part = p < mesh.parts.size() ? part : Part::kNoParent,
+                                 .triangles = std::move(triangles[p])}});
     }
   }
-  return parts;
+  return pieces;
+}
+
+/// The odd edges of a piece where it is not moved; empty where it is closed.
+std::vector<detail::Segment> open_edges(const Piece& piece) {
+  std::vector<detail::Segment> edges;
+  if (!piece.surface->is_closed(piece.mesh, Pose{})) {
+    for (const detail::OddEdge& edge : piece.surface->odd) {
+      if (edge.among_all && edge.ends[0] != edge.ends[1]) {
+        edges.push_back({piece.mesh.vertices[edge.ends[0]], piece.mesh.vertices[edge.ends[1]]});
+      }
+    }
+  }
+  return edges;
+}
+
+/// Puts pieces that are one body together, in the place of the first.
+void join(const Mesh& mesh, OpenParts open_parts, std::vector<Piece>& pieces) {
+  std::vector<detail::OpenPart> open;
+  for (const Piece& piece : pieces) {
+    if (std::vector<detail::Segment> edges = open_edges(piece); !edges.empty()) {
+      open.push_back({piece.part.part, std::move(edges)});
+    }
+  }
+  if (open.size() < 2) {
+    return;
+  }
+  const auto piece_of = [&](std::uint32_t part) -> Piece& {
+    return *std::lower_bound(pieces.begin(), pieces.end(), part,
+                             [](const Piece& piece, std::uint32_t number) {
+                               return piece.part.part < number;
+                             });
+  };
+  std::vector<std::uint32_t> gone;
+  for (const PartGroup& group : detail::groups_of_open(mesh, open)) {
+    if (group.parts.size() < 2 || (!group.closed && open_parts == OpenParts::alone)) {
+      continue;
+    }
+    Piece& first = piece_of(group.parts.front());
+    std::vector<TriangleId>& triangles = first.part.triangles;
+    for (const std::uint32_t part : std::span(group.parts).subspan(1)) {
+      const std::vector<TriangleId>& more = piece_of(part).part.triangles;
+      triangles.insert(triangles.end(), more.begin(), more.end());
+      first.part.joined.push_back(part);
+      gone.push_back(part);
+    }
+    std::sort(triangles.begin(), triangles.end());
+    first.may_close = group.closed;
+    first.surface = nullptr;
+  }
+  std::sort(gone.begin(), gone.end());
+  std::erase_if(pieces, [&](const Piece& piece) {
+    return std::binary_search(gone.begin(), gone.end(), piece.part.part);
+  });
 }
 
 std::vector<PartComponent> components_of(const Body& body, const detail::ClosedSurface& surface) {
@@ -81,22 +152,25 @@ std::vector<PartComponent> components_of(const Body& body, const detail::ClosedS
   return components;
 }
 
-void give_body(const Mesh& mesh, const Pose& pose, PartBody& part) {
-  part.body = Body(mesh_of(mesh, part.triangles), pose);
+PartBody finished(const Mesh& mesh, const Pose& pose, Piece piece) {
+  if (!piece.surface) {
+    piece.cut_out_of(mesh);
+  }
+  PartBody part = std::move(piece.part);
+  part.body = Body(std::move(piece.mesh), pose);
   if (part.part != Part::kNoParent) {
     part.body.name = mesh.parts[part.part].name;
   }
   const Mesh& own = part.body.shape.mesh();
-  const auto surface =
-      std::make_shared<const detail::ClosedSurface>(detail::closed_surface(own, Parallel()));
-  part.components = components_of(part.body, *surface);
-  part.odd_edges = surface->odd_count();
-  if (surface->is_closed(own, pose)) {
-    part.closed.emplace(detail::closed_body(part.body, surface));
+  part.components = components_of(part.body, *piece.surface);
+  part.odd_edges = piece.surface->odd_count();
+  if (piece.may_close && piece.surface->is_closed(own, pose)) {
+    part.closed.emplace(detail::closed_body(part.body, piece.surface));
   } else {
-    part.caps = Body(surface->caps(part.body));
+    part.caps = Body(piece.surface->caps(part.body));
     part.places = closedness(own, {.pose = pose, .places = kEdgePlaces}).places;
   }
+  return part;
 }
 
 }  // namespace
@@ -109,12 +183,22 @@ Box PartBody::box() const {
   return box;
 }
 
-std::vector<PartBody> part_bodies(const Mesh& mesh, const Pose& pose, const Parallel& parallel) {
-  std::vector<PartBody> parts = divided(mesh);
+std::vector<PartBody> part_bodies(const Mesh& mesh, const Pose& pose, const Parallel& parallel,
+                                  OpenParts open) {
+  std::vector<Piece> pieces = divided(mesh);
+  const Parallel silent{.threads = parallel.threads, .stop = parallel.stop};
+  for_each_chunk(pieces.size(), kPartsOfAChunk, silent, [&](std::size_t begin, std::size_t end) {
+    const PlainArithmetic plain;
+    for (std::size_t k = begin; k < end; ++k) {
+      pieces[k].cut_out_of(mesh);
+    }
+  });
+  join(mesh, open, pieces);
+  std::vector<PartBody> parts(pieces.size());
   for_each_chunk(parts.size(), kPartsOfAChunk, parallel, [&](std::size_t begin, std::size_t end) {
     const PlainArithmetic plain;
     for (std::size_t k = begin; k < end; ++k) {
-      give_body(mesh, pose, parts[k]);
+      parts[k] = finished(mesh, pose, std::move(pieces[k]));
     }
   });
   return parts;

@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace soms {
@@ -25,11 +26,13 @@ struct PartComponent {
   [[nodiscard]] bool operator==(const PartComponent&) const = default;
 };
 
-/// The triangles of a mesh whose innermost part it is, as a body. A value; copies share the body.
+/// The triangles of a mesh whose innermost part it is, as a body; or those of several parts that are
+/// one body together. A value; copies share the body.
 struct PartBody {
   /// Index in Mesh::parts, of an object of several runs that of the first; Part::kNoParent for the
-  /// triangles that no part holds.
+  /// triangles that no part holds. Of a body of several parts it is the first.
   std::uint32_t part = Part::kNoParent;
+  std::vector<std::uint32_t> joined = {};  ///< the other parts of the body, Part::kNoParent last
   Body body = {};
   std::optional<ClosedBody> closed = std::nullopt;  ///< `body`, if it is closed at its pose
   std::uint64_t odd_edges = 0;                      ///< edges of an odd number of triangles
@@ -46,13 +49,21 @@ struct PartBody {
   [[nodiscard]] bool operator==(const PartBody&) const = default;
 };
 
-/// Every part that is the innermost of a triangle, by the order of Mesh::parts; the triangles that
-/// no part holds come last. Vertices are copied as they are, so each body has the very triangles of
-/// the mesh.
+/// What becomes of parts that stay open, and may enclose something together.
+enum class OpenParts : unsigned char {
+  alone,   ///< each is a body of its own
+  joined,  ///< those of a group of `bodies_of` are one body, which is open
+};
+
+/// The bodies of a mesh: every part that is the innermost of a triangle, by the order of
+/// Mesh::parts; the triangles that no part holds come last. Parts that close each other, as
+/// `bodies_of` decides it, are one body, in the place of the first. Vertices are copied as they
+/// are, so each body has the very triangles of the mesh, in their order.
 /// \pre     `check(mesh)` passes.
 /// \errors  As `ClosedBody` for the pose; ErrorKind::cancelled.
-/// \cost    O(n log n) for n triangles; a shape for each part.
+/// \cost    O(n log n) for n triangles; a shape for each body.
 [[nodiscard]] std::vector<PartBody> part_bodies(const Mesh& mesh, const Pose& pose = {},
-                                                const Parallel& parallel = {});
+                                                const Parallel& parallel = {},
+                                                OpenParts open = OpenParts::alone);
 
 }  // namespace soms

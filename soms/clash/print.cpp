@@ -49,6 +49,9 @@ std::ostream& operator<<(std::ostream& out, const PartBody& value) {
   if (value.part != Part::kNoParent) {
     fields.add("part", value.part);
   }
+  for (const std::uint32_t part : value.joined) {
+    part == Part::kNoParent ? fields.item("no part") : fields.add("joined", part);
+  }
   return out << fields.item(printed_count(value.triangles.size(), "triangle", "triangles"))
                     .add("closed", value.closed.has_value())
                     .add("odd_edges", value.odd_edges);

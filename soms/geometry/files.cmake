@@ -1,4 +1,5 @@
 set(SOMS_HEADERS
+  bodies_of.h
   closedness.h
   contact_box.h
   counts.h
@@ -14,10 +15,12 @@ set(SOMS_HEADERS
   polygon.h
   polygon_holes.h
   print.h
+  reference/bodies_of.h
   triangle_distance.h
   triangle_overlap.h
 )
 set(SOMS_SOURCES
+  bodies_of.cpp
   closedness.cpp
   contact_box.cpp
   counts.cpp
@@ -25,6 +28,7 @@ set(SOMS_SOURCES
   defects.cpp
   detail/axis_gap.cpp
   detail/cell_boxes.cpp
+  detail/closed_unions.cpp
   detail/common_corners.cpp
   detail/connected_parts.cpp
   detail/crossing.cpp
@@ -44,6 +48,7 @@ set(SOMS_SOURCES
   detail/orientation_exact.cpp
   detail/packed_distance.cpp
   detail/pair_distance.cpp
+  detail/part_groups.cpp
   detail/plane_cells.cpp
   detail/plane_form.cpp
   detail/point_feature.cpp
@@ -58,6 +63,7 @@ set(SOMS_SOURCES
   polygon.cpp
   polygon_holes.cpp
   print.cpp
+  reference/bodies_of.cpp
   triangle_distance.cpp
   triangle_overlap.cpp
 )

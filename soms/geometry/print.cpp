@@ -2,6 +2,7 @@
 
 #include "soms/base/print.h"
 #include "soms/base/print_fields.h"
+#include "soms/geometry/bodies_of.h"
 #include "soms/geometry/closedness.h"
 #include "soms/geometry/crossing_segment.h"
 #include "soms/geometry/defects.h"
@@ -48,6 +49,18 @@ std::ostream& operator<<(std::ostream& out, const Part& value) {
     fields.add("continues", value.continues);
   }
   return out << fields;
+}
+
+std::ostream& operator<<(std::ostream& out, const PartGroup& value) {
+  PrintedFields fields("PartGroup");
+  for (const std::uint32_t part : value.parts) {
+    if (part == Part::kNoParent) {
+      fields.item("no part");
+    } else {
+      fields.add("part", part);
+    }
+  }
+  return out << fields.add("closed", value.closed);
 }
 
 std::ostream& operator<<(std::ostream& out, const PartRun& value) {

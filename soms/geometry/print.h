@@ -25,6 +25,7 @@ struct EdgePlace;
 struct Mesh;
 struct Part;
 struct PartClosedness;
+struct PartGroup;
 struct PartRun;
 struct PointDistance;
 struct TriangleCopy;
@@ -35,6 +36,8 @@ struct VertexCopy;
 std::ostream& operator<<(std::ostream& out, const Mesh& value);
 std::ostream& operator<<(std::ostream& out, const Attribute& value);
 std::ostream& operator<<(std::ostream& out, const Part& value);
+std::ostream& operator<<(std::ostream& out, const PartGroup& value);
+
 std::ostream& operator<<(std::ostream& out, const PartRun& value);
 std::ostream& operator<<(std::ostream& out, UpAxis value);
 std::ostream& operator<<(std::ostream& out, const Defects& value);

@@ -1,6 +1,7 @@
 #include "soms/query/contains_parts.h"
 
 #include "soms/base/arithmetic.h"
+#include "soms/geometry/bodies_of.h"
 #include "soms/geometry/closedness.h"
 #include "soms/geometry/detail/connected_parts.h"
 #include "soms/geometry/detail/joined.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -87,10 +89,10 @@ std::vector<PartSide> sides_of(const PartedBody& body, const PointCrossings& met
 
 }  // namespace
 
-PartedBody::Found PartedBody::find(const Body& body, Partition partition,
-                                   const Parallel& parallel) {
+PartedBody::Found PartedBody::divide(const Body& body, Partition partition,
+                                     const std::vector<std::uint32_t>& number,
+                                     const Parallel& parallel) {
   const Mesh& mesh = body.shape.mesh();
-  std::vector<std::uint32_t> number = numbers_of(mesh, partition, parallel);
   std::vector<TriangleId> order(mesh.triangles.size());
   std::iota(order.begin(), order.end(), TriangleId{0});
   std::stable_sort(order.begin(), order.end(),
@@ -112,6 +114,40 @@ PartedBody::Found PartedBody::find(const Body& body, Partition partition,
     found.open += part.closed ? 0U : 1U;
     for (std::uint32_t i = 0; i < run.count; ++i) {
       found.part_of[order[run.first + i]] = static_cast<std::uint32_t>(k);
+    }
+  }
+  return found;
+}
+
+PartedBody::Found PartedBody::find(const Body& body, Partition partition,
+                                   const Parallel& parallel) {
+  const Mesh& mesh = body.shape.mesh();
+  std::vector<std::uint32_t> number = numbers_of(mesh, partition, parallel);
+  Found found = divide(body, partition, number, parallel);
+  if (partition == Partition::connected || found.open < 2) {
+    return found;
+  }
+  std::map<std::uint32_t, std::vector<std::uint32_t>> joined;  // by the first part
+  std::map<std::uint32_t, std::uint32_t> first_of;
+  for (const PartGroup& group : bodies_of(mesh, parallel)) {
+    if (group.closed && group.parts.size() > 1) {
+      joined[group.parts.front()] = {group.parts.begin() + 1, group.parts.end()};
+      for (const std::uint32_t part : group.parts) {
+        first_of[part] = group.parts.front();
+      }
+    }
+  }
+  if (joined.empty()) {
+    return found;
+  }
+  for (std::uint32_t& part : number) {
+    const auto first = first_of.find(part);
+    part = first == first_of.end() ? part : first->second;
+  }
+  found = divide(body, partition, number, parallel);
+  for (BodyPart& part : found.parts) {
+    if (const auto others = joined.find(part.named); others != joined.end()) {
+      part.joined = others->second;
     }
   }
   return found;

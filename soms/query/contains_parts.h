@@ -19,13 +19,17 @@ namespace soms {
 
 /// How the triangles of a mesh are divided: each belongs to one part.
 enum class Partition : unsigned char {
-  named,      ///< by the innermost of Mesh::parts; triangles without one are a part, too
+  /// By the innermost of Mesh::parts; triangles without one are a part, too. Parts that close each
+  /// other, as `bodies_of` decides it, are one.
+  named,
   connected,  ///< by vertices in one place: triangles that share one belong together
 };
 
 /// A part of a body, and whether points can be inside it.
 struct BodyPart {
-  std::uint32_t named = Part::kNoParent;  ///< index in Mesh::parts; none for a connected part
+  /// Index in Mesh::parts; none for a connected part. Of several that are one body, the first.
+  std::uint32_t named = Part::kNoParent;
+  std::vector<std::uint32_t> joined = {};  ///< the others, Part::kNoParent last
   TriangleId first = 0;                   ///< its first triangle
   std::uint64_t triangles = 0;
   bool closed = true;           ///< by itself, at the body's pose, as `closedness` decides it
@@ -41,7 +45,8 @@ class PartedBody {
   /// \errors  ErrorKind::not_rigid, not_finite, out_of_range for the pose; cancelled. Open parts
   ///          are no error.
   /// \cost    As `closedness`, once for the whole and once for the parts, and a copy of the mesh
-  ///          for as long as it takes. Keeps 4 bytes a triangle.
+  ///          for as long as it takes; where named parts are open, as `bodies_of` and twice that.
+  ///          Keeps 4 bytes a triangle.
   explicit PartedBody(Body body, Partition partition = Partition::named,
                       const Parallel& parallel = {});
 
@@ -72,6 +77,9 @@ class PartedBody {
     std::size_t open = 0;
   };
 
+  [[nodiscard]] static Found divide(const Body& body, Partition partition,
+                                    const std::vector<std::uint32_t>& number,
+                                    const Parallel& parallel);
   [[nodiscard]] static Found find(const Body& body, Partition partition, const Parallel& parallel);
 
   Body body_;

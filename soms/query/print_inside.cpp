@@ -52,6 +52,9 @@ std::ostream& operator<<(std::ostream& out, const BodyPart& value) {
   if (value.named != Part::kNoParent) {
     fields.add("named", value.named);
   }
+  for (const std::uint32_t part : value.joined) {
+    part == Part::kNoParent ? fields.item("no part") : fields.add("joined", part);
+  }
   return out << fields.add("first", value.first)
                     .add("triangles", value.triangles)
                     .add("closed", value.closed)

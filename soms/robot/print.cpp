@@ -52,6 +52,13 @@ std::ostream& operator<<(std::ostream& out, const RobotModelOptions& value) {
                     .item(printed_count(value.off_cell.size(), "link", "links") + " off the cell");
 }
 
+std::ostream& operator<<(std::ostream& out, const RobotMeshPart& value) {
+  PrintedFields fields("RobotMeshPart");
+  fields.add("mesh", value.mesh);
+  return value.part == Part::kNoParent ? out << fields.item("no part")
+                                       : out << fields.add("part", value.part);
+}
+
 std::ostream& operator<<(std::ostream& out, const RobotBody& value) {
   return out << PrintedFields("RobotBody")
                     .add("owner", value.owner)

@@ -9,6 +9,7 @@ namespace soms {
 enum class RobotVerdict : unsigned char;
 struct RobotAnswer;
 struct RobotBody;
+struct RobotMeshPart;
 struct RobotContact;
 struct RobotGap;
 struct RobotModelOptions;
@@ -18,6 +19,7 @@ struct RobotPair;
 /// One line, as in soms/base/print.h. Lists are counted, not listed.
 std::ostream& operator<<(std::ostream& out, RobotVerdict value);
 std::ostream& operator<<(std::ostream& out, const RobotAnswer& value);
+std::ostream& operator<<(std::ostream& out, const RobotMeshPart& value);
 std::ostream& operator<<(std::ostream& out, const RobotBody& value);
 std::ostream& operator<<(std::ostream& out, const RobotContact& value);
 std::ostream& operator<<(std::ostream& out, const RobotGap& value);

@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 #include "soms/geometry/closedness.h"
 #include "soms/kinematics/link_pairs.h"
+#include "soms/query/detail/closed_surface.h"
 
 #include <algorithm>
 #include <iterator>
@@ -14,20 +15,81 @@ namespace {
 /// All their pairs are listed.
 constexpr std::uint32_t kMostLinks = 4096;
 
-/// The bodies of a mesh, each part one.
-std::vector<RobotBody> bodies_of(const Mesh& mesh, std::uint32_t owner, std::uint32_t number,
-                                 const Parallel& parallel) {
-  std::vector<RobotBody> bodies;
-  for (PartBody& part : part_bodies(mesh, {}, parallel)) {
-    RobotBody body{.owner = owner,
-                   .mesh = number,
-                   .name = part.part == Part::kNoParent ? mesh.source : mesh.parts[part.part].name,
-                   .part = std::move(part)};
-    const Closedness found = closedness(body.part.body.shape.mesh(),
-                                        {.places = 0, .connected = true}, {.stop = parallel.stop});
-    for (const PartClosedness& connected : found.connected) {
-      body.connected.push_back(connected.first);
+/// Meshes as one, and where its parts are from.
+struct OneMesh {
+  Mesh mesh;
+  std::vector<RobotMeshPart> parts;  ///< of each of its parts; of no part: the first mesh's
+
+  /// Each mesh becomes a part, around its own parts.
+  void add(Mesh other, std::uint32_t number) {
+    parts.push_back({number, Part::kNoParent});
+    for (std::uint32_t k = 0; k < other.parts.size(); ++k) {
+      Part& part = other.parts[k];
+      part.parent = part.parent == Part::kNoParent ? 0 : part.parent + 1;
+      part.continues += part.continues == Part::kNoParent ? 0 : 1;
+      parts.push_back({number, k});
     }
+    // The outer of two parts with the same triangles is the first.
+    other.parts.insert(other.parts.begin(),
+                       {.name = other.source,
+                        .count = static_cast<std::uint32_t>(other.triangles.size())});
+    if (number == 0) {
+      mesh = std::move(other);
+    } else {
+      append(mesh, other);
+    }
+  }
+
+  [[nodiscard]] RobotMeshPart part(std::uint32_t number) const {
+    return number == Part::kNoParent ? RobotMeshPart{} : parts[number];
+  }
+};
+
+std::string name_of(std::span<const Mesh> meshes, const RobotMeshPart& part) {
+  const Mesh& mesh = meshes[part.mesh];
+  return part.part == Part::kNoParent ? mesh.source : mesh.parts[part.part].name;
+}
+
+/// Finds out what of a body is connected, and what of an open one is closed.
+void look_into(RobotBody& body, const Parallel& parallel) {
+  const Mesh& mesh = body.part.body.shape.mesh();
+  detail::ClosedSurface surface = detail::closed_surface(mesh, {.stop = parallel.stop});
+  body.connected = std::move(surface.first);
+  body.connected_of = std::move(surface.part_of);
+  if (!body.part.closed) {
+    Mesh core = closed_parts(mesh, {}, {.stop = parallel.stop});
+    if (!core.triangles.empty()) {
+      body.core.emplace(Body(std::move(core)));
+    }
+  }
+}
+
+/// The bodies of meshes that do not move against each other.
+std::vector<RobotBody> bodies_among(std::span<const Mesh> meshes, std::uint32_t owner,
+                                    const Parallel& parallel) {
+  OneMesh one;
+  if (meshes.size() == 1) {
+    for (std::uint32_t k = 0; k < meshes[0].parts.size(); ++k) {
+      one.parts.push_back({0, k});
+    }
+  } else {
+    for (std::uint32_t k = 0; k < meshes.size(); ++k) {
+      one.add(meshes[k], k);
+    }
+  }
+  std::vector<RobotBody> bodies;
+  for (PartBody& part : part_bodies(meshes.size() == 1 ? meshes[0] : one.mesh, {}, parallel,
+                                    OpenParts::joined)) {
+    const RobotMeshPart first = one.part(part.part);
+    RobotBody body{.owner = owner, .mesh = first.mesh, .name = name_of(meshes, first)};
+    for (const std::uint32_t other : part.joined) {
+      body.joined.push_back(one.part(other));
+      body.name += " + " + name_of(meshes, body.joined.back());
+    }
+    body.part = std::move(part);
+    body.part.part = first.part;
+    body.part.joined.clear();
+    look_into(body, parallel);
     bodies.push_back(std::move(body));
   }
   return bodies;
@@ -55,20 +117,15 @@ RobotModel::RobotModel(const Robot& robot, std::span<const Mesh> cell,
 void RobotModel::add_links(const Robot& robot, const Parallel& parallel) {
   for (std::uint32_t link = 0; link < robot.links.size(); ++link) {
     link_names_.push_back(robot.links[link].name);
-    const std::vector<Mesh>& meshes = robot.links[link].collisions;
-    for (std::uint32_t k = 0; k < meshes.size(); ++k) {
-      std::vector<RobotBody> bodies = bodies_of(meshes[k], link, k, parallel);
-      std::move(bodies.begin(), bodies.end(), std::back_inserter(link_bodies_));
-    }
+    std::vector<RobotBody> bodies = bodies_among(robot.links[link].collisions, link, parallel);
+    std::move(bodies.begin(), bodies.end(), std::back_inserter(link_bodies_));
   }
 }
 
 void RobotModel::add_cell(std::span<const Mesh> cell, const Parallel& parallel) {
-  for (std::uint32_t k = 0; k < cell.size(); ++k) {
-    for (RobotBody& body : bodies_of(cell[k], 0, k, parallel)) {
-      body.owner = static_cast<std::uint32_t>(cell_bodies_.size());
-      cell_bodies_.push_back(std::move(body));
-    }
+  for (RobotBody& body : bodies_among(cell, 0, parallel)) {
+    body.owner = static_cast<std::uint32_t>(cell_bodies_.size());
+    cell_bodies_.push_back(std::move(body));
   }
 }
 

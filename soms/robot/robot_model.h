@@ -8,9 +8,11 @@
 #include "soms/geometry/mesh.h"
 #include "soms/kinematics/kinematics.h"
 #include "soms/kinematics/robot.h"
+#include "soms/query/contains.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -27,13 +29,27 @@ struct RobotModelOptions {
   [[nodiscard]] bool operator==(const RobotModelOptions&) const = default;
 };
 
-/// A body of a link, in its frame, or a part of the cell.
+/// A part of one of the meshes of a link, or of the cell.
+struct RobotMeshPart {
+  std::uint32_t mesh = 0;                ///< number among those of the link, or of the cell
+  std::uint32_t part = Part::kNoParent;  ///< index in its Mesh::parts
+
+  [[nodiscard]] bool operator==(const RobotMeshPart&) const = default;
+};
+
+/// A body of a link, in its frame, or of the cell.
 struct RobotBody {
-  std::uint32_t owner = 0;  ///< the link; of the cell, the number of the part
+  std::uint32_t owner = 0;  ///< the link; of the cell, the number of the body
   std::uint32_t mesh = 0;   ///< number of its mesh among those of the link, or of the cell
-  std::string name = {};    ///< of the part of its mesh, or the mesh's source
+  /// Of the part of its mesh, or the mesh's source; of several parts, with " + " between.
+  std::string name = {};
+  /// Its `part` is of `mesh`; its triangles count through all meshes of the link, or of the cell.
   PartBody part = {};
-  std::vector<TriangleId> connected = {};  ///< the first triangle of each connected part
+  std::vector<RobotMeshPart> joined = {};   ///< the other parts of the body, in PartBody's stead
+  std::vector<TriangleId> connected = {};   ///< the first triangle of each connected part
+  std::vector<std::uint32_t> connected_of = {};  ///< of each triangle; empty where there is one
+  /// Those connected parts of an open body that are closed: a point inside is inside of the body.
+  std::optional<ClosedBody> core = std::nullopt;
 
   [[nodiscard]] bool operator==(const RobotBody&) const = default;
 };
@@ -49,7 +65,9 @@ struct RobotPair {
 
 /// The bodies of a robot's links and of its cell, and which of them are compared: pairs of links
 /// but `skipped_pairs`, and each link with each part of the cell. Bodies of one link are not, nor
-/// parts of the cell. A mesh is divided into its parts, each a body of its own, as for `clashes`.
+/// parts of the cell. Meshes are divided into their parts; parts that close each other are one body,
+/// also those of several meshes of a link or of the cell, and so are open parts that may enclose
+/// something together (OpenParts::joined).
 /// A value; copies share the meshes and their trees.
 class RobotModel {
  public:
@@ -69,7 +87,7 @@ class RobotModel {
   /// Bodies of all links, by link.
   [[nodiscard]] const std::vector<RobotBody>& link_bodies() const { return link_bodies_; }
 
-  /// Parts of the cell.
+  /// Bodies of the cell.
   [[nodiscard]] const std::vector<RobotBody>& cell_bodies() const { return cell_bodies_; }
 
   /// A body by its number: those of links come first.

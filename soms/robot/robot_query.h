@@ -23,7 +23,7 @@ namespace soms {
 enum class RobotVerdict : unsigned char {
   free,       ///< nothing that is compared touches
   contact,    ///< something does
-  undecided,  ///< nothing was found, and a pair was not decided: RobotAnswer::undecided
+  undecided,  ///< nothing touches for sure, and a pair was not decided: RobotAnswer::undecided
 };
 
 /// A pair that touches.
@@ -38,7 +38,8 @@ struct RobotContact {
 /// The least distance of what is compared.
 struct RobotGap {
   /// Holds the least distance of the surfaces of all pairs, as `Distance` has it; [0, 0] where
-  /// something touches, also inside of a closed body; [infinity, infinity] where nothing is
+  /// something touches, also inside of a closed body; of surfaces alone, too, where a pair is
+  /// undecided; [infinity, infinity] where nothing is
   /// compared.
   Bracket distance = {};
   /// The least pair (by link, then links before parts of the cell) whose distance is in the same
@@ -71,8 +72,8 @@ void check(const RobotOptions& options);
 struct RobotAnswer {
   RobotVerdict verdict = RobotVerdict::undecided;
   std::vector<RobotContact> contacts = {};  ///< by pair
-  /// Pairs of bodies that were not decided: the deadline passed, or a T-junction opens where a pose
-  /// rounds it, so that nobody knows what is inside.
+  /// Pairs of bodies that were not decided: one may be inside the other, which is open, also where a
+  /// pose rounds a T-junction; or the deadline passed, and `coverage` is `cut`.
   std::uint64_t undecided = 0;
   std::vector<std::uint32_t> beyond_limits = {};  ///< joints; the state is answered nevertheless
   std::optional<RobotGap> gap = std::nullopt;     ///< where requested and not cut
@@ -84,8 +85,11 @@ struct RobotAnswer {
 
 /// For each state, which of the pairs that `model` compares touch. Two bodies touch if their
 /// surfaces share a point, as `overlap` decides it, or if a point of one is inside the other, as
-/// `contains` decides it, where the other is closed. What an open body encloses is unknown: with
-/// it, surfaces alone decide (PartBody::closed says which these are).
+/// `contains` decides it, where the other is closed, or in such a connected part of it
+/// (RobotBody::core). What an open body encloses else is unknown (PartBody::closed says which these
+/// are): it is taken to be closed by caps, as for `clashes`. Where surfaces do not meet, and a
+/// connected part of a body lies in the box of an open one or goes through its caps, the pair is
+/// undecided.
 ///
 /// All this is exact for the vertices where `Kinematics::link_poses` moves them, rounded. The
 /// answer but for `cost` does not depend on threads, trees, layouts or instruction sets; with a
@@ -96,7 +100,8 @@ struct RobotAnswer {
 ///          not_finite, out_of_range for a state, which is named by its index; cancelled.
 /// \cost    Forward kinematics and a broad phase over the boxes; for pairs of boxes that meet,
 ///          `overlap` with mode `any`, and where that finds nothing, `contains` for each connected
-///          part. With `distance`, `distance` of the pairs whose boxes are near enough.
+///          part; where one is open, the vertices of both and an `overlap` with its caps. With
+///          `distance`, `distance` of the pairs whose boxes are near enough.
 /// \threads Any number of callers; states are shared by as many threads as `parallel` says.
 [[nodiscard]] std::vector<RobotAnswer> robot_contacts(const RobotModel& model,
                                                       std::span<const double> states,

@@ -171,6 +171,14 @@ Mesh caps_of(const Body& open) {
   return caps;
 }
 
+}  // namespace
+
+Mesh caps_by_brute_force(const Body& open) {
+  return caps_of(open);
+}
+
+namespace {
+
 bool may_hold(const std::vector<Piece>& pieces, const Body& inner, const Body& open) {
   return one_fits_into(pieces, box_of(open)) ||
          overlap(inner.shape.mesh(), inner.pose, caps_of(open), {}, {}).any;

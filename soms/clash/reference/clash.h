@@ -12,6 +12,9 @@
 
 namespace soms::reference {
 
+/// What closes an open body, as PartBody::caps has it, by odd edges that are counted one by one.
+[[nodiscard]] Mesh caps_by_brute_force(const Body& open);
+
 /// The clash of two parts as `clashes` has it, but for `place` and `box`, which are left as they
 /// are by default: by `solid_by_brute_force`, `overlap` and `distance_by_brute_force`. Nothing
 /// where they are clear of each other. Numbers of parts are 0.

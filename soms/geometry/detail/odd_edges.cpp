@@ -1,5 +1,6 @@
 #include "soms/geometry/detail/odd_edges.h"
 
+#include "soms/geometry/detail/disjoint_sets.h"
 #include "soms/geometry/detail/joined.h"
 #include "soms/geometry/orientation.h"
 
@@ -111,6 +112,7 @@ bool is_degenerate(const Triangle& t) {
 struct SegmentEnd {
   Vec3 at;
   Vec3 other;
+  std::size_t segment = 0;
 };
 
 int compare_places(const Vec3& p, const Vec3& q) {
@@ -120,11 +122,6 @@ int compare_places(const Vec3& p, const Vec3& q) {
     }
   }
   return 0;
-}
-
-/// The first axis on which two places differ.
-std::size_t leading_axis(const Vec3& p, const Vec3& q) {
-  return p.x != q.x ? 0 : p.y != q.y ? 1 : 2;
 }
 
 /// Compares the lines from `v` to `a` and to `b` by their slopes, whichever way along the lines
@@ -147,15 +144,16 @@ int compare_lines(const Vec3& v, const Vec3& a, const Vec3& b) {
   return axis == 1 ? -turn(Projection::yz) : 0;
 }
 
-}  // namespace
-
-bool covers_evenly(std::span<const Segment> segments) {
+/// Calls `visit` with the ends that are in one place, of segments on one line, until it is false.
+template <class Visit>
+void for_each_common_end(std::span<const Segment> segments, const Visit& visit) {
   std::vector<SegmentEnd> ends;
   ends.reserve(2 * segments.size());
-  for (const Segment& s : segments) {
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    const Segment& s = segments[k];
     if (s[0] != s[1]) {
-      ends.push_back({s[0], s[1]});
-      ends.push_back({s[1], s[0]});
+      ends.push_back({s[0], s[1], k});
+      ends.push_back({s[1], s[0], k});
     }
   }
   std::sort(ends.begin(), ends.end(), [](const SegmentEnd& a, const SegmentEnd& b) {
@@ -168,12 +166,38 @@ bool covers_evenly(std::span<const Segment> segments) {
            compare_lines(ends[begin].at, ends[begin].other, ends[end].other) == 0) {
       ++end;
     }
-    if ((end - begin) % 2 != 0) {
-      return false;
+    if (!visit(std::span<const SegmentEnd>(ends).subspan(begin, end - begin))) {
+      return;
     }
     begin = end;
   }
-  return true;
+}
+
+}  // namespace
+
+bool covers_evenly(std::span<const Segment> segments) {
+  bool even = true;
+  for_each_common_end(segments, [&](std::span<const SegmentEnd> ends) {
+    even = ends.size() % 2 == 0;
+    return even;
+  });
+  return even;
+}
+
+std::vector<std::uint32_t> lines_of(std::span<const Segment> segments) {
+  DisjointSets sets(segments.size());
+  for_each_common_end(segments, [&](std::span<const SegmentEnd> ends) {
+    for (const SegmentEnd& end : ends) {
+      sets.unite(static_cast<std::uint32_t>(ends.front().segment),
+                 static_cast<std::uint32_t>(end.segment));
+    }
+    return true;
+  });
+  std::vector<std::uint32_t> lines(segments.size());
+  for (std::uint32_t k = 0; k < lines.size(); ++k) {
+    lines[k] = sets.find(k);
+  }
+  return lines;
 }
 
 bool cover_evenly(const Mesh& mesh, std::span<const OddEdge> edges, const Pose& pose) {

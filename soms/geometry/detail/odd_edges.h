@@ -8,6 +8,7 @@
 #include "soms/geometry/mesh.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -32,6 +33,17 @@ using Segment = std::array<Vec3, 2>;
 /// of segments begin or end. Segments from a point to itself count for nothing.
 /// \cost O(n log n) comparisons for n segments.
 [[nodiscard]] bool covers_evenly(std::span<const Segment> segments);
+
+/// For each segment the number of its line. Segments of one line that hang together by common ends,
+/// each with the next, have one number; others of the same line may have another. \pre No segment
+/// is from a point to itself.
+/// \cost As `covers_evenly`.
+[[nodiscard]] std::vector<std::uint32_t> lines_of(std::span<const Segment> segments);
+
+/// The first axis on which two places differ.
+[[nodiscard]] inline std::size_t leading_axis(const Vec3& p, const Vec3& q) {
+  return p.x != q.x ? 0 : p.y != q.y ? 1 : 2;
+}
 
 /// `covers_evenly` of the edges that are odd among all triangles, where a pose moves their ends.
 /// \cost O(n) where an end of the first edge tells that they do not, as mostly; else as

@@ -42,13 +42,9 @@ double distance_bound(const Box& a, const Box& b) {
              : largest;
 }
 
-/// The box of the moved vertices.
-Box exact_bounds(const Body& body) {
-  Box box;
-  for (TriangleId i = 0; i < body.shape.mesh().triangles.size(); ++i) {
-    box.grow(bounds(moved_triangle(body, i)));
-  }
-  return box;
+/// The closed surface of a body whose inside is surely a part of it; null if there is none.
+const std::optional<ClosedBody>& solid_of(const RobotBody& body) {
+  return body.part.closed ? body.part.closed : body.core;
 }
 
 }  // namespace
@@ -59,7 +55,8 @@ StateQuery::StateQuery(const RobotModel& model, const RobotOptions& options, Sto
       alone_{.threads = 1, .stop = std::move(stop)},
       boxes_(model.bodies()),
       closed_(model.bodies()),
-      was_closed_(model.bodies(), 0) {
+      was_closed_(model.bodies(), 0),
+      exact_boxes_(model.bodies()) {
   std::vector<std::uint32_t> groups;
   for (std::size_t i = 0; i < model.bodies(); ++i) {
     const bool is_cell = i >= model.link_bodies().size();
@@ -67,7 +64,7 @@ StateQuery::StateQuery(const RobotModel& model, const RobotOptions& options, Sto
     groups.push_back(is_cell ? 1 : model.body(i).owner + 2);
     if (is_cell) {
       boxes_[i] = bodies_[i].shape.bounds();
-      closed_[i] = model.body(i).part.closed;
+      closed_[i] = solid_of(model.body(i));
     }
   }
   broad_phase_.set_filter(std::move(groups), {});
@@ -110,6 +107,7 @@ void StateQuery::place_bodies(std::span<const double> state) {
     boxes_[i] = moved_bounds(pose, bodies_[i].shape.bounds());
     closed_[i].reset();
     was_closed_[i] = 0;
+    exact_boxes_[i].clear();
   }
 }
 
@@ -172,26 +170,20 @@ void StateQuery::decide(const Candidate& candidate, RobotAnswer& answer) {
 /// Whether a point of the first body is inside the second. As their surfaces do not meet, each
 /// connected part of the first is inside or outside as a whole. \pre They do not meet.
 bool StateQuery::is_inside(std::size_t inner, std::size_t outer, RobotAnswer& answer) {
-  const PartBody& part = model_.body(outer).part;
-  if (!part.closed) {
-    return false;
-  }
-  if (part.odd_edges != 0 && closed(outer) == nullptr) {
-    const bool near = overlaps(exact_bounds(bodies_[inner]), exact_bounds(bodies_[outer]));
+  const RobotBody& body = model_.body(outer);
+  if (body.part.closed && body.part.odd_edges != 0 && closed(outer) == nullptr) {
+    const bool near = overlaps(exact_boxes(inner).back(), exact_boxes(outer).back());
     answer.undecided += near ? 1U : 0U;
     return false;
   }
+  const bool has_solid = solid_of(body).has_value();
   for (const TriangleId triangle : model_.body(inner).connected) {
     const Vec3 point = moved_triangle(bodies_[inner], triangle).a;
-    if (!holds(boxes_[outer], point)) {
+    if (!has_solid || !holds(boxes_[outer], point) || closed(outer) == nullptr) {
       continue;
     }
-    const ClosedBody* const body = closed(outer);
-    if (body == nullptr) {
-      ++answer.undecided;
-      return false;
-    }
-    const Contains found = counted(contains(*body, point, {.deadline = options_.deadline}), answer);
+    const Contains found =
+        counted(contains(*closed(outer), point, {.deadline = options_.deadline}), answer);
     if (found.side == Side::inside) {
       return true;
     }
@@ -200,15 +192,37 @@ bool StateQuery::is_inside(std::size_t inner, std::size_t outer, RobotAnswer& an
       return false;
     }
   }
+  if (!body.part.closed && may_be_inside(inner, outer, answer)) {
+    ++answer.undecided;
+  }
   return false;
 }
 
-/// A body that is closed where it was built, at its pose; null where rounding opens it there.
+/// Whether a part of the first body may be inside the second, which is open: a connected part lies
+/// in its box, or goes through what closes it. \pre Their surfaces do not meet.
+bool StateQuery::may_be_inside(std::size_t inner, std::size_t outer, RobotAnswer& answer) {
+  const Box& box = exact_boxes(outer).back();
+  const std::vector<Box>& inside = exact_boxes(inner);
+  if (!overlaps(inside.back(), box)) {
+    return false;
+  }
+  if (std::any_of(inside.begin(), inside.end(), [&](const Box& b) { return box.contains(b); })) {
+    return true;
+  }
+  const Body caps(model_.body(outer).part.caps.shape, bodies_[outer].pose);
+  return counted(overlap(bodies_[inner], caps,
+                         {.mode = OverlapMode::any, .deadline = options_.deadline}, alone_),
+                 answer)
+             .any ||
+         cut_;
+}
+
+/// The closed surface of `solid_of` at a body's pose; null where rounding opens it there.
 const ClosedBody* StateQuery::closed(std::size_t i) {
   if (i < model_.link_bodies().size() && was_closed_[i] == 0) {
     was_closed_[i] = 1;
     try {
-      closed_[i] = model_.body(i).part.closed->at(bodies_[i].pose);
+      closed_[i] = solid_of(model_.body(i))->at(bodies_[i].pose);
     } catch (const Error& error) {
       if (error.kind() != ErrorKind::not_closed) {
         throw;
@@ -216,6 +230,23 @@ const ClosedBody* StateQuery::closed(std::size_t i) {
     }
   }
   return closed_[i] ? &*closed_[i] : nullptr;
+}
+
+/// The boxes of the moved vertices.
+const std::vector<Box>& StateQuery::exact_boxes(std::size_t i) {
+  std::vector<Box>& boxes = exact_boxes_[i];
+  if (boxes.empty()) {
+    const RobotBody& body = model_.body(i);
+    boxes.resize(body.connected.size() + 1);
+    for (TriangleId t = 0; t < bodies_[i].shape.mesh().triangles.size(); ++t) {
+      boxes[body.connected_of.empty() ? 0 : body.connected_of[t]].grow(
+          bounds(moved_triangle(bodies_[i], t)));
+    }
+    for (std::size_t k = 0; k < body.connected.size(); ++k) {
+      boxes.back().grow(boxes[k]);
+    }
+  }
+  return boxes;
 }
 
 /// All pairs of bodies that may be within a distance, the nearest boxes first.

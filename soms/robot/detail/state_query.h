@@ -39,7 +39,9 @@ class StateQuery {
   void find_contacts(RobotAnswer& answer);
   void decide(const Candidate& candidate, RobotAnswer& answer);
   [[nodiscard]] bool is_inside(std::size_t inner, std::size_t outer, RobotAnswer& answer);
+  [[nodiscard]] bool may_be_inside(std::size_t inner, std::size_t outer, RobotAnswer& answer);
   [[nodiscard]] const ClosedBody* closed(std::size_t i);
+  [[nodiscard]] const std::vector<Box>& exact_boxes(std::size_t i);
   void measure(RobotAnswer& answer);
   [[nodiscard]] std::vector<Candidate> by_bound(double at_most) const;
 
@@ -56,8 +58,10 @@ class StateQuery {
   BroadPhase broad_phase_;
   std::vector<Body> bodies_;  ///< at the poses of the state
   std::vector<Box> boxes_;    ///< that hold them
-  std::vector<std::optional<ClosedBody>> closed_;
-  std::vector<std::uint8_t> was_closed_;  ///< `closed_` was tried for this state
+  std::vector<std::optional<ClosedBody>> closed_;  ///< of an open one, its core
+  std::vector<std::uint8_t> was_closed_;           ///< `closed_` was tried for this state
+  /// Of each connected part, and of the body, which is last; empty if they were not asked for.
+  std::vector<std::vector<Box>> exact_boxes_;
   bool cut_ = false;
 };
 

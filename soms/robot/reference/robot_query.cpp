@@ -2,7 +2,9 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
+#include "soms/clash/reference/clash.h"
 #include "soms/geometry/closedness.h"
+#include "soms/query/contains_parts.h"
 #include "soms/query/reference/contains.h"
 #include "soms/query/reference/distance.h"
 #include "soms/query/reference/overlap.h"
@@ -68,6 +70,21 @@ bool has_corner_inside(const Body& inner, const Body& outer, const Box& outer_bo
   return std::find(sides.begin(), sides.end(), Side::inside) != sides.end();
 }
 
+/// Whether a connected part of a body is in the box of an open one, or goes through what closes it.
+bool may_be_inside(const Body& inner, const Body& open, const Box& open_box) {
+  const Mesh& mesh = inner.shape.mesh();
+  const PartedBody parts(Body(inner.shape), Partition::connected);
+  std::vector<Box> boxes(parts.parts().size());
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    for (const std::uint32_t v : mesh.triangles[i]) {
+      boxes[parts.part_of(static_cast<TriangleId>(i))].grow(inner.pose.apply(mesh.vertices[v]));
+    }
+  }
+  return std::any_of(boxes.begin(), boxes.end(),
+                     [&](const Box& box) { return open_box.contains(box); }) ||
+         overlap(mesh, inner.pose, caps_by_brute_force(Body(open.shape)), open.pose, {}).any;
+}
+
 /// What is known of one pair of bodies.
 struct PairFound {
   bool meet = false;
@@ -88,14 +105,21 @@ PairFound look_at(const RobotModel& model, const PlacedBodies& placed, std::size
     return found;
   }
   for (const auto& [inner, outer] : {std::pair{i, j}, std::pair{j, i}}) {
+    const Body& around = placed.bodies[outer];
     if (!model.body(outer).part.closed) {
+      const Body core(closed_parts(around.shape.mesh()), around.pose);
+      const bool closed =
+          closedness(core.shape.mesh(), {.pose = core.pose, .places = 0}).whole.closed;
+      found.inside = found.inside || has_corner_inside(placed.bodies[inner], core,
+                                                       placed.boxes[outer], closed);
+      found.undecided =
+          found.undecided || may_be_inside(placed.bodies[inner], around, placed.boxes[outer]);
       continue;
     }
-    const bool closed = closedness(placed.bodies[outer].shape.mesh(),
-                                   {.pose = placed.bodies[outer].pose, .places = 0})
-                            .whole.closed;
+    const bool closed =
+        closedness(around.shape.mesh(), {.pose = around.pose, .places = 0}).whole.closed;
     found.undecided = found.undecided || !closed;
-    found.inside = found.inside || has_corner_inside(placed.bodies[inner], placed.bodies[outer],
+    found.inside = found.inside || has_corner_inside(placed.bodies[inner], around,
                                                      placed.boxes[outer], closed);
   }
   found.undecided = found.undecided && !found.inside;

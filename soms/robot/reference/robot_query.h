@@ -12,7 +12,9 @@ namespace soms::reference {
 
 /// Same meaning as `robot_contacts` of one state with all contacts; `measure` asks for the gap,
 /// too. Surfaces meet by `reference::overlap`; a body is inside a closed one where one of its
-/// corners is, by `reference::contains_by_brute_force` for each triangle; the gap is the least by
+/// corners is, by `reference::contains_by_brute_force` for each triangle; of an open one, those
+/// connected parts that are closed count, and what may be inside else is undecided, by boxes and
+/// `caps_by_brute_force`; the gap is the least by
 /// `reference::distance_by_brute_force`. Bodies whose boxes do not meet, or are farther apart than
 /// others, are passed over. Points of the gap and cost are not given.
 /// \errors  As `robot_contacts`.
