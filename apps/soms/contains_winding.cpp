@@ -8,6 +8,7 @@
 #include "apps/soms/pair_options.h"
 #include "apps/soms/pair_report.h"
 #include "apps/soms/side_run.h"
+#include "apps/soms/winding_verify.h"
 #include "apps/support/console.h"
 #include "apps/support/text.h"
 
@@ -84,7 +85,7 @@ class WindingRun : public SideRun {
       const Body& body = index_.body();
       const Bracket truth = reference::winding_by_brute_force(body, block()[k]);
       const Bracket& number = answers_.number[k];
-      if (number.upper < truth.lower || number.lower > truth.upper) {
+      if (!agrees(number, truth)) {
         return fmt::format(
             "brute force finds a winding number from {} to {}, but the answer is "
             "from {} to {}",

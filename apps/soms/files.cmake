@@ -185,6 +185,8 @@ set(SOMS_COMMAND_FILES
   version.h
   viewer.cpp
   viewer.h
+  winding_verify.cpp
+  winding_verify.h
   within.cpp
   within.h
 )

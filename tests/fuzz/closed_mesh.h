@@ -7,6 +7,7 @@
 #include "soms/tree/shape.h"
 
 #include "tests/fuzz/bytes.h"
+#include "tests/fuzz/scales.h"
 
 #include <cmath>
 #include <cstddef>
@@ -35,13 +36,14 @@ inline Vec3 place(Bytes& bytes, double unit) {
   return {x, y, coordinate(bytes, unit)};
 }
 
-/// Faces of tetrahedra, some of them left out, doubled or without area.
+/// Faces of tetrahedra, some of them much smaller than others, left out, doubled or without area.
 inline Mesh closed_mesh(Bytes& bytes, double unit) {
   Mesh mesh;
   for (std::uint32_t k = 0, count = 1 + bytes.below(10); k < count; ++k) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    const double heap = unit_of_heap(bytes, unit);
     for (int corner = 0; corner < 4; ++corner) {
-      mesh.vertices.push_back(place(bytes, unit));
+      mesh.vertices.push_back(place(bytes, heap));
     }
     mesh.triangles.insert(mesh.triangles.end(), {{first, first + 1, first + 2},
                                                  {first, first + 1, first + 3},

@@ -11,6 +11,7 @@
 #include "tests/fuzz/closed_mesh.h"
 #include "tests/fuzz/poses.h"
 #include "tests/fuzz/require.h"
+#include "tests/fuzz/scales.h"
 
 #include <cmath>
 #include <cstddef>
@@ -41,11 +42,11 @@ Vec3 point_of(Bytes& bytes, const Body& body, double unit) {
   } else if (change == 1) {
     p[axis] = vertex(any(mesh.vertices.size()))[axis];
   } else if (change == 2) {
-    p[axis] += std::ldexp(unit, static_cast<int>(bytes.below(120)) - 60);
+    p[axis] += fuzz::far_by(unit, static_cast<int>(bytes.below(120)) - 60);
   } else if (change == 3) {
     p = (vertex(any(mesh.vertices.size())) + vertex(any(mesh.vertices.size()))) * 0.5;
   }
-  return p;
+  return fuzz::within_limits(p);
 }
 
 void check_points(const ClosedBody& body, const std::vector<Vec3>& points) {
@@ -58,11 +59,11 @@ void check_points(const ClosedBody& body, const std::vector<Vec3>& points) {
 }
 
 void check_input(Bytes& bytes) {
-  const double unit = std::ldexp(1.0, static_cast<int>(bytes.below(120)) - 60);
+  const double unit = fuzz::unit_of(bytes);
   const Mesh mesh = fuzz::closed_mesh(bytes, unit);
   Pose pose = fuzz::pose_of(bytes, unit);
   if (bytes.below(4) == 0) {
-    pose.m[4 * bytes.below(3) + 3] += std::ldexp(unit, static_cast<int>(bytes.below(64)));
+    pose.m[4 * bytes.below(3) + 3] += fuzz::far_by(unit, static_cast<int>(bytes.below(64)));
   }
   const Body body(Shape(mesh, fuzz::shape_options(bytes)), pose);
   const bool closed = closedness(mesh, {.pose = pose}).whole.closed;

@@ -1,6 +1,6 @@
-// A soup of awkward triangles at an awkward pose, by any rule in either layout, and rays and
-// segments between points on it, beside it and in line with its corners: against brute force, in
-// batches, one by one and by two threads.
+// A soup of awkward triangles of any size, and of very different ones, at an awkward pose, by any
+// rule in either layout, and rays and segments between points on it, beside it and in line with its
+// corners: against brute force, in batches, one by one and by two threads.
 #include "soms/query/ray.h"
 #include "soms/query/reference/ray.h"
 #include "soms/tree/rule/rules.h"
@@ -9,6 +9,7 @@
 #include "tests/fuzz/bytes.h"
 #include "tests/fuzz/poses.h"
 #include "tests/fuzz/require.h"
+#include "tests/fuzz/scales.h"
 
 #include <cmath>
 #include <cstddef>
@@ -41,14 +42,20 @@ Vec3 awkward_place(Bytes& bytes, double unit) {
 
 Mesh soup(Bytes& bytes, double unit) {
   Mesh mesh;
+  double heap = unit;
   for (std::uint32_t k = 0, count = 3 + bytes.below(9); k < count; ++k) {
-    mesh.vertices.push_back(awkward_place(bytes, unit));
+    heap = bytes.below(4) == 0 ? fuzz::unit_of_heap(bytes, unit) : heap;
+    mesh.vertices.push_back(awkward_place(bytes, heap));
   }
   const auto size = static_cast<std::uint32_t>(mesh.vertices.size());
   for (std::uint32_t k = 0, count = 1 + bytes.below(24); k < count; ++k) {
     const std::uint32_t a = bytes.below(size);
     const std::uint32_t b = bytes.below(size);
-    mesh.triangles.push_back({a, b, bytes.below(size)});
+    if (bytes.below(4) == 0) {  // of one heap, most likely
+      mesh.triangles.push_back({a, (a + 1) % size, (a + 2) % size});
+    } else {
+      mesh.triangles.push_back({a, b, bytes.below(size)});
+    }
   }
   return mesh;
 }
@@ -69,12 +76,12 @@ Vec3 end_of_ray(Bytes& bytes, const Body& body, double unit) {
       p += awkward_place(bytes, unit) * std::ldexp(1.0, static_cast<int>(bytes.below(45)));
       break;
     case 2:
-      p += awkward_place(bytes, unit);
+      p += awkward_place(bytes, fuzz::unit_of_heap(bytes, unit));
       break;
     default:
       break;
   }
-  return p;
+  return fuzz::within_limits(p);
 }
 
 template <class Line>
@@ -99,7 +106,7 @@ void check_lines(const Body& body, const std::vector<Line>& lines, const RayOpti
 }
 
 void check_rays(Bytes& bytes) {
-  const double unit = std::ldexp(1.0, static_cast<int>(bytes.below(120)) - 60);
+  const double unit = fuzz::unit_of(bytes);
   const auto table = rules();
   ShapeOptions shape;
   shape.build.rule = table[bytes.below(static_cast<std::uint32_t>(table.size()))].rule;

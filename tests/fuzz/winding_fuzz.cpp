@@ -10,6 +10,7 @@
 #include "tests/fuzz/closed_mesh.h"
 #include "tests/fuzz/poses.h"
 #include "tests/fuzz/require.h"
+#include "tests/fuzz/scales.h"
 
 #include <cmath>
 #include <cstddef>
@@ -32,22 +33,26 @@ Vec3 winding_point(Bytes& bytes, const Body& body, double unit) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::uint32_t change = bytes.below(4);
     if (change == 0) {
-      p[axis] += std::ldexp(unit, static_cast<int>(bytes.below(120)) - 90);
+      p[axis] += fuzz::far_by(unit, static_cast<int>(bytes.below(120)) - 90);
     } else if (change == 1) {
       p[axis] = body.pose.apply(mesh.vertices[bytes.byte() % mesh.vertices.size()])[axis];
     }
   }
-  return p;
+  return fuzz::within_limits(p);
 }
 
 void check_winding(Bytes& bytes) {
-  const double unit = std::ldexp(1.0, static_cast<int>(bytes.below(120)) - 60);
+  const double unit = fuzz::unit_of(bytes);
   Mesh mesh = fuzz::closed_mesh(bytes, unit);
   for (std::uint32_t k = bytes.below(12); k > 0 && mesh.triangles.size() > 1; --k) {
     mesh.triangles.erase(mesh.triangles.begin() +
                          static_cast<std::ptrdiff_t>(bytes.byte() % mesh.triangles.size()));
   }
-  const Body body(Shape(mesh, fuzz::shape_options(bytes)), fuzz::pose_of(bytes, unit));
+  Pose pose = fuzz::pose_of(bytes, unit);
+  if (bytes.below(4) == 0) {  // perhaps so far that the body moves to a few places
+    pose.m[4 * bytes.below(3) + 3] += fuzz::far_by(unit, static_cast<int>(bytes.below(64)));
+  }
+  const Body body(Shape(mesh, fuzz::shape_options(bytes)), pose);
   const WindingIndex index(body);
   const WindingOptions options{.width = std::ldexp(1.0, -static_cast<int>(bytes.below(60)))};
   std::vector<Vec3> points;

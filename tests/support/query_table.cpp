@@ -59,7 +59,8 @@ std::string cut_distance_fault(const Distance& answer, const PairTruth& truth, c
   if (!(answer.distance.lower <= d.lower && answer.distance.upper >= d.upper)) {
     return "the bracket of a cut answer does not hold the distance";
   }
-  return answer.triangles && distance_of_pair(a, b, *answer.triangles).upper > answer.distance.upper
+  return answer.triangles &&
+                 !(distance_of_pair(a, b, *answer.triangles).upper <= answer.distance.upper)
              ? "the pair of a cut answer is farther than it says"
              : "";
 }

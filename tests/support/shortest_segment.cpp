@@ -61,7 +61,8 @@ std::string fault_of_points(const Body& a, const Body& b, const TrianglePair& pa
   // The sum and the difference may round once more.
   const double slack = 2 * most + unit;
   const Bracket apart = triangle_distance({p, p, p}, {q, q, q}).distance;
-  if (apart.lower > d.upper + slack || apart.upper < d.lower - slack) {
+  // Written so that NaN fails.
+  if (!(apart.lower <= d.upper + slack && apart.upper >= d.lower - slack)) {
     return "the points are not as far apart as the triangles";
   }
   return {};

@@ -1,6 +1,7 @@
 // Kernels of rays in any direction, for any kind of four lanes F4 and eight lanes F8. Included once
 // for each instruction set, inside its namespace and after parity.h; so it has no include guard and
-// includes nothing. ray/ray_frame.h proves the margins.
+// includes nothing. ray/ray_frame.h proves the margins, and says of each product here what covers
+// it where it underflows.
 
 /// Where a ray is as a node's axes see it, and one over its direction.
 struct LineInNode {
@@ -24,6 +25,7 @@ struct LineInNode {
     select(F4(0.0F) > ahead, F4(0.0F) - one_over, one_over).store(inverse.data());
   }
 
+  /// What underflows here is within the margin: below 2^-147.
   static F4 turned(const std::array<float, 4>& v, const WideNode& node) {
     return (F4::load(node.row[0].data()) * F4(v[0]) + F4::load(node.row[1].data()) * F4(v[1])) +
            F4::load(node.row[2].data()) * F4(v[2]);
@@ -108,14 +110,18 @@ inline void line_descents(const WideNode* nodes, LineDescent* const* descents, s
   }
 }
 
-/// Where the line of a ray crosses triangles: weighted by the areas that it parts them into.
+/// Areas that are not surely above this are left open, so that one over a sum of three is a float.
+constexpr float kLeastArea = 0x1p-120F;
+
+/// Where the line of a ray crosses triangles: weighted by the shares of the areas that it parts
+/// them into. A product of an area and a length would be one of three lengths, and underflow;
+/// shares are at most 1, and what underflows in them, times a length, is within `along`.
 inline void tighten(const Corners& q, const SeenAlong& areas, float area, float along, F8& near,
                     F8& far) {
-  const F8 sum = (areas.beside[0] + areas.beside[1]) + areas.beside[2];
-  const F8 place =
-      q[0][0] +
-      (areas.beside[0] * (q[2][0] - q[0][0]) + areas.beside[2] * (q[1][0] - q[0][0])) / sum;
-  const F8 error = (far - near) * (F8(area * 6) / abs(sum) + F8(0x1p-20F)) + F8(along * 6);
+  const F8 inverse = F8(1.0F) / ((areas.beside[0] + areas.beside[1]) + areas.beside[2]);
+  const F8 place = q[0][0] + ((areas.beside[0] * inverse) * (q[2][0] - q[0][0]) +
+                              (areas.beside[2] * inverse) * (q[1][0] - q[0][0]));
+  const F8 error = (far - near) * (F8(area * 6) * abs(inverse) + F8(0x1p-20F)) + F8(along * 6);
   near = max(near, place - error);
   far = min(far, place + error);
 }
@@ -129,7 +135,7 @@ inline void line_block(LineBlockTask& task) {
   const float size = block.l1_radius * 1.5F + (std::abs(seen[1]) + std::abs(seen[2]));
   const float error = size * 0x1p-21F + line.slack;
   const float along = (block.l1_radius + std::abs(seen[0])) * 0x1p-21F + line.slack;
-  const float area = error * (size * 6 + error * 4) + 0x1p-140F;
+  const float area = error * (size * 6 + error * 4) + kLeastArea;
   const Corners q = turned_corners(line.row, block, seen);
   const SeenAlong areas(q, error, area);
   F8 near = least(q[0][0], q[1][0], q[2][0]) - F8(along);

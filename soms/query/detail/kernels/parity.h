@@ -1,6 +1,7 @@
 // Kernels of rays along an axis, for any kind of four lanes F4 and eight lanes F8. Included once
 // for each instruction set, inside its namespace and after triangles.h; so it has no include guard
-// and includes nothing. parity_frame.h proves the margins.
+// and includes nothing. parity_frame.h proves the margins, and says of each product here what
+// covers it where it underflows.
 
 /// B of the proof: from the point to a node's or block's origin, along the ray and across it.
 inline std::array<float, 3> seen_from(const RayNumbers& numbers, const RayStart& start,
@@ -169,7 +170,8 @@ inline Corners seen_corners(const RayNumbers& numbers, const TriangleBlock& bloc
   return q;
 }
 
-/// Twice the area between the point and an edge, seen along the ray.
+/// Twice the area between the point and an edge, seen along the ray: off by 2^-149 where products
+/// underflow, which `area` below has room for.
 inline F8 area_beside(const Three& a, const Three& b) {
   return a[1] * b[2] - a[2] * b[1];
 }

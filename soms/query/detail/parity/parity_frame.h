@@ -40,6 +40,14 @@
 /// triangle seen along the ray, however thin. Three of one sign: strictly inside. All
 /// corners surely ahead or behind: so is the triangle.
 ///
+/// Underflow. In the world, products with entries of R, and what is halved, are off by 2^-1075
+/// each: 17 of them are below 2^-1064. Sums and differences of doubles are exact where they are
+/// that small. In float, what is rounded to less than 2^-126 is off by 2^-150: a row's product with
+/// a corner, center or radius by less than 2^-147, once more for R Q; magnitudes of n by 2^-149,
+/// times a radius below 2^23. All are below the 2^-100 of `slack`, and so are margins that
+/// underflow themselves. Twice an area is off by 2^-149, and what it is compared with by as much:
+/// below 2^-140. Nothing is divided.
+///
 /// Nothing overflows: corners are below 2^22, and B below 2^24 + W. Where W exceeds 2^50, the body
 /// is less than a rounding of where it lies: then s is taken as 0 and W as 2^50, floats tell
 /// nothing, and every triangle is decided exactly.

@@ -19,7 +19,8 @@ static_assert(2 + 2 + 6 + 2 + 4 <= 16 && 96.6 + 16 < 128);
 static_assert(60 + 27 + 14 + 28.6 + 12.4 + 1 <= 2 * 128 && 10.5 <= kLineOfResidual);
 static_assert(8.02 + 8.02 + 24.1 + 14.8 + 12 + 25.7 + 4 < 128);
 
-/// Four roundings of the place of a ray's end, relative to its terms.
+/// Four roundings of the place of a ray's end, relative to its terms; kLineUnderflow covers what
+/// underflows.
 constexpr double kEndRounding = 0x1p-50;
 
 constexpr double kMostPlace = 0x1p100;
@@ -198,10 +199,11 @@ bool RayFrame::start(const RayLine& line, const ScaledDirection& direction,
   numbers.near_sure = up(course.start * numbers.scale);
   const double way = course.shortest * course.speed;
   const double place = course.start + way;
-  numbers.far_sure =
-      std::isinf(way)
-          ? static_cast<float>(kMostPlace)
-          : down((place - (std::abs(course.start) + std::abs(way)) * kEndRounding) * numbers.scale);
+  numbers.far_sure = std::isinf(way)
+                         ? static_cast<float>(kMostPlace)
+                         : down((place - ((std::abs(course.start) + std::abs(way)) * kEndRounding +
+                                          kLineUnderflow)) *
+                                numbers.scale);
   course.set_far(course.longest);
   return true;
 }
@@ -212,7 +214,7 @@ void RayCourse::set_far(double time) {
     numbers.far_open = static_cast<float>(kMostPlace);
     return;
   }
-  const double place = (start + way) + (std::abs(start) + way) * kEndRounding;
+  const double place = (start + way) + ((std::abs(start) + way) * kEndRounding + kLineUnderflow);
   numbers.far_open = up(place * numbers.scale);
 }
 

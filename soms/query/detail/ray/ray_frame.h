@@ -34,8 +34,8 @@
 /// the area that `within` compares with, and have one sign; corners are off by E along the ray.
 /// With areas as computed in place of a_i the mean moves by at most 5 A / |a_0 + a_1 + a_2| times
 /// the corners' range, and with corners as computed by E; ranges as computed are short by 2 E at
-/// most, and 5 A is at most 5/3 of the sum, 10/3 E. Ten roundings of the range and one of the place
-/// are below 2^-20 of the range and E / 8: in all 6 A / |sum| + 2^-20 of the range, and 6 E.
+/// most, and 5 A is at most 5/3 of the sum, 10/3 E. Nine roundings of the range and one of the
+/// place are below 2^-20 of the range and E / 8: in all 6 A / |sum| + 2^-20 of the range, and 6 E.
 ///
 /// Nodes are seen along the mesh's axes. With X the inverse of R as computed (relative_pose.h, with
 /// r its residual), the ray's point at place p is, seen from the tree's origin,
@@ -58,6 +58,22 @@
 /// U, which is 128 and more, no interval of places is too narrow, whatever the direction. Places
 /// are then added to p_0, off by 2^-24 (|p_0| + 2 L) and U: 2^-20 (L + |p_0|) + U suffices. Where
 /// the bound of an interval is beyond 2 L, it is off by less than it is too far.
+///
+/// Underflow. In the world, products with entries of P R, X and s, and what is halved, are off by
+/// 2^-1075 each: fewer than 100 of them on the way to a number, X included, are below 2^-1064, of
+/// which U has two. s itself, and the low parts of doubles in pairs, may be off by 2^-1074, times
+/// |D|: nothing beside 2^-95 |D|. Sums and differences of doubles are exact where they are small.
+/// Ends of the ray: a product of time and speed, both rounded to 2^-1075, and the rounding that
+/// ends give way by, underflow to less than the 2^-1064 that they give way by, too. In float, what
+/// is rounded to less than 2^-126 is off by 2^-150. W and U have 2^-100 more:
+///   corners, and the ray as a node sees it, are off by less than 2^-146, of which |1 / w_k| times
+///   enters into places, as it does of U; products with it, at most 2^24, by 2^-150 more;
+///   twice an area by 2^-149: A has 2^-120 more, so a sum of three areas that are surely of one
+///   sign is above 2^-119, one over it is below 2^119, and above 2^-100, as no sum is beyond 2^100;
+///   shares of areas, which are at most 1, by 2^-150, times ranges below 2^24, and their products
+///   by 2^-150 more: below 2^-125, of what 6 E leaves, which is E; 6 A over the sum is at most 2,
+///   and its product with the range off by 2^-126 at most.
+/// No product has three lengths or more: where corners are next to 2^-50 such a one would vanish.
 ///
 /// Where U exceeds 2^50 floats tell nothing, and the scale is taken as 0, as there.
 #pragma once

@@ -15,6 +15,7 @@ namespace soms::detail {
 /// Horner's scheme (the terms alternate; the last factor is rounded twice, the others weigh
 /// s^2 < 0.172 each) and by s^47 / 47 < 0.001 u for what the series leaves out. Over 2 pi, rounded
 /// twice more, that is 0.55 u; then come at most three sums of numbers up to 1/2, u/4 each.
+/// A tangent, or a square of one, that underflows is off by 2^-1074, which is nothing.
 inline constexpr double kArgumentError = 4 * 0x1p-53;
 static_assert((1.25 + 1.3 + 0.001) / 6.28 + 2 * 0.4143 / 6.28 + 3 * 0.25 < 4);
 
@@ -32,6 +33,8 @@ class AngleSum {
  public:
   /// Adds the argument of a number of magnitude 2^-100 to 2. Off by 2.24 u radians at most: the
   /// rounding of a complex product. \source Brent, Percival and Zimmermann 2007
+  /// Products are at least 2^-401 in magnitude: a part of one that underflows, to a zero of its own
+  /// sign, turns nothing.
   void add(double re, double im) {
     const double next_re = re_ * re - im_ * im;
     const double next_im = re_ * im + im_ * re;

@@ -15,9 +15,9 @@ constexpr double kFourPi = 4 * kPi;
 
 // Constants of the proof in far_field.h.
 constexpr double kTermsOfRounding = 128;
-constexpr double kLeastDistance = 2;              // over the reach
-constexpr double kMostSquare = 0x1p900;           // of a distance; beyond, triangles add nothing
-constexpr double kNothing = 0x1p-400;             // at least what they add there
+constexpr double kLeastDistance = 2;     // over the reach
+constexpr double kMostSquare = 0x1p900;  // of a distance; beyond, triangles add nothing
+constexpr double kNothing = 0x1p-400;    // at least what they add there, and what underflows
 constexpr double kUnderflowOfMoments = 0x1p-500;  // covers it in what a triangle adds
 constexpr double kUpward = 1 + 0x1p-20;  // covers the rounding of sums of fewer than 2^31 terms
 static_assert((6 * (1 + 32) + 335) / kFourPi < (1 + kTermsOfRounding) / 2);
@@ -109,6 +109,9 @@ void FarField::add(const Triangle& t) {
 }
 
 std::optional<Estimate> FarField::at(const Vec3& point, double tolerance) const {
+  if (reach_ == 0) {
+    return tolerance >= 0 && point != center_ ? std::optional(Estimate{0, 0}) : std::nullopt;
+  }
   const Vec3 g = (center_ - point) * scale_;
   const double square = dot(g, g);
   if (!(square < kMostSquare)) {
@@ -120,8 +123,9 @@ std::optional<Estimate> FarField::at(const Vec3& point, double tolerance) const 
   }
   const double gap = distance * (1 - 0x1p-20) - reach_;
   const double cube = gap * gap * gap;
-  const double error = (cubes_ / (kPi * gap * gap * cube) + rounding_ / square) * kUpward;
-  if (error > tolerance) {
+  const double error =
+      (cubes_ / (kPi * gap * gap * cube) + rounding_ / square) * kUpward + kNothing;
+  if (!(error <= tolerance)) {
     return std::nullopt;
   }
   const double inverse = 1 / distance;

@@ -25,7 +25,15 @@
 /// A / R^2, over 4 pi less than (n + 128) u A / (2 R^2); used is twice that.
 ///
 /// Lengths are in units of a power of two next to r, so nothing overflows; where the point is so
-/// far that a square would, the triangles add less than 2^-400.
+/// far that a square would, the triangles add less than 2^-400. Where r is 0 all triangles are in
+/// one place, and add nothing to the number of any other point.
+///
+/// Underflow. In that unit r is at least 2^-75: the unit is 2^-1000 at least, and what it is about
+/// is not below 2^-1074. So R - r, above r, has a fifth power of 2^-375 and more, and squares and
+/// cubes of R do not underflow either; where the power overflows, what it divides is below 2^-400.
+/// Of a triangle, products of lengths may: its moments are off by less than 2^-1070, and A has
+/// 2^-500 more for each, u times which is above that. In the formula, terms of v are off by 2^-1074
+/// each: below 2^-400, which is added to the error.
 #pragma once
 
 #include "soms/base/vector.h"

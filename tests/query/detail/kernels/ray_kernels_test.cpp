@@ -5,6 +5,7 @@
 #include "soms/tree/shape.h"
 
 #include "tests/query/overlap_inputs.h"
+#include "tests/support/scales.h"
 #include "tests/support/support.h"
 
 #include <gtest/gtest.h>
@@ -28,6 +29,15 @@ struct Scene {
         pose.m[4 * axis + 3] = rng.uniform(-1, 1) * std::exp2(rng.uniform(-30, 30));
       }
     }
+  }
+
+  /// Triangles of very different sizes, of a body of any size.
+  Scene(Rng& rng, const test::Scales& scales)
+      : shape(test::uneven_mesh(rng, scales), {.build = test::awkward_options(rng)}),
+        pose(test::pose_at(rng, scales)) {}
+
+  static Scene any(Rng& rng) {
+    return rng.below(3) == 0 ? Scene(rng, test::any_scales(rng)) : Scene(rng);
   }
 
   static double scale(Rng& rng) {
@@ -71,7 +81,7 @@ struct Scene {
 TEST(RayKernels, OfAllInstructionSetsGiveTheSameBits) {
   std::size_t met = 0;
   test::for_each_case("ray-kernels/bits", 150, [&](Rng& rng) {
-    const Scene scene(rng);
+    const Scene scene = Scene::any(rng);
     const ParityFrame frame(scene.shape.layout(), scene.pose);
     std::vector<RayStart> starts;
     for (int i = 0; i < 8; ++i) {
@@ -162,7 +172,7 @@ void expect_right(const Scene& scene, const ParityFrame& frame, const Vec3& p,
 TEST(RayKernels, AreNeverWrongWhereTheyAreSure) {
   std::array<std::size_t, 3> counts = {};
   test::for_each_case("ray-kernels/sure", 3000, [&](Rng& rng) {
-    const Scene scene(rng);
+    const Scene scene = Scene::any(rng);
     const ParityFrame frame(scene.shape.layout(), scene.pose);
     for (int i = 0; i < 10; ++i) {
       const Vec3 p = scene.point(rng);

@@ -78,11 +78,41 @@ TEST(FarField, TakesTheLeastAndTheLargestNumbers) {
   EXPECT_TRUE(huge.at({0, 0, 1024 * most}, 1));
 }
 
+// However near the point is: the power of its distance would underflow.
 TEST(FarField, OfAPointIsNothing) {
-  const FarField field(std::vector<Triangle>{{{3, 3, 3}, {3, 3, 3}, {3, 3, 3}}});
-  const auto found = field.at({4, 3, 3}, 1);
-  ASSERT_TRUE(found);
-  EXPECT_EQ(found->value, 0);
+  for (const double scale : {1.0, 0x1p-220, 0x1p-540, 0x1p-1074, 0x1p290}) {
+    const Vec3 place = Vec3{3, 3, 3} * scale;
+    const FarField field(std::vector<Triangle>{{place, place, place}});
+    const auto found = field.at(Vec3{4, 3, 3} * scale, 0);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->value, 0);
+    EXPECT_EQ(found->error, 0);
+    EXPECT_FALSE(field.at(place, 1));
+    EXPECT_FALSE(field.at(Vec3{4, 3, 3} * scale, -0x1p-1074));
+  }
+}
+
+TEST(FarField, IsWithinItsErrorAtEverySize) {
+  Rng rng(18);
+  int answered = 0;
+  for (int exponent = -1070; exponent <= 280; exponent += 5) {
+    const double unit = std::ldexp(1.0, exponent);
+    for (int run = 0; run < 10; ++run) {
+      const std::vector<Triangle> triangles =
+          some_triangles(rng, unit, std::exp2(-rng.uniform(0, 60)));
+      const FarField field(triangles);
+      const Body body(test::soup_body(triangles));
+      const double far = std::exp2(rng.uniform(1, 10)) * unit;
+      const Vec3 p{rng.uniform(-1, 1) * far, rng.uniform(-1, 1) * far, rng.uniform(-1, 1) * far};
+      if (const auto found = field.at(p, 1)) {
+        ++answered;
+        const Bracket truth = reference::winding_by_brute_force(body, p);
+        ASSERT_GE(found->value + found->error, truth.lower) << exponent;
+        ASSERT_LE(found->value - found->error, truth.upper) << exponent;
+      }
+    }
+  }
+  EXPECT_GT(answered, 1000);
 }
 
 }  // namespace
