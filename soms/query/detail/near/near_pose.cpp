@@ -35,6 +35,10 @@ static_assert((1.53 * 4 + 3.1 * 3.01) * kRoundingUnit < kStretchRounding);
 constexpr double kOffsetShare = 1.5;
 static_assert(kOffsetShare * 2.75 > 4);
 
+/// The least `rounding` of the numbers, in units of the layout: what is left over of it covers what
+/// squares of lengths lose that underflow. Only where a point is the reference is it less by itself.
+constexpr float kLeastRounding = 0x1p-70F;
+
 /// Least values of `sign` times triangles' points along `w`.
 std::array<float, TriangleBlock::kWidth> supports(const TriangleBlock& block,
                                                   const std::array<float, 3>& w, float sign) {
@@ -70,6 +74,7 @@ NearPose::NearPose(PairFrame& frame)
                kResidualShare * frame.relative().residual() + kStretchRounding) {
   frame.relative().prepare();
   numbers_ = frame.relative().numbers();
+  numbers_.rounding = std::max(numbers_.rounding, kLeastRounding);
   scale_ = numbers_.scale;
   const WideTree& tree_x = x_.layout();
   const WideTree& tree_y = y_.layout();

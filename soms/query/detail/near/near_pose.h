@@ -28,6 +28,15 @@
 /// axes and normals of length 1 to 2^-22: `slack` of the numbers here has z (1 + 4 m) added. Large
 /// leaves take `limit` along axes, and |n|_2 times it along other directions n (LargeLeaf).
 ///
+/// Underflow. Products of two lengths lose 2^-150 each, so a square of a gap vector or of the reach
+/// is off by 3 * 2^-150 and its root by 2^-74. Gaps give way by 2 W, of which axes use 1.74 W:
+/// `rounding` of the numbers here is 2^-70 at least, so 2^-73 of it is left. W alone is above 2^-68
+/// unless y is a point, since V is at least half of y's size over sqrt(3) and y's size 2^-20 in its
+/// unit (or tiny in a unit of 2^-1000, where W's 2^-1064 is more). Along other directions v a gap
+/// has 2^-140 taken off and is divided by 2^-60 at least: |v| is rounded by 2^-29 of it there. The
+/// radii of y along v, by 2^-148 of half_y, then by that over 2^-60: beside 2^-20 half_y, which
+/// boxes that an axis parts are surely apart, that is below 2^-66 of it.
+///
 /// Far bodies. Where bodies are many times their size apart, 2^-17 of the offset outweighs them.
 /// Then directions differ little, and one decides: with w = c_x - c_y, the world difference of the
 /// nodes' origins rounded to float, |g| >= w.g / |w|, and w.g = w.(c_x - c_y) + (R_x^T w).p -
