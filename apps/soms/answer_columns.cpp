@@ -118,11 +118,13 @@ void SideColumns::add(const Bracket& number) {
   }
 }
 
-void RayColumns::begin(const RayAnswer& answer) {
-  begun_ = true;
-  if (std::holds_alternative<AnyHit>(answer)) {
+void RayColumns::begin(const RayAnswer& like) {
+  if (!file_) {
+    return;
+  }
+  if (std::holds_alternative<AnyHit>(like)) {
     hit_ = &file_->column("hit", Kind::flag);
-  } else if (std::holds_alternative<ClosestHit>(answer)) {
+  } else if (std::holds_alternative<ClosestHit>(like)) {
     hit_ = &file_->column("hit", Kind::flag);
     lower_ = &file_->column("lower", Kind::number);
     upper_ = &file_->column("upper", Kind::number);
@@ -145,9 +147,6 @@ void RayColumns::begin(const RayAnswer& answer) {
 void RayColumns::add(const RayAnswer& answer) {
   if (!file_) {
     return;
-  }
-  if (!begun_) {
-    begin(answer);
   }
   std::visit([this](const auto& one) { add_row(one); }, answer);
   cut_->add(is_cut(answer));
@@ -197,15 +196,26 @@ void NearColumns::add_pair(const Answer& answer) {
   cut_->add(answer.coverage == Coverage::cut);
 }
 
-void NearColumns::add(const Distance& answer) {
-  if (!file_) {
-    return;
-  }
-  if (lower_ == nullptr) {
+void NearColumns::begin(const Distance&) {
+  if (file_) {
     lower_ = &file_->column("lower", Kind::number);
     upper_ = &file_->column("upper", Kind::number);
     farther_ = &file_->column("farther", Kind::flag);
     begin_pair();
+  }
+}
+
+void NearColumns::begin(const Within&) {
+  if (file_) {
+    within_ = &file_->column("within", Kind::flag);
+    at_least_ = &file_->column("at_least", Kind::number);
+    begin_pair();
+  }
+}
+
+void NearColumns::add(const Distance& answer) {
+  if (!file_) {
+    return;
   }
   lower_->add(answer.distance.lower);
   upper_->add(answer.distance.upper);
@@ -216,11 +226,6 @@ void NearColumns::add(const Distance& answer) {
 void NearColumns::add(const Within& answer) {
   if (!file_) {
     return;
-  }
-  if (within_ == nullptr) {
-    within_ = &file_->column("within", Kind::flag);
-    at_least_ = &file_->column("at_least", Kind::number);
-    begin_pair();
   }
   within_->add(answer.within);
   at_least_->add(answer.at_least);

@@ -98,11 +98,12 @@ class RayColumns : public AnswerColumns {
  public:
   using AnswerColumns::AnswerColumns;
 
-  /// The first answer chooses the columns.
+  /// Chooses the columns of answers like this one.
+  void begin(const RayAnswer& like);
+
   void add(const RayAnswer& answer);
 
  private:
-  void begin(const RayAnswer& answer);
   void add_row(const ClosestHit& hit);
   void add_row(const AnyHit& hit);
   void add_row(const Crossings& hits);
@@ -117,7 +118,6 @@ class RayColumns : public AnswerColumns {
   NpzColumn* kind_ = nullptr;
   NpzColumn* triangle_offsets_ = nullptr;
   NpzColumn* cut_ = nullptr;
-  bool begun_ = false;
   std::int64_t crossings_ = 0;
   std::int64_t triangles_ = 0;
 };
@@ -126,6 +126,10 @@ class RayColumns : public AnswerColumns {
 class NearColumns : public AnswerColumns {
  public:
   using AnswerColumns::AnswerColumns;
+
+  /// Chooses the columns of answers like this one.
+  void begin(const Distance& like);
+  void begin(const Within& like);
 
   void add(const Distance& answer);
   void add(const Within& answer);

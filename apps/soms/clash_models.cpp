@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <iterator>
 #include <set>
@@ -25,28 +24,46 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool names_a_model(const fs::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const std::vector<ReadableFormat> readable = readable_formats();
-  const auto imported = imported_extensions();
-  return std::any_of(readable.begin(), readable.end(),
-                     [&](const ReadableFormat& format) { return format.extension == extension; }) ||
-         std::find(imported.begin(), imported.end(), extension) != imported.end();
-}
-
-std::vector<std::string> models_in(const fs::path& folder, const Console& console) {
+/// What a folder has beside its models. Hidden files are passed over.
+struct Strangers {
   std::vector<std::string> files;
   std::size_t subfolders = 0;
+};
+
+/// The note of what is not read.
+std::string note_of(const std::string& folder, Strangers strangers) {
+  std::string text;
+  if (!strangers.files.empty()) {
+    std::sort(strangers.files.begin(), strangers.files.end());
+    const bool one = strangers.files.size() == 1;
+    text = fmt::format("{} that {} ({}{})", counted(strangers.files.size(), "file"),
+                       one ? "is not a model" : "are not models",
+                       printable(strangers.files.front()), one ? "" : ", ...");
+  }
+  if (strangers.subfolders > 0) {
+    text += (text.empty() ? "" : " and ") + counted(strangers.subfolders, "subfolder");
+  }
+  return fmt::format("{}: {} not read", printable(folder), text);
+}
+
+void add_models_in(const fs::path& folder, ModelFiles& models) {
+  std::vector<std::string> files;
+  Strangers strangers;
   std::error_code fault;
   for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end;
        entry.increment(fault)) {
     std::error_code unknown;
-    if (entry->is_regular_file(unknown) && names_a_model(entry->path())) {
-      files.push_back(entry->path().string());
+    const std::string name = entry->path().filename().string();
+    if (name.starts_with('.')) {
+      continue;
     }
-    subfolders += entry->is_directory(unknown) ? 1U : 0U;
+    if (entry->is_directory(unknown)) {
+      ++strangers.subfolders;
+    } else if (entry->is_regular_file(unknown) && is_model_of_folder(entry->path())) {
+      files.push_back(entry->path().string());
+    } else {
+      strangers.files.push_back(name);
+    }
   }
   if (fault) {
     throw Error(ErrorKind::cannot_open, folder.string() + ": " + fault.message(),
@@ -61,13 +78,13 @@ std::vector<std::string> models_in(const fs::path& folder, const Console& consol
     return fs::path(file).filename() == "tileset.json";
   });
   if (tileset != files.end()) {
-    return {*tileset};  // the other files beside it are its tiles
+    models.files.push_back(*tileset);  // the other files beside it are its tiles
+    return;
   }
-  if (subfolders > 0) {
-    console.note(fmt::format("{}: {} not read", printable(folder.string()),
-                             counted(subfolders, "subfolder")));
+  models.files.insert(models.files.end(), files.begin(), files.end());
+  if (strangers.subfolders > 0 || !strangers.files.empty()) {
+    models.notes.push_back(note_of(folder.string(), std::move(strangers)));
   }
-  return files;
 }
 
 /// Where a model of a set is named twice, each of its parts would clash with itself.
@@ -191,26 +208,27 @@ std::uint64_t ClashModels::pairs() const {
   return two_sets ? n * b.parts.size() : n * (n - std::min<std::uint64_t>(n, 1)) / 2;
 }
 
-std::vector<std::string> model_files(const std::vector<std::string>& names,
-                                     const Console& console) {
-  std::vector<std::string> files;
+ModelFiles model_files(const std::vector<std::string>& names, const Console& console) {
+  ModelFiles models;
   for (const std::string& name : names) {
     std::error_code unknown;
     if (fs::is_directory(name, unknown)) {
-      const std::vector<std::string> inside = models_in(name, console);
-      files.insert(files.end(), inside.begin(), inside.end());
+      add_models_in(name, models);
     } else {
-      files.push_back(name);
+      models.files.push_back(name);
     }
   }
-  return files;
+  for (const std::string& note : models.notes) {
+    console.note(note);
+  }
+  return models;
 }
 
 ClashModels read_clash_models(const ClashModelOptions& options, Console& console) {
   ClashModels models;
   models.two_sets = !options.against.empty();
-  const std::vector<std::string> files = model_files(options.files, console);
-  const std::vector<std::string> against = model_files(options.against, console);
+  const auto [files, notes] = model_files(options.files, console);
+  const auto [against, notes_against] = model_files(options.against, console);
   std::vector<std::string> all = files;
   all.insert(all.end(), against.begin(), against.end());
   check_once(all);
@@ -224,7 +242,11 @@ ClashModels read_clash_models(const ClashModelOptions& options, Console& console
       meshes.push_back(&mesh);
     }
   }
-  models.notes = notes_of(meshes);
+  models.notes = notes;
+  models.notes.insert(models.notes.end(), notes_against.begin(), notes_against.end());
+  for (std::string& note : notes_of(meshes)) {
+    models.notes.push_back(std::move(note));
+  }
   models.warnings = world_warnings(frames, frames_against);
   doubt_gap(options, models);
   tell_warnings(models.warnings, options.model.strict, console);

@@ -53,11 +53,17 @@ struct ClashModelOptions {
   double expected_gap = 0;  ///< sets that are farther apart are doubtful
 };
 
+/// Models that were named, each alone or by its folder.
+struct ModelFiles {
+  std::vector<std::string> files;
+  std::vector<std::string> notes;  ///< what folders have besides; told already
+};
+
 /// The models among `names`, where a folder stands for the models in it, by name; one with a
-/// tileset.json stands for that. Subfolders are not read, which a note says.
+/// tileset.json stands for that. Other files and subfolders are not read, which a note says; hidden
+/// ones are passed over.
 /// \errors ErrorKind::usage for a folder without models; cannot_open for one that cannot be read.
-[[nodiscard]] std::vector<std::string> model_files(const std::vector<std::string>& names,
-                                                   const Console& console);
+[[nodiscard]] ModelFiles model_files(const std::vector<std::string>& names, const Console& console);
 
 /// Reads the models and divides them into parts. A model whose file says that x or y is up is
 /// turned to z up, unless an option says how it is to be turned.

@@ -5,9 +5,9 @@
 #include "soms/query/contains.h"
 #include "soms/query/reference/contains.h"
 
-#include "apps/soms/answer_columns.h"
 #include "apps/soms/closed_body.h"
 #include "apps/soms/contains_by_part.h"
+#include "apps/soms/contains_output.h"
 #include "apps/soms/contains_winding.h"
 #include "apps/soms/pair_options.h"
 #include "apps/soms/pair_report.h"
@@ -32,8 +32,8 @@ namespace {
 /// A run whose rows are points beside a closed model.
 class ContainsRun : public SideRun {
  public:
-  ContainsRun(const ContainsVerbOptions& options, SideColumns& columns, Console& console)
-      : SideRun(options, columns, console), body_(body_of(options)) {}
+  ContainsRun(const ContainsVerbOptions& options, SideFiles& files, Console& console)
+      : SideRun(options, files, console), body_(body_of(options)) {}
 
  private:
   [[nodiscard]] ClosedBody body_of(const ContainsVerbOptions& options) {
@@ -154,6 +154,7 @@ Action add_contains(CLI::App& app, Shared&) {
          "with --winding: by how much far triangles may widen its bracket")
       ->option_text("W")
       ->group(kQuestionGroup);
+  add_output(app, "--csv", options->csv, "write the answers as CSV")->group(kQuestionGroup);
   add_binary(app, options->binary);
   add_probe_options(app, *options);
   app.footer(
@@ -170,17 +171,19 @@ Action add_contains(CLI::App& app, Shared&) {
 }
 
 int run_contains(const ContainsVerbOptions& options, Console& console) {
-  if (options.by != ContainsBy::model) {
-    return run_contains_by_part(options, console);
-  }
   check_outputs({{"MODEL", options.model},
                  {"--points", options.points},
                  {"--pose", options.pose.value_or("")}},
-                {{"--binary", options.binary}});
+                {{"--csv", options.csv}, {"--binary", options.binary}});
+  check_extension("--csv", options.csv, {".csv"});
   check_extension("--binary", options.binary, {".npz"});
-  SideColumns columns(options.binary, options.winding);
-  return options.winding ? run_contains_winding(options, columns, console)
-                         : ContainsRun(options, columns, console).run();
+  if (options.by != ContainsBy::model) {
+    PartSideCsv csv(options.csv);
+    return run_contains_by_part(options, csv, console);
+  }
+  SideFiles files(options);
+  return options.winding ? run_contains_winding(options, files, console)
+                         : ContainsRun(options, files, console).run();
 }
 
 }  // namespace soms::command

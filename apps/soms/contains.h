@@ -4,6 +4,8 @@
 
 #include "apps/soms/probe_options.h"
 
+#include <string>
+
 namespace soms::command {
 
 /// What `contains` answers for.
@@ -15,6 +17,7 @@ struct ContainsVerbOptions : PointOptions {
   bool winding = false;       ///< decide by the winding number
   double width = 1e-9;        ///< WindingOptions::width
   ContainsBy by = ContainsBy::model;
+  std::string csv = {};  ///< empty: none
 };
 
 [[nodiscard]] Action add_contains(CLI::App& app, Shared& shared);

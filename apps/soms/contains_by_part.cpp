@@ -43,8 +43,11 @@ Mesh triangles_of_part(const PartedBody& body, std::uint32_t part) {
 
 class PartsRun : public ProbeRun<PointSource> {
  public:
-  PartsRun(const ContainsVerbOptions& options, Console& console)
-      : ProbeRun(options, options.points, {.verb = "contains"}, console), body_(body_of(options)) {
+  PartsRun(const ContainsVerbOptions& options, PartSideCsv& csv, Console& console)
+      : ProbeRun(options, options.points, {.verb = "contains", .has_files = !options.csv.empty()},
+                 console),
+        csv_(csv),
+        body_(body_of(options)) {
     note_open_parts();
   }
 
@@ -132,6 +135,7 @@ class PartsRun : public ProbeRun<PointSource> {
 
   void print_row(std::size_t k, bool right, bool last) override {
     held_ += answers_.parts_of(k).empty() ? 0U : 1U;
+    csv_.add(totals().rows, body_, answers_, k);
     if (console().shared().json) {
       print_json(mesh(), "point", keys(k), right, last);
       return;
@@ -195,8 +199,9 @@ class PartsRun : public ProbeRun<PointSource> {
                                 with_commas(body_.parts().size() - body_.open_parts())));
   }
 
-  void finish(End) override {}
+  void finish(End) override { csv_.finish(); }
 
+  PartSideCsv& csv_;
   PartedBody body_;
   ContainsPartsBatch answers_;
   std::map<std::uint32_t, std::optional<Body>> alone_;  // parts that brute force has looked at
@@ -205,8 +210,8 @@ class PartsRun : public ProbeRun<PointSource> {
 
 }  // namespace
 
-int run_contains_by_part(const ContainsVerbOptions& options, Console& console) {
-  return PartsRun(options, console).run();
+int run_contains_by_part(const ContainsVerbOptions& options, PartSideCsv& csv, Console& console) {
+  return PartsRun(options, csv, console).run();
 }
 
 }  // namespace soms::command

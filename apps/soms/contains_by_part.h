@@ -3,11 +3,13 @@
 #pragma once
 
 #include "apps/soms/contains.h"
+#include "apps/soms/contains_output.h"
 
 namespace soms::command {
 
 class Console;
 
-[[nodiscard]] int run_contains_by_part(const ContainsVerbOptions& options, Console& console);
+[[nodiscard]] int run_contains_by_part(const ContainsVerbOptions& options, PartSideCsv& csv,
+                                       Console& console);
 
 }  // namespace soms::command

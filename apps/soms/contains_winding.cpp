@@ -24,8 +24,8 @@ namespace {
 
 class WindingRun : public SideRun {
  public:
-  WindingRun(const ContainsVerbOptions& options, SideColumns& columns, Console& console)
-      : SideRun(options, columns, console), width_(options.width), index_(index_of(options)) {}
+  WindingRun(const ContainsVerbOptions& options, SideFiles& files, Console& console)
+      : SideRun(options, files, console), width_(options.width), index_(index_of(options)) {}
 
  private:
   [[nodiscard]] WindingIndex index_of(const ContainsVerbOptions& options) {
@@ -61,8 +61,8 @@ class WindingRun : public SideRun {
     return keys;
   }
 
-  void add_to(SideColumns& columns, std::size_t k) const override {
-    columns.add(answers_.number[k]);
+  [[nodiscard]] std::optional<Bracket> winding_number(std::size_t k) const override {
+    return answers_.number[k];
   }
 
   [[nodiscard]] std::string column_head() const override {
@@ -107,9 +107,8 @@ class WindingRun : public SideRun {
 
 }  // namespace
 
-int run_contains_winding(const ContainsVerbOptions& options, SideColumns& columns,
-                         Console& console) {
-  return WindingRun(options, columns, console).run();
+int run_contains_winding(const ContainsVerbOptions& options, SideFiles& files, Console& console) {
+  return WindingRun(options, files, console).run();
 }
 
 }  // namespace soms::command

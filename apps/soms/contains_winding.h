@@ -2,14 +2,14 @@
 /// `contains --winding`: sides by the winding number, for models that may be open.
 #pragma once
 
-#include "apps/soms/answer_columns.h"
 #include "apps/soms/contains.h"
+#include "apps/soms/contains_output.h"
 
 namespace soms::command {
 
 class Console;
 
-[[nodiscard]] int run_contains_winding(const ContainsVerbOptions& options, SideColumns& columns,
+[[nodiscard]] int run_contains_winding(const ContainsVerbOptions& options, SideFiles& files,
                                        Console& console);
 
 }  // namespace soms::command

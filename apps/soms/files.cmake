@@ -1,6 +1,8 @@
 set(SOMS_COMMAND_FILES
   answer_columns.cpp
   answer_columns.h
+  answer_csv.cpp
+  answer_csv.h
   bcf_guid.cpp
   bcf_guid.h
   bcf_xml.cpp
@@ -61,6 +63,8 @@ set(SOMS_COMMAND_FILES
   contains.h
   contains_by_part.cpp
   contains_by_part.h
+  contains_output.cpp
+  contains_output.h
   contains_winding.cpp
   contains_winding.h
   convert.cpp
@@ -175,6 +179,8 @@ set(SOMS_COMMAND_FILES
   simulate_verify_near.h
   solid.cpp
   solid.h
+  solid_output.cpp
+  solid_output.h
   solid_parts.cpp
   solid_parts.h
   solid_text.cpp

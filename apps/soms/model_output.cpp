@@ -10,7 +10,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
+#include <set>
 #include <string_view>
 #include <system_error>
 #include <vector>
@@ -44,6 +46,17 @@ std::string joined(const std::vector<std::string>& words) {
 std::string extension_of(MeshFormat format) {
   const std::string_view name = entry(format).name;
   return fmt::format(".{}", name.substr(0, name.find('-')));
+}
+
+/// Parts whose triangles do not follow each other.
+std::uint64_t split_parts(const Mesh& mesh) {
+  std::set<std::uint32_t> split;
+  for (const Part& part : mesh.parts) {
+    if (part.continues != Part::kNoParent) {
+      split.insert(part.continues);
+    }
+  }
+  return split.size();
 }
 
 /// A name that says another format than the one that is written would be refused by readers.
@@ -162,9 +175,14 @@ void note_losses(const Mesh& mesh, const ModelOutput& output, const Console& con
     lost.push_back("the names of " + counted(static_cast<std::uint64_t>(named), "part"));
   }
   if (const std::uint64_t renamed = count_renamed(mesh, format.format); renamed != 0) {
-    lost.push_back(fmt::format("{} of {} (cut or changed to fit 10 characters)",
-                               with_commas(renamed),
-                               counted(static_cast<std::uint64_t>(named), "name")));
+    lost.push_back(fmt::format(
+        "{} of {} ({})", with_commas(renamed), counted(static_cast<std::uint64_t>(named), "name"),
+        format.format == MeshFormat::obj ? "numbered, as groups of one name are one"
+                                         : "cut or changed to fit 10 characters"));
+  }
+  if (const std::uint64_t split = split_parts(mesh);
+      split != 0 && format.names && format.format != MeshFormat::obj) {
+    lost.push_back(counted(split, "part") + " in one piece");
   }
   if (!lost.empty()) {
     console.note(fmt::format("{}: {} does not keep {}",

@@ -51,7 +51,7 @@ PoseRun::PoseRun(const PairOptions& options, PoseQuestion question, Console& con
 
 PoseSource PoseRun::source(const std::string& option, const std::optional<std::string>& text,
                            const Console& console) {
-  return text ? PoseSource(option, *text, console) : PoseSource();
+  return text ? PoseSource(option, *text, console, NoRows::no_poses) : PoseSource();
 }
 
 Shape PoseRun::load(const std::string& path, const ModelOptions& model) const {

@@ -21,14 +21,15 @@ void add_probed_model(CLI::App& app, ProbeOptions& options, const std::string& m
 CLI::Option* add_rows(CLI::App& app, const std::string& name, std::string& target,
                       const std::string& what, const std::string& header) {
   return app
-      .add_option(name, target, what + ": CSV (header " + header + ") or .npy; - is standard input")
+      .add_option(name, target,
+                  what + ": CSV (header " + header + "), .npy or .npz; - is standard input")
       ->option_text("FILE")
       ->group(kQuestionGroup);
 }
 
 void add_model_pose(CLI::App& app, ProbeOptions& options) {
   app.add_option("--pose", options.pose,
-                 "pose of the model: \"x y z [qw qx qy qz]\", or a CSV or .npy file of one row")
+                 "pose of the model: \"x y z [qw qx qy qz]\", or a file of one row")
       ->option_text("POSE")
       ->group(kQuestionGroup);
 }

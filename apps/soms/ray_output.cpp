@@ -192,8 +192,9 @@ RayCsv::RayCsv(const std::string& path) {
   }
 }
 
-void RayCsv::begin(const Mesh& mesh) {
+void RayCsv::begin(const Mesh& mesh, const RayAnswer& like) {
   if (file_) {
+    file_->stream() << columns_of(like);
     mesh_ = &mesh;
     parts_ = PartsOf(mesh);
   }
@@ -202,9 +203,6 @@ void RayCsv::begin(const Mesh& mesh) {
 void RayCsv::add(std::uint64_t ray, const RayAnswer& answer) {
   if (!file_) {
     return;
-  }
-  if (ray == 0) {
-    file_->stream() << columns_of(answer);
   }
   file_->stream() << rows_of(ray, answer);
   if (!file_->stream().good()) {

@@ -71,11 +71,10 @@ class RayCsv {
   /// Opens the file, unless `path` is empty. \errors ErrorKind::cannot_write.
   explicit RayCsv(const std::string& path);
 
-  /// The mesh must stay.
-  void begin(const Mesh& mesh);
+  /// Writes the names of the columns of answers like this one. The mesh must stay.
+  void begin(const Mesh& mesh, const RayAnswer& like);
 
-  /// Writes the names of the columns before the first row. \errors ErrorKind::cannot_write;
-  /// ClosedPipe.
+  /// \errors ErrorKind::cannot_write; ClosedPipe.
   void add(std::uint64_t ray, const RayAnswer& answer);
 
   /// Makes the file appear. \errors As `add`.

@@ -48,7 +48,11 @@ class RayRun : public ProbeRun<Source> {
                           {.build = options.build}, console),
               this->pose()),
         question_{.skip = options.skip, .deadline = console.deadline()} {
-    files_.csv.begin(mesh());
+    const RayAnswer like = options.all   ? RayAnswer(Crossings())
+                           : options.any ? RayAnswer(AnyHit())
+                                         : RayAnswer(ClosestHit());
+    files_.csv.begin(mesh(), like);
+    files_.columns.begin(like);
   }
 
  private:

@@ -180,7 +180,8 @@ RobotModels read_robot_models(const RobotModelsOptions& options, Console& consol
   }
   std::vector<Mesh> cell;
   std::vector<NamedFrame> frames;
-  for (const std::string& file : model_files(options.cell, console)) {
+  const auto [files, notes] = model_files(options.cell, console);
+  for (const std::string& file : files) {
     cell.push_back(read_cell_model(file, options.reading, console));
     frames.push_back(named_frame(cell.back(), options.reading, "--scale", "--up"));
   }
@@ -191,6 +192,7 @@ RobotModels read_robot_models(const RobotModelsOptions& options, Console& consol
     return RobotModel(robot, cell, model, parallel);
   });
   RobotModels models{.robot = std::move(robot), .cell = std::move(cell), .model = std::move(built)};
+  models.notes = notes;
   name_bodies(models);
   if (!frames.empty()) {
     models.warnings = world_warnings({robot_frame(options.urdf)}, frames);

@@ -117,8 +117,7 @@ std::optional<std::span<const double>> RobotStates::read() {
   try {
     const auto row = reader_->next();
     if (!row && rows_ == 0) {
-      throw Error(ErrorKind::bad_file, name_ + ": no rows",
-                  "give at least one state below the header");
+      console_.note(printable(name_) + ": no rows");
     }
     return row;
   } catch (const Error& error) {

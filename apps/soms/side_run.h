@@ -4,16 +4,18 @@
 
 #include "soms/query/contains.h"
 
-#include "apps/soms/answer_columns.h"
 #include "apps/soms/closed_body.h"
 #include "apps/soms/contains.h"
+#include "apps/soms/contains_output.h"
 #include "apps/soms/probe_run.h"
 #include "apps/support/point_source.h"
 
 #include <fmt/format.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace soms::command {
@@ -21,13 +23,16 @@ namespace soms::command {
 /// What the runs of `contains` that answer for the model as a whole share.
 class SideRun : public ProbeRun<PointSource> {
  protected:
-  SideRun(const ContainsVerbOptions& options, SideColumns& columns, Console& console)
+  SideRun(const ContainsVerbOptions& options, SideFiles& files, Console& console)
       : ProbeRun(options, options.points,
-                 {.verb = "contains", .has_files = !options.binary.empty()}, console),
-        columns_(columns) {}
+                 {.verb = "contains", .has_files = !options.csv.empty() || !options.binary.empty()},
+                 console),
+        files_(files) {}
 
-  /// Adds what the columns hold beside the side.
-  virtual void add_to(SideColumns&, std::size_t) const {}
+  /// The winding number, where sides are decided by it.
+  [[nodiscard]] virtual std::optional<Bracket> winding_number(std::size_t) const {
+    return std::nullopt;
+  }
 
  private:
   [[nodiscard]] virtual const Mesh& mesh() const = 0;
@@ -49,8 +54,12 @@ class SideRun : public ProbeRun<PointSource> {
 
   void print_row(std::size_t k, bool right, bool last) override {
     ++counts_[static_cast<std::size_t>(side(k))];
-    columns_.add(side(k));
-    add_to(columns_, k);
+    const std::optional<Bracket> number = winding_number(k);
+    files_.csv.add(totals().rows, side(k), number, is_cut(k) ? Coverage::cut : Coverage::complete);
+    files_.columns.add(side(k));
+    if (number) {
+      files_.columns.add(*number);
+    }
     if (console().shared().json) {
       print_json(mesh(), "point", fmt::format(",\"side\":\"{}\"{}", name(side(k)), keys(k)), right,
                  last);
@@ -79,9 +88,12 @@ class SideRun : public ProbeRun<PointSource> {
     console().print(line + "\n");
   }
 
-  void finish(End) override { columns_.finish(); }
+  void finish(End) override {
+    files_.csv.finish();
+    files_.columns.finish();
+  }
 
-  SideColumns& columns_;
+  SideFiles& files_;
   std::array<std::uint64_t, 4> counts_ = {};  // of each side
 };
 

@@ -3,8 +3,8 @@
 #include "soms/base/error.h"
 #include "soms/query/reference/solid.h"
 
-#include "apps/soms/answer_columns.h"
 #include "apps/soms/pose_run.h"
+#include "apps/soms/solid_output.h"
 #include "apps/soms/solid_parts.h"
 #include "apps/soms/solid_text.h"
 #include "apps/support/console.h"
@@ -34,13 +34,13 @@ constexpr std::uint64_t kPosesInText = 20;  // that a person may want to read
 /// The relation of two models, pose by pose.
 class SolidRun : public PoseRun {
  public:
-  SolidRun(const SolidVerbOptions& options, SolidColumns& columns, Console& console)
+  SolidRun(const SolidVerbOptions& options, SolidFiles& files, Console& console)
       : PoseRun(options,
                 {.verb = "solid",
                  .fail_if_found = options.fail_if_solid,
-                 .has_files = !options.binary.empty()},
+                 .has_files = !options.csv.empty() || !options.binary.empty()},
                 console),
-        columns_(columns),
+        files_(files),
         options_{.deadline = console.deadline()},
         a_(closed_body(shape_a())),
         b_(closed_body(shape_b())) {}
@@ -108,7 +108,8 @@ class SolidRun : public PoseRun {
     const Solid& answer = answers_[k];
     const std::uint64_t pose = totals().rows;
     ++counts_[static_cast<std::size_t>(answer.relation)];
-    columns_.add(answer);
+    files_.csv.add(pose, answer);
+    files_.columns.add(answer);
     if (console().shared().json) {
       console().print(fmt::format("{{\"schema\":\"soms.solid/1\",\"pose\":{},{}{}{}}}\n", pose,
                                   solid_keys(answer), coverage_keys(answer.coverage, answer.cost),
@@ -150,9 +151,12 @@ class SolidRun : public PoseRun {
     console().print(line + "\n");
   }
 
-  void finish_outputs() override { columns_.finish(); }
+  void finish_outputs() override {
+    files_.csv.finish();
+    files_.columns.finish();
+  }
 
-  SolidColumns& columns_;
+  SolidFiles& files_;
   SolidOptions options_;
   ClosedBody a_;
   ClosedBody b_;
@@ -163,13 +167,13 @@ class SolidRun : public PoseRun {
 /// The relations of the parts of two models, pose by pose.
 class SolidPartsRun : public PoseRun {
  public:
-  SolidPartsRun(const SolidVerbOptions& options, SolidPartColumns& columns, Console& console)
+  SolidPartsRun(const SolidVerbOptions& options, SolidPartFiles& files, Console& console)
       : PoseRun(options,
                 {.verb = "solid",
                  .fail_if_found = options.fail_if_solid,
-                 .has_files = !options.binary.empty()},
+                 .has_files = !options.csv.empty() || !options.binary.empty()},
                 console),
-        columns_(columns),
+        files_(files),
         a_(parts_of(report().a)),
         b_(parts_of(report().b)) {}
 
@@ -238,7 +242,8 @@ class SolidPartsRun : public PoseRun {
   }
 
   void print_answer(std::size_t k, bool right) override {
-    columns_.add(answers_[k], coverage(k) == Coverage::cut);
+    files_.csv.add(totals().rows, report().a, report().b, answers_[k]);
+    files_.columns.add(answers_[k], coverage(k) == Coverage::cut);
     if (console().shared().json) {
       print_json(k, right);
       return;
@@ -305,9 +310,12 @@ class SolidPartsRun : public PoseRun {
     }
   }
 
-  void finish_outputs() override { columns_.finish(); }
+  void finish_outputs() override {
+    files_.csv.finish();
+    files_.columns.finish();
+  }
 
-  SolidPartColumns& columns_;
+  SolidPartFiles& files_;
   std::vector<PartBody> a_;
   std::vector<PartBody> b_;
   std::vector<std::vector<SolidPair>> answers_;
@@ -324,6 +332,7 @@ Action add_solid(CLI::App& app, Shared&) {
   add_choice<bool>(app, "--fail-if", options->fail_if_solid, {{"solid", true}},
                    "exit with status 1 if interior is shared; touching is not enough")
       ->group(kQuestionGroup);
+  add_output(app, "--csv", options->csv, "write the answers as CSV")->group(kQuestionGroup);
   add_binary(app, options->binary);
   add_verify(app, *options);
   add_model_reading(app, *options);
@@ -338,14 +347,15 @@ Action add_solid(CLI::App& app, Shared&) {
 }
 
 int run_solid(const SolidVerbOptions& options, Console& console) {
-  check_files(options, {{"--binary", options.binary}});
+  check_files(options, {{"--csv", options.csv}, {"--binary", options.binary}});
+  check_extension("--csv", options.csv, {".csv"});
   check_extension("--binary", options.binary, {".npz"});
   if (options.by_part) {
-    SolidPartColumns columns(options.binary);
-    return SolidPartsRun(options, columns, console).run();
+    SolidPartFiles files{SolidPartCsv(options.csv), SolidPartColumns(options.binary)};
+    return SolidPartsRun(options, files, console).run();
   }
-  SolidColumns columns(options.binary);
-  return SolidRun(options, columns, console).run();
+  SolidFiles files{SolidCsv(options.csv), SolidColumns(options.binary)};
+  return SolidRun(options, files, console).run();
 }
 
 }  // namespace soms::command

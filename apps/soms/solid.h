@@ -7,11 +7,14 @@
 #include "apps/soms/pair_options.h"
 #include "apps/support/verb.h"
 
+#include <string>
+
 namespace soms::command {
 
 /// Options of the verb `solid`.
 struct SolidVerbOptions : PairOptions {
   bool by_part = false;
+  std::string csv = {};     ///< empty: none
   std::string binary = {};  ///< file of columns; empty: none
   bool fail_if_solid = false;
 };

@@ -1,5 +1,7 @@
 #include "apps/support/pose_source.h"
 
+#include "soms/base/text.h"
+
 #include "apps/support/console.h"
 #include "apps/support/standard_input.h"
 
@@ -32,7 +34,8 @@ bool looks_like_pose(std::string_view text) {
 
 }  // namespace
 
-PoseSource::PoseSource(const std::string& option, const std::string& text, const Console& console)
+PoseSource::PoseSource(const std::string& option, const std::string& text, const Console& console,
+                       NoRows no_rows)
     : name_(text == "-" ? kStandardInputName : text), console_(&console) {
   std::error_code ignored;
   if (text != "-" && looks_like_pose(text) && !std::filesystem::exists(text, ignored)) {
@@ -53,12 +56,15 @@ PoseSource::PoseSource(const std::string& option, const std::string& text, const
   } catch (const Error& error) {
     fail(error);
   }
-  const std::optional<Pose> first = read();
-  if (!first) {
+  first_ = read();
+  if (!first_ && no_rows == NoRows::refused) {
     throw Error(ErrorKind::bad_file, name_ + ": no rows",
                 "give at least one pose below the header");
   }
-  first_ = *first;
+  if (!first_) {
+    console_->note(printable(name_) + ": no rows");
+    constant_ = false;
+  }
 }
 
 std::optional<Pose> PoseSource::read() {

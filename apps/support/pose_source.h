@@ -17,6 +17,10 @@ namespace soms::command {
 
 class Console;
 
+/// What a file without rows is: an error where a pose is needed, no poses where each row is
+/// answered.
+enum class NoRows { refused, no_poses };
+
 /// Poses of one option: a single one that serves all rows, or those of a file, one at a time. Rows
 /// after the first are read when they are requested: the program that writes them may wait for
 /// answers.
@@ -26,11 +30,12 @@ class PoseSource {
   PoseSource() : constant_(true) {}
 
   /// `text` is "x y z [qw qx qy qz]" or the path of a CSV file; "-" is standard input. A file of
-  /// one row counts as a single pose.
+  /// one row counts as a single pose; a note says where one has no rows and may have none.
   /// Ctrl-C and --timeout, of `console`, end the reading of rows.
   /// \errors As `parse_pose` (the message names `option`), `PoseReader` and `check_standard_input`;
   ///         ErrorKind::bad_file for a file without rows; timed_out.
-  PoseSource(const std::string& option, const std::string& text, const Console& console);
+  PoseSource(const std::string& option, const std::string& text, const Console& console,
+             NoRows no_rows = NoRows::refused);
 
   /// True if the option itself has the pose, and no file.
   [[nodiscard]] bool is_stated() const { return !reader_.has_value(); }
@@ -56,11 +61,11 @@ class PoseSource {
   std::string name_;
   const Console* console_ = nullptr;  ///< none where nothing is read
   std::optional<PoseReader> reader_;
-  Pose first_ = Pose::identity();
-  bool first_given_ = false;      ///< by `next`
-  std::optional<bool> constant_;  ///< unknown until the second row is read
-  std::optional<Pose> second_;    ///< until `next` gives it
-  std::exception_ptr error_;      ///< of the second row, thrown when it is requested
+  std::optional<Pose> first_ = Pose::identity();  ///< none: the file has no rows
+  bool first_given_ = false;                      ///< by `next`
+  std::optional<bool> constant_;                  ///< unknown until the second row is read
+  std::optional<Pose> second_;                    ///< until `next` gives it
+  std::exception_ptr error_;  ///< of the second row, thrown when it is requested
 };
 
 /// Poses of both bodies, row by row: two files of equal length, or one file and a single pose; two

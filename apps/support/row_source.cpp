@@ -1,6 +1,7 @@
 #include "apps/support/row_source.h"
 
 #include "soms/base/pose.h"
+#include "soms/base/text.h"
 
 #include "apps/support/console.h"
 #include "apps/support/standard_input.h"
@@ -32,9 +33,9 @@ RowSource::RowSource(const std::string& path, RowKind kind, const Console& conso
 std::optional<std::span<const double>> RowSource::read() {
   try {
     const auto row = reader_->next();
-    if (!row && read_ == 0) {
-      throw Error(ErrorKind::bad_file, name_ + ": no rows",
-                  "give at least one " + noun_ + " below the header");
+    if (!row && read_ == 0 && !told_) {
+      told_ = true;
+      console_->note(printable(name_) + ": no rows");
     }
     read_ += row ? 1U : 0U;
     return row;
@@ -103,7 +104,7 @@ bool RowSource::is_single() {
         }
         ahead_.emplace_back(row->begin(), row->end());
       }
-      single_ = ahead_.size() < 2;
+      single_ = ahead_.size() == 1;
     } catch (const Error& error) {
       if (error.kind() == ErrorKind::cancelled) {
         throw;

@@ -45,8 +45,8 @@ class RowSource {
 
  protected:
   /// The numbers of the next row, in the order of its header, valid until the next call; nothing at
-  /// the end.
-  /// \errors As `RowReader::next`; ErrorKind::bad_file for a file without rows; timed_out.
+  /// the end. A note says where there is none at all.
+  /// \errors As `RowReader::next`; ErrorKind::timed_out.
   [[nodiscard]] std::optional<std::span<const double>> next_row();
 
   /// Throws what is wrong with the row that `next_row` gave last.
@@ -66,6 +66,7 @@ class RowSource {
   const Console* console_;
   std::optional<RowReader> reader_;
   std::uint64_t read_ = 0;                 ///< rows
+  bool told_ = false;                      ///< that there are no rows
   std::uint64_t given_ = 0;                ///< rows, by `next_row`
   std::vector<double> row_;                ///< the last one that was read ahead and given
   std::deque<std::vector<double>> ahead_;  ///< rows that `is_single` read

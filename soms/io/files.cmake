@@ -49,7 +49,9 @@ set(SOMS_SOURCES
   detail/named_file.cpp
   detail/npy_header.cpp
   detail/npy_rows.cpp
+  detail/npz_array.cpp
   detail/obj.cpp
+  detail/obj_groups.cpp
   detail/off.cpp
   detail/output.cpp
   detail/package_paths.cpp

@@ -1,5 +1,7 @@
 #include "soms/io/formats.h"
 
+#include "soms/io/detail/file.h"
+#include "soms/io/detail/file_extension.h"
 #include "soms/io/detail/format.h"
 #include "soms/io/detail/import.h"
 
@@ -50,6 +52,26 @@ std::vector<ReadableFormat> readable_formats() {
 
 std::span<const std::string_view> imported_extensions() {
   return detail::imported_extensions();
+}
+
+bool is_model_of_folder(const std::filesystem::path& file) {
+  const std::string name = file.filename().string();
+  if (name.starts_with('.')) {
+    return false;
+  }
+  const std::string extension = detail::extension_of(name);
+  const auto& formats = detail::read_formats();
+  if (extension == ".json" || extension == ".jsonl") {
+    const detail::FileBytes bytes = detail::read_file(file, 0);
+    return std::any_of(formats.begin(), formats.end(), [&](const detail::ReadFormat& format) {
+      return format.extension == ".json" && format.recognizes(bytes.view());
+    });
+  }
+  const auto imported = detail::imported_extensions();
+  return std::any_of(
+             formats.begin(), formats.end(),
+             [&](const detail::ReadFormat& format) { return format.extension == extension; }) ||
+         std::find(imported.begin(), imported.end(), extension) != imported.end();
 }
 
 std::span<const WritableFormat> writable_formats() {

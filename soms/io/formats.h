@@ -4,6 +4,7 @@
 
 #include "soms/io/write_mesh.h"
 
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,6 +26,12 @@ struct ReadableFormat {
 /// Extensions of the formats that are read by the program soms-import, where it is installed;
 /// sorted.
 [[nodiscard]] std::span<const std::string_view> imported_extensions();
+
+/// True if a file of a folder is to be read as a model: its extension is that of a format that is
+/// read, and its name does not begin with a point, as those of hidden files do. JSON has many uses:
+/// such a file must begin as a model in JSON. A model that is broken is one.
+/// \errors ErrorKind::cannot_open for a JSON file that cannot be read.
+[[nodiscard]] bool is_model_of_folder(const std::filesystem::path& file);
 
 /// A way to write a model, and what it keeps beyond triangles.
 struct WritableFormat {

@@ -65,11 +65,8 @@ detail::Source source_of(std::string_view bytes, const std::string& name,
                         .folder = std::move(folder),
                         .budget = detail::Budget(limit),
                         .parallel = parallel};
-  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-  if (source.bytes.starts_with(kByteOrderMark)) {
-    source.skipped = kByteOrderMark.size();
-    source.bytes.remove_prefix(source.skipped);
-  }
+  detail::refuse_utf16(bytes, name);
+  detail::skip_byte_order_mark(source);
   return source;
 }
 

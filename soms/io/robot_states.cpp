@@ -4,6 +4,7 @@
 #include "soms/io/detail/csv_cells.h"
 #include "soms/io/detail/line_reader.h"
 #include "soms/io/detail/npy_rows.h"
+#include "soms/io/detail/npz_array.h"
 #include "soms/io/detail/text.h"
 
 #include <algorithm>
@@ -24,9 +25,11 @@ struct RobotStateReader::State {
   std::vector<std::uint32_t> missing;
   std::vector<std::string_view> cells;
   std::vector<double> values;
-  std::vector<std::string> names;        ///< of movable joints
-  std::optional<std::string> ahead;      ///< a row that `ready` found, or the first one
-  std::optional<detail::NpyRows> array;  ///< of a file that is not text
+  std::vector<std::string> names;    ///< of movable joints
+  std::optional<std::string> ahead;  ///< a row that `ready` found, or the first one
+  char separator = ',';
+  std::optional<detail::NpzArray> archive;  ///< of a file that holds an array
+  std::optional<detail::NpyRows> array;     ///< of a file that is not text
 
   [[nodiscard]] Error bad(const std::string& fault, const std::string& remedy) const {
     return Error(ErrorKind::bad_file,
@@ -34,7 +37,7 @@ struct RobotStateReader::State {
   }
 
   std::optional<std::string> next_line();
-  void open_array();
+  void open_array(detail::LineReader& file);
   void read_first_row();
   void take_header();
   [[nodiscard]] std::size_t place_of(std::string_view name) const;
@@ -105,7 +108,12 @@ void RobotStateReader::State::read_first_row() {
     throw Error(ErrorKind::bad_file, lines.name() + ": no states",
                 "begin with " + all_names() + ", and a line for each state");
   }
-  detail::split_cells(*line, cells);
+  // A name may have a semicolon, too.
+  const bool is_named = std::any_of(names.begin(), names.end(), [](const std::string& name) {
+    return name.find(';') != std::string::npos;
+  });
+  separator = is_named ? ',' : detail::separator_of(*line);
+  detail::split_cells(*line, cells, separator);
   // Joints may have numbers for names.
   const bool has_names = std::all_of(cells.begin(), cells.end(), [this](std::string_view cell) {
     return std::find(names.begin(), names.end(), cell) != names.end();
@@ -127,13 +135,13 @@ void RobotStateReader::State::read_first_row() {
   ahead = *line;
 }
 
-void RobotStateReader::State::open_array() {
+void RobotStateReader::State::open_array(detail::LineReader& file) {
   std::vector<Column> columns;
   for (const std::string& name : names) {
     columns.push_back({.name = name});
   }
   const std::vector<std::vector<Column>> headers{std::move(columns)};
-  array.emplace(lines, "states", headers);
+  array.emplace(file, "states", headers);
 }
 
 RobotStateReader::RobotStateReader(const std::filesystem::path& path, const Kinematics& kinematics,
@@ -150,7 +158,12 @@ RobotStateReader::RobotStateReader(const std::filesystem::path& path, const Kine
   }
   state.values = home.value_or(std::vector<double>(state.names.size(), 0.0));
   if (state.lines.starts_with(detail::kNpyMagic)) {
-    state.open_array();
+    state.open_array(state.lines);
+    return;
+  }
+  if (state.lines.starts_with(detail::kZipMagic)) {
+    state.archive.emplace(state.lines, "states");
+    state.open_array(state.archive->file());
     return;
   }
   state.read_first_row();
@@ -178,7 +191,7 @@ std::optional<std::span<const double>> RobotStateReader::next() {
   if (!line) {
     return std::nullopt;
   }
-  detail::split_cells(*line, state.cells);
+  detail::split_cells(*line, state.cells, state.separator);
   if (state.cells.size() != state.places.size()) {
     throw state.bad(std::to_string(state.cells.size()) +
                         (state.cells.size() == 1 ? " number for " : " numbers for ") +

@@ -4,6 +4,7 @@
 #include "soms/io/detail/csv_cells.h"
 #include "soms/io/detail/line_reader.h"
 #include "soms/io/detail/npy_rows.h"
+#include "soms/io/detail/npz_array.h"
 #include "soms/io/detail/text.h"
 
 #include <algorithm>
@@ -37,7 +38,9 @@ struct RowReader::State {
   std::vector<std::size_t> places;  ///< of the file's columns, in the header
   std::vector<double> numbers;
   std::optional<std::string_view> ahead;  ///< a row that `ready` found
-  std::optional<detail::NpyRows> array;   ///< of a file that is not text
+  char separator = ',';
+  std::optional<detail::NpzArray> archive;  ///< of a file that holds an array
+  std::optional<detail::NpyRows> array;     ///< of a file that is not text
 
   [[nodiscard]] std::string here(const std::string& fault) const {
     return lines.name() + ", line " + std::to_string(lines.number()) + ": " + fault;
@@ -108,7 +111,8 @@ void RowReader::State::read_header() {
   if (!line) {
     throw Error(ErrorKind::bad_file, lines.name() + ": no header and no " + what, remedy());
   }
-  detail::split_cells(*line, cells);
+  separator = detail::separator_of(*line);
+  detail::split_cells(*line, cells, separator);
   const auto found =
       std::find_if(headers.begin(), headers.end(), [this](const auto& h) { return take(h); });
   if (found == headers.end()) {
@@ -126,6 +130,9 @@ RowReader::RowReader(const std::filesystem::path& path, std::string_view what,
   State& state = *state_;
   if (state.lines.starts_with(detail::kNpyMagic)) {
     state.array.emplace(state.lines, what, state.headers);
+  } else if (state.lines.starts_with(detail::kZipMagic)) {
+    state.archive.emplace(state.lines, what);
+    state.array.emplace(state.archive->file(), what, state.headers);
   } else {
     state.read_header();
   }
@@ -149,7 +156,7 @@ std::optional<std::span<const double>> RowReader::next() {
   if (!line) {
     return std::nullopt;
   }
-  detail::split_cells(*line, state.cells);
+  detail::split_cells(*line, state.cells, state.separator);
   const std::size_t width = state.numbers.size();
   if (state.cells.size() != width) {
     throw Error(ErrorKind::bad_file,

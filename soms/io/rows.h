@@ -25,7 +25,11 @@ struct Column {
 
 /// Rows of a CSV file whose header names its columns, or of a NumPy array file (.npy), read row by
 /// row: a million rows need no more memory than one. The columns of a CSV file may stand in any
-/// order. Which of both a file is, its first bytes say, whatever its name.
+/// order, with commas or semicolons between them; decimals have a point. The first bytes of a file
+/// say what it is, whatever its name.
+///
+/// A NumPy archive (.npz, as numpy.savez writes it) is read at once. It holds one array, or one
+/// that is named as the rows are: `points`.
 ///
 /// An array has the shape (N, k), where one of the headers has k columns, in their order; where
 /// that has 12, (N, 3, 4) and (N, 4, 4) too: matrices by lines, of which a fourth line must be 0,

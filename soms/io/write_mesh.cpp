@@ -5,6 +5,7 @@
 #include "soms/io/detail/file_extension.h"
 #include "soms/io/detail/glb_writer.h"
 #include "soms/io/detail/mesh_writer.h"
+#include "soms/io/detail/obj_groups.h"
 #include "soms/io/detail/output.h"
 #include "soms/io/detail/three_ds_writer.h"
 #include "soms/io/formats.h"
@@ -102,7 +103,9 @@ std::uint64_t count_rounded(const Mesh& mesh, MeshFormat format) {
 }
 
 std::uint64_t count_renamed(const Mesh& mesh, MeshFormat format) {
-  return format == MeshFormat::three_ds ? detail::renamed_in_three_ds(mesh) : 0;
+  return format == MeshFormat::three_ds ? detail::renamed_in_three_ds(mesh)
+         : format == MeshFormat::obj    ? detail::obj_groups(mesh).renamed
+                                        : 0;
 }
 
 }  // namespace soms

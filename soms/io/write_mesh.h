@@ -52,8 +52,8 @@ struct Rounding {
 [[nodiscard]] std::uint64_t count_rounded(const Mesh& mesh, MeshFormat format);
 
 /// Parts whose names this format changes: 3DS holds ten characters of ASCII, different for each
-/// object. \pre `check(mesh)` passes. \errors ErrorKind::out_of_range as `write_mesh`. \cost One
-/// pass.
+/// object, and OBJ holds groups of different names. \pre `check(mesh)` passes. \errors
+/// ErrorKind::out_of_range as `write_mesh`. \cost One pass.
 [[nodiscard]] std::uint64_t count_renamed(const Mesh& mesh, MeshFormat format);
 
 }  // namespace soms

@@ -57,16 +57,30 @@ TEST(PoseSource, RefusesFilesOfUnequalLength) {
   EXPECT_NE(result.err.find("b.csv: has 2 poses"), std::string::npos) << result.err;
 }
 
-TEST(PoseSource, RefusesAFileWithoutRows) {
+TEST(PoseSource, AnswersAFileWithoutRowsByNoRows) {
   const TemporaryFolder folder;
   const RunResult result = with_rows(folder, "x,y,z\n", "");
-  EXPECT_EQ(result.status, 3);
+  EXPECT_EQ(result.status, 0);
   EXPECT_EQ(result.out, "");
-  EXPECT_NE(result.err.find("a.csv: no rows; give at least one pose"), std::string::npos)
-      << result.err;
+  EXPECT_NE(result.err.find("a.csv: no rows"), std::string::npos) << result.err;
   const RunResult piped = soms_run({"overlap", box(), box(), "--pose", "-"}, "x,y,z\n");
-  EXPECT_EQ(piped.status, 3);
+  EXPECT_EQ(piped.status, 0);
   EXPECT_NE(piped.err.find("standard input: no rows"), std::string::npos) << piped.err;
+  const RunResult unequal = with_rows(folder, "x,y,z\n", "x,y,z\n0,0,0\n1,0,0\n");
+  EXPECT_EQ(unequal.status, 3);
+  EXPECT_NE(unequal.err.find("a.csv: has 0 poses, but "), std::string::npos) << unequal.err;
+}
+
+// The place of a body is not a batch: without a pose it would be answered where it does not stand.
+TEST(PoseSource, RefusesAFileWithoutRowsWhereOnePoseIsNeeded) {
+  const TemporaryFolder folder;
+  write_text(folder.path() / "none.csv", "x,y,z\n");
+  const std::string none = (folder.path() / "none.csv").string();
+  const RunResult result =
+      soms_run({"contains", box(), "--points", "-", "--pose", none}, "x,y,z\n0,0,0\n");
+  EXPECT_EQ(result.status, 3);
+  EXPECT_NE(result.err.find("none.csv: no rows; give at least one pose"), std::string::npos)
+      << result.err;
 }
 
 TEST(PoseSource, NamesFileAndLineOfAPoseThatIsNotRigid) {

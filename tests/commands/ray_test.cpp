@@ -270,7 +270,6 @@ TEST(RayVerb, NamesWhatIsWrongWithRows) {
       {"",
        "standard input: no header and no rays; begin with ox,oy,oz,dx,dy,dz or "
        "ox,oy,oz,dx,dy,dz,length"},
-      {kRays, "standard input: no rows; give at least one ray below the header"},
       {"ox,oy,oz\n1,2,3\n", "line 1: the header \"ox,oy,oz\" is not known; begin with ox,oy"},
       {"ox,oy,oz,dx,dy,dz,id\n", "remove the column \"id\""},
       {kRays + "0,0,0,1,0\n", "line 2: 5 numbers, but the header has 6"},

@@ -1,6 +1,6 @@
-// Poses of a command line, of CSV files and of arrays: typed errors or rigid poses, the same
-// however lines end, and the same when they are written and read again. Routes through their places
-// are rigid too.
+// Poses of a command line, of CSV files, of arrays and of archives: typed errors or rigid poses,
+// the same however lines end, and the same when they are written and read again. Routes through
+// their places are rigid too.
 #include "soms/base/error.h"
 #include "soms/base/pose.h"
 #include "soms/generate/routes.h"
@@ -71,7 +71,7 @@ Outcome read(std::string_view content) {
     }
   } catch (const Error& error) {
     require(error.kind() == ErrorKind::bad_file || error.kind() == ErrorKind::not_finite ||
-                error.kind() == ErrorKind::not_rigid,
+                error.kind() == ErrorKind::not_rigid || error.kind() == ErrorKind::unsupported,
             "the kind of a file's error");
     require(error.place().find(file.path().string()) == 0, "an error without the file");
     outcome.words = error.place().substr(file.path().string().size());
@@ -103,7 +103,8 @@ void check_again(const std::vector<Pose>& poses) {
 
 void check_file(std::string_view content) {
   const Outcome outcome = read(content);
-  const bool is_array = content.starts_with("\x93NUMPY");  // whose bytes are no text
+  // Whose bytes are no text.
+  const bool is_array = content.starts_with("\x93NUMPY") || content.starts_with("PK\x03\x04");
   if (!is_array && content.find('\r') == std::string_view::npos) {
     require(read(with_carriage_returns(content)) == outcome, "other line ends");
   }

@@ -228,6 +228,19 @@ TEST(CityJson, ReadsSequencesLineByLine) {
   expect_refused(feature("a") + "\n" + head, "a.city.jsonl", ErrorKind::bad_file, "begins the");
 }
 
+TEST(CityJson, RefusesAChildWithoutParents) {
+  expect_refused([] { static_cast<void>(read_mesh(data("reports/orphan_child.json"))); },
+                 ErrorKind::bad_file,
+                 "CityObjects.p.children[0]: the object \"c\" has no \"parents\", where this one "
+                 "must be named");
+  // Whichever comes first: once it was read twice where its parent did.
+  for (const std::string parents : {"", R"(,"parents":[])"}) {
+    expect_refused(
+        city(object("a", "", R"(,"children":["b"])") + "," + object("b", solid(), parents), kCube),
+        "a.json", ErrorKind::bad_file, "the object \"b\" has no \"parents\"");
+  }
+}
+
 TEST(CityJson, RefusesPartsThatGoInCircles) {
   expect_refused(city(R"("a":{"type":"Building","children":["b"]},)"
                       R"("b":{"type":"Building","children":["b"],"parents":["a"]})",

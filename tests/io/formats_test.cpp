@@ -36,6 +36,28 @@ TEST(Formats, SayOfEachWayToWriteWhatItKeeps) {
   }
 }
 
+TEST(Formats, KnowTheModelsOfAFolder) {
+  const TemporaryFolder folder;
+  const auto is_model = [&](const std::string& name, const std::string& content) {
+    write_content(folder.path() / name, content);
+    return is_model_of_folder(folder.path() / name);
+  };
+  for (const char* const name : {"a.obj", "cube (1).OBJ", "a.glb", "a.b.stl", "a.fbx"}) {
+    EXPECT_TRUE(is_model(name, "broken")) << name;
+  }
+  for (const char* const name :
+       {"._a.obj", ".obj", ".DS_Store", "a.obj~", "a.obj.bak", "obj", "a.txt", "a.mtl", "a.csv"}) {
+    EXPECT_FALSE(is_model(name, "v 0 0 0\n")) << name;
+  }
+  EXPECT_FALSE(is_model("notes.json", "{\"a\":1}"));
+  EXPECT_FALSE(is_model("empty.json", ""));
+  EXPECT_FALSE(is_model("rows.jsonl", "{\"schema\":\"soms.clash/1\"}\n"));
+  EXPECT_TRUE(is_model("city.json", "{\"type\": \"CityJSON\", "));
+  EXPECT_TRUE(is_model("city.jsonl", "{\"type\":\"CityJSON\"}\n{\"type\":\"CityJSONFeature\"}\n"));
+  EXPECT_TRUE(
+      is_model("tileset.json", R"({"asset":{"version":"1.1"},"geometricError":1,"root":{}})"));
+}
+
 TEST(Formats, AreListedInWords) {
   EXPECT_EQ(writable_names(), "PLY, 3DS, STL, OFF, OBJ or GLB");
   EXPECT_EQ(writable_extensions(), ".ply, .3ds, .stl, .off, .obj or .glb");

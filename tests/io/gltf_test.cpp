@@ -426,5 +426,56 @@ TEST(Gltf, NotesChunksThatItDoesNotKnowAndBytesBehindThem) {
   EXPECT_EQ(mesh.notes, notes);
 }
 
+/// Of a node that KHR_node_visibility hides or shows.
+std::string visible(const char* value) {
+  return std::string(R"("extensions":{"KHR_node_visibility":{"visible":)") + value + "}}";
+}
+
+TEST(Gltf, ReadsHiddenNodesAndSaysSo) {
+  const std::vector<std::string> note{
+      "nodes with a mesh that the file hides (KHR_node_visibility), read all the same: 1, in "
+      "nodes[0]"};
+  const Mesh hidden = read_mesh(data("reports/hidden.gltf"));
+  EXPECT_EQ(hidden.triangles.size(), 12U);
+  EXPECT_EQ(hidden.notes, note);
+  expect_refused(
+      [] { static_cast<void>(read_mesh(data("reports/hidden.gltf"), {.strict = true})); },
+      ErrorKind::bad_file, "that the file hides");
+  // A node that hides itself hides all within it, even those that say they are visible.
+  const auto notes_of = [](const std::string& outer, const std::string& inner) {
+    return read_text(
+               placed(R"("nodes":[{"children":[1],)" + visible(outer.c_str()) +
+                      R"(},{"mesh":0,"children":[2]},{"mesh":0,)" + visible(inner.c_str()) + "}]"),
+               "a.glb")
+        .notes;
+  };
+  EXPECT_EQ(notes_of("false", "true"),
+            (std::vector<std::string>{"nodes with a mesh that the file hides "
+                                      "(KHR_node_visibility), read all the same: 2, the first in "
+                                      "nodes[1]"}));
+  EXPECT_EQ(notes_of("true", "false").size(), 1U);
+  EXPECT_TRUE(notes_of("true", "true").empty());
+  expect_refused(placed(R"("nodes":[{"mesh":0,)" + visible("1") + "}]"), "a.glb",
+                 ErrorKind::bad_file, "visible");
+  // It changes no shape, so that a file may require it.
+  EXPECT_EQ(
+      read_text(placed(R"("extensionsRequired":["KHR_node_visibility"],)" + std::string(kOneNode)),
+                "a.glb")
+          .triangles.size(),
+      2U);
+}
+
+TEST(Gltf, SaysOfAnExtensionWhetherItIsRequiredOrUsed) {
+  const std::string instanced =
+      R"("nodes":[{"mesh":0,"extensions":{"EXT_mesh_gpu_instancing":{}}}])";
+  expect_refused(placed(R"("extensionsUsed":["EXT_mesh_gpu_instancing"],)" + instanced), "a.glb",
+                 ErrorKind::unsupported,
+                 "nodes[0]: the extension \"EXT_mesh_gpu_instancing\" is used here and changes the "
+                 "geometry, but is not supported");
+  expect_refused(placed(R"("extensionsRequired":["EXT_mesh_gpu_instancing"],)" + instanced),
+                 "a.glb", ErrorKind::unsupported,
+                 "extensionsRequired[0]: the extension \"EXT_mesh_gpu_instancing\" is required");
+}
+
 }  // namespace
 }  // namespace soms::test

@@ -1,4 +1,5 @@
 // Rows of NumPy arrays, by `RowReader` and `PoseReader`.
+#include "soms/base/error.h"
 #include "soms/io/poses.h"
 #include "soms/io/rows.h"
 
@@ -199,6 +200,92 @@ TEST(NpyPoses, AreShiftsQuaternionsOrMatrices) {
                  "give poses as (N, 3), (N, 7), (N, 12), (N, 3, 4), (N, 4, 4)");
   expect_refused([&] { static_cast<void>(npy_poses("(1, 3, 4)", std::vector<double>(12, 0.5))); },
                  ErrorKind::not_rigid, "row 0");
+}
+
+/// A file of an archive, and how it is stored.
+struct Stored {
+  std::string name;
+  std::string content;
+  std::uint64_t method = 0;
+};
+
+/// An archive of these files; `wide`: with sizes and places in 64 bits, as soms itself writes.
+std::string npz(const std::vector<Stored>& files, bool wide = false) {
+  std::string bytes;
+  std::string directory;
+  for (const auto& [name, content, method] : files) {
+    const std::string sizes = bytes_of(content.size(), 8) + bytes_of(content.size(), 8);
+    const std::string local = wide ? bytes_of(1, 2) + bytes_of(16, 2) + sizes : "";
+    const std::string extra =
+        wide ? bytes_of(1, 2) + bytes_of(24, 2) + sizes + bytes_of(bytes.size(), 8) : "";
+    const std::uint64_t size = wide ? 0xffffffffU : content.size();
+    const std::string shared = bytes_of(0, 2) + bytes_of(method, 2) + bytes_of(0, 8) +
+                               bytes_of(size, 4) + bytes_of(size, 4) + bytes_of(name.size(), 2);
+    directory += "PK\x01\x02" + bytes_of(45, 2) + bytes_of(45, 2) + shared +
+                 bytes_of(extra.size(), 2) + bytes_of(0, 10) +
+                 bytes_of(wide ? 0xffffffffU : bytes.size(), 4) + name + extra;
+    bytes += "PK\x03\x04" + bytes_of(45, 2) + shared + bytes_of(local.size(), 2) + name + local +
+             content;
+  }
+  const std::size_t at = bytes.size();
+  bytes += directory;
+  if (wide) {
+    const std::size_t record = bytes.size();
+    bytes += "PK\x06\x06" + bytes_of(44, 8) + bytes_of(45, 2) + bytes_of(45, 2) + bytes_of(0, 8) +
+             bytes_of(files.size(), 8) + bytes_of(files.size(), 8) + bytes_of(directory.size(), 8) +
+             bytes_of(at, 8);
+    bytes += "PK\x06\x07" + bytes_of(0, 4) + bytes_of(record, 8) + bytes_of(1, 4);
+  }
+  return bytes + "PK\x05\x06" + bytes_of(0, 4) + bytes_of(wide ? 0xffffU : files.size(), 2) +
+         bytes_of(wide ? 0xffffU : files.size(), 2) + bytes_of(directory.size(), 4) +
+         bytes_of(wide ? 0xffffffffU : at, 4) + bytes_of(0, 2);
+}
+
+const std::string& array_of_two() {
+  static const std::string array =
+      npy_start(npy_text("<f8", "(2, 3)")) + numbers({1.0, 2.5, -3.0, 0.0, 1e300, 0x1p-1074});
+  return array;
+}
+
+TEST(NpzArray, IsReadIfItIsTheOnlyOne) {
+  for (const bool wide : {false, true}) {
+    EXPECT_EQ(npy_rows(npz({{"arr_0.npy", array_of_two()}}, wide)), kTwoRows);
+    EXPECT_EQ(npy_rows(npz({{"readme.txt", "x"}, {"any.npy", array_of_two()}}, wide)), kTwoRows);
+  }
+  EXPECT_TRUE(npy_rows(npz({{"arr_0.npy", npy_start(npy_text("<f8", "(0, 3)"))}})).empty());
+}
+
+TEST(NpzArray, IsChosenByItsNameAmongOthers) {
+  const std::string other = npy_start(npy_text("<f8", "(1, 3)")) + numbers({7.0, 8.0, 9.0});
+  EXPECT_EQ(npy_rows(npz({{"a.npy", other}, {"things.npy", array_of_two()}})), kTwoRows);
+  expect_refused_array(npz({{"a.npy", other}, {"b.npy", array_of_two()}}), ErrorKind::bad_file,
+                       "several arrays: \"a\", \"b\"; save one array, or name it \"things\"");
+}
+
+TEST(NpzArray, SaysWhatIsWrong) {
+  expect_refused_array(npz({{"a.npy", array_of_two(), 8}}), ErrorKind::unsupported,
+                       "\"a.npy\": a compressed array; save it with numpy.savez");
+  expect_refused_array(npz({{"a.txt", "x"}}), ErrorKind::bad_file, "without an array of NumPy");
+  expect_refused_array(npz({{"a.npy", "x"}}), ErrorKind::bad_file, "\"a.npy\": no array of NumPy");
+  expect_refused_array(npz({{"a.npy", array_of_two() + "x"}}), ErrorKind::bad_file,
+                       "more bytes follow the 2 rows");
+  const std::string whole = npz({{"a.npy", array_of_two()}});
+  expect_refused_array(whole.substr(0, whole.size() / 2), ErrorKind::bad_file,
+                       "cut off or damaged");
+}
+
+TEST(NpzArray, ThatIsDamagedGivesATypedError) {
+  for_each_case("io/npz", 3000, [](Rng& rng) {
+    const std::string content = damaged(
+        npz({{"a.npy", array_of_two()}, {"things.npy", array_of_two()}}, rng.below(2) == 0), rng);
+    try {
+      for (const std::vector<double>& row : npy_rows(content)) {
+        EXPECT_EQ(row.size(), 3U);
+      }
+    } catch (const Error& error) {
+      EXPECT_NE(error.kind(), ErrorKind::usage);
+    }
+  });
 }
 
 }  // namespace

@@ -92,20 +92,6 @@ TEST(Obj, JoinsLinesAtANameInBothPasses) {
   }
 }
 
-TEST(Obj, KeepsObjectsAndGroupsAsPartsInRuns) {
-  const Mesh mesh =
-      read_text(kVertexLines +
-                    "f 1 2 3\no car\ng body left\nf 1 2 3\nf 1 3 4\ng empty\ng\nf 1 2 3\n"
-                    "g body left\nf 1 2 4\n",
-                "a.obj");
-  const std::vector<Part> parts = {{"", Part::kNoParent, 0, 1},
-                                   {"body left", Part::kNoParent, 1, 2},
-                                   {"", Part::kNoParent, 3, 1},
-                                   {"body left", Part::kNoParent, 4, 1}};
-  EXPECT_EQ(mesh.parts, parts);
-  EXPECT_NO_THROW(check(mesh));
-}
-
 TEST(Obj, ReadsNumbersAsDoublesAndPassesColorsAndWeights) {
   const Mesh mesh =
       read_text("v 0.1 0 0 0.5 0.5 0.5\nv 1 0 0 1.0\nv 0 1e-320 0\nf 1 2 3\n", "a.obj");

@@ -5,6 +5,7 @@
 
 #include "tests/io/files.h"
 #include "tests/support/allocation.h"
+#include "tests/support/support.h"
 
 #include <gtest/gtest.h>
 
@@ -34,6 +35,21 @@ TEST(Off, TakesCountsFromAnyPlaceBehindTheMagicWord) {
     SCOPED_TRACE(head);
     EXPECT_EQ(read_text(head + kBody, "a.off").triangles.size(), 1U);
   }
+}
+
+// ModelNet40 has hundreds of such files.
+TEST(Off, TakesTheFirstCountWithoutABlankBeforeIt) {
+  for (const std::string head : {"OFF3 1 0\n", "COFF3 1\n", "# a\nSTCNOFF3 1 9 # b\r\n"}) {
+    SCOPED_TRACE(head);
+    EXPECT_EQ(read_text(head + kBody, "a.off").triangles.size(), 1U);
+    EXPECT_EQ(read_text(head + kBody, "a").triangles.size(), 1U);
+  }
+  EXPECT_EQ(read_mesh(data("reports/off_glued.off")).triangles.size(), 12U);
+  for (const std::string head : {"OFFx 3 1 0\n", "OFF3x 1 0\n", "OFF-3 1 0\n", "OFF3.5 1 0\n"}) {
+    expect_refused(head + kBody, "a.off", ErrorKind::bad_file, "not OFF");
+  }
+  expect_refused("4OFF3 1 0\n" + kBody, "a.off", ErrorKind::unsupported, "three dimensions");
+  expect_refused("OFF9999999999 1 0\n" + kBody, "a.off", ErrorKind::bad_file, "bytes are left");
 }
 
 TEST(Off, RefusesMoreBehindTheCounts) {

@@ -72,6 +72,29 @@ TEST(ReadMesh, NamesWhatOtherContentIs) {
   expect_refused("hello", "a", ErrorKind::unsupported, "and by soms-import .3d .3mf");
 }
 
+TEST(ReadMesh, NamesTextInUtf16WhateverItsFormat) {
+  for (const bool big : {false, true}) {
+    for (const std::string name :
+         {"a.obj", "a.off", "a.ply", "a.stl", "a.dae", "a.gltf", "a.json", "a.txt", "a"}) {
+      std::string text = big ? "\xfe\xff" : "\xff\xfe";
+      for (const char c : std::string("v 0 0 0\n")) {
+        text += big ? std::string(1, '\0') + c : c + std::string(1, '\0');
+      }
+      SCOPED_TRACE(name);
+      expect_refused(text, name, ErrorKind::unsupported,
+                     "text in UTF-16; save it as ASCII or UTF-8");
+    }
+  }
+}
+
+TEST(ReadMesh, PassesTheMarkOfUtf8WhateverTheFormat) {
+  const std::string mark = "\xef\xbb\xbf";
+  const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n";
+  EXPECT_EQ(read_text(mark + "OFF\n3 1 0\n" + vertices + "3 0 1 2\n", "a.off").triangles.size(),
+            1U);
+  EXPECT_EQ(read_text(mark + "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "a.obj").triangles.size(), 1U);
+}
+
 TEST(ReadMesh, NamesContentThatNoExtensionMakesAModel) {
   const std::string recording("\x89SOMS\r\n\x1a\x01\0\0\0", 12);
   for (const std::string name : {"run.somsrec", "run.ply", "run", "run.fbx"}) {

@@ -120,5 +120,15 @@ TEST(RobotStateReader, RefusesAHomeOfAnotherWidth) {
       ErrorKind::usage, "home");
 }
 
+TEST(RobotStateReader, TakesSemicolonsBetweenCells) {
+  EXPECT_EQ(states_of("turn;lift;wrist;grip\n1;2;3;4.5\n"), (Rows{{1, 2, 3, 4.5}}));
+  EXPECT_EQ(states_of("1;2;3;4.5\n0;0;0;1\n"), (Rows{{1, 2, 3, 4.5}, {0, 0, 0, 1}}));
+  expect_bad("turn;lift;wrist;grip\n0,5;2;3;4\n", "write a decimal point in place of the comma");
+}
+
+TEST(RobotStateReader, GivesNoStateOfAHeaderAlone) {
+  EXPECT_TRUE(states_of("turn,lift,wrist,grip\n").empty());
+}
+
 }  // namespace
 }  // namespace soms::test

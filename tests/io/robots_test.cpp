@@ -35,6 +35,16 @@ std::string mesh_element(const std::string& file, const std::string& more = {}) 
   return "<mesh filename=\"" + file + "\"" + more + "/>";
 }
 
+TEST(ReadRobot, NamesTextInUtf16) {
+  std::string text = "\xff\xfe";
+  for (const char c : one_link("<box size=\"1 1 1\"/>")) {
+    text += c + std::string(1, '\0');
+  }
+  expect_refused([&] { static_cast<void>(robot_of(text)); }, ErrorKind::unsupported,
+                 "made.urdf: text in UTF-16; save it as ASCII or UTF-8");
+  EXPECT_EQ(robot_of("\xef\xbb\xbf" + one_link("<box size=\"1 1 1\"/>")).links.size(), 1U);
+}
+
 TEST(ReadRobot, ReadsLinksAndJoints) {
   const Robot robot = read_robot(data("robots/arm.urdf"));
   EXPECT_EQ(robot.name, "arm");

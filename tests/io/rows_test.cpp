@@ -79,5 +79,37 @@ TEST(RowReader, PutsFileAndLineBeforeAFault) {
   EXPECT_EQ(fault.remedy(), "give another");
 }
 
+TEST(RowReader, TakesSemicolonsBetweenCells) {
+  EXPECT_EQ(rows_of("a;b\n1;2.5\n 3 ; 4 \n"), (Rows{{1, 2.5}, {3, 4}}));
+  EXPECT_EQ(rows_of("\xef\xbb\xbf"
+                    "b;a\r\n1;2\r\n"),
+            (Rows{{2, 1}}));
+  expect_refused_rows("a;b\n1;2;3\n", ErrorKind::bad_file, "line 2: 3 numbers");
+  expect_refused_rows("a;b\n1,2\n", ErrorKind::bad_file, "line 2: 1 number, but the header has 2");
+  expect_refused_rows("a,b\n1;2\n", ErrorKind::bad_file, "line 2: 1 number, but the header has 2");
+}
+
+// Whether 1,234 is a little more than one or a thousand, no file says.
+TEST(RowReader, NamesADecimalComma) {
+  expect_refused_rows("a;b\n0,5;1\n", ErrorKind::bad_file,
+                      "line 2: a is \"0,5\", not a number; write a decimal point in place of the "
+                      "comma: 1.5");
+  expect_refused_rows("a;b\n1;1,234\n", ErrorKind::bad_file, "b is \"1,234\"");
+}
+
+TEST(RowReader, NamesTextInUtf16) {
+  const auto utf16 = [](bool big) {
+    std::string text = big ? "\xfe\xff" : "\xff\xfe";
+    for (const char c : std::string("a,b\n1,2\n")) {
+      text += big ? std::string(1, '\0') + c : c + std::string(1, '\0');
+    }
+    return text;
+  };
+  for (const bool big : {false, true}) {
+    expect_refused_rows(utf16(big), ErrorKind::unsupported,
+                        "text in UTF-16; save it as ASCII or UTF-8");
+  }
+}
+
 }  // namespace
 }  // namespace soms::test

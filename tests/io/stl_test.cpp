@@ -4,6 +4,7 @@
 #include "soms/io/read_mesh.h"
 
 #include "tests/io/files.h"
+#include "tests/support/support.h"
 
 #include <gtest/gtest.h>
 
@@ -27,6 +28,25 @@ std::string binary(const std::string& header, std::uint64_t count, std::uint64_t
     text += bytes_of(0xffff, 2);
   }
   return text;
+}
+
+TEST(Stl, RefusesBytesBetweenFacetsThatAttributesCount) {
+  const std::string words =
+      "byte 132: each triangle is followed by as many bytes as its attribute says, but attributes "
+      "of STL are no lengths";
+  expect_refused([] { static_cast<void>(read_mesh(data("reports/stl_bin_attrbytes.stl"))); },
+                 ErrorKind::bad_file, words);
+  const std::string facet = binary("x", 1, 1).substr(84, 48);
+  for (const std::size_t count : {1U, 2U, 40U}) {
+    std::string text = binary("x", count, 0);
+    for (std::size_t i = 0; i < count; ++i) {
+      text += facet + bytes_of(i + 1, 2) + std::string(i + 1, 'a');
+    }
+    expect_refused(text, "a.stl", ErrorKind::bad_file, words);
+  }
+  // Attributes alone say nothing, nor do bytes at the end.
+  EXPECT_TRUE(read_text(binary("x", 3, 3), "a.stl").notes.empty());
+  EXPECT_EQ(read_text(binary("x", 3, 3) + std::string(40, 'a'), "a.stl").notes.size(), 1U);
 }
 
 TEST(Stl, KeepsSolidsAsPartsAndNumbersAsDoubles) {

@@ -120,8 +120,12 @@ TEST(WriteMesh, KeepsPartsAsGroupsAndSolids) {
                                       {"left_wheel_", Part::kNoParent, 2, 2},
                                       {"whole car", Part::kNoParent, 4, 1},
                                       {"", Part::kNoParent, 5, 1}};
-  EXPECT_EQ(read_text(written(mesh, MeshFormat::obj), "a.obj").parts, expected);
   EXPECT_EQ(read_text(written(mesh, MeshFormat::stl_ascii), "a.stl").parts, expected);
+  const std::vector<Part> nested = {{"", Part::kNoParent, 0, 1},
+                                    {"whole car", Part::kNoParent, 1, 4},
+                                    {"left_wheel_", 1, 2, 2},
+                                    {"", Part::kNoParent, 5, 1}};
+  EXPECT_EQ(read_text(written(mesh, MeshFormat::obj), "a.obj").parts, nested);
 }
 
 TEST(WriteMesh, ChoosesTheInnermostPartAsPartOfDoes) {

@@ -1,11 +1,11 @@
 #include "apps/view/control/file_list.h"
 
+#include "soms/base/error.h"
 #include "soms/base/text.h"
 #include "soms/io/formats.h"
 
 #include <algorithm>
 #include <cctype>
-#include <string_view>
 #include <system_error>
 #include <tuple>
 
@@ -19,14 +19,13 @@ char lower_case(char c) {
   return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
 }
 
+/// A file that cannot be looked at is none.
 bool is_model(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), lower_case);
-  const auto formats = readable_formats();
-  const auto imported = imported_extensions();
-  return std::any_of(formats.begin(), formats.end(),
-                     [&](const ReadableFormat& f) { return f.extension == extension; }) ||
-         std::find(imported.begin(), imported.end(), extension) != imported.end();
+  try {
+    return is_model_of_folder(path);
+  } catch (const Error&) {
+    return false;
+  }
 }
 
 /// Rows of a folder; an entry that cannot be looked at is left out.
@@ -37,7 +36,8 @@ std::vector<FileRow> rows_of(const fs::path& folder, std::error_code& fault) {
     const std::string name = entry->path().filename().string();
     std::error_code unknown;
     const bool is_folder = entry->is_directory(unknown);
-    if (name.front() != '.' && (is_folder || (is_model(entry->path()) && !unknown))) {
+    if (name.front() != '.' &&
+        (is_folder || (entry->is_regular_file(unknown) && is_model(entry->path())))) {
       rows.push_back({entry->path(), printable(name) + (is_folder ? "/" : ""), is_folder});
     }
   }

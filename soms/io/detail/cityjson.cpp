@@ -124,6 +124,11 @@ void CityReader::add_tree(std::string_view key, const JsonValue& object, const O
     if (found == objects.end()) {
       child.fail("there is no object " + in_quotes(child.text()));
     }
+    const std::optional<JsonValue> parents = found->second.find("parents");
+    if ((!parents || parents->size() == 0) && found->first != key) {
+      child.fail("the object " + in_quotes(child.text()) +
+                 " has no \"parents\", where this one must be named");
+    }
     if (!opened_.insert(found->first).second) {
       child.fail("this object is a part of itself, or of two others");
     }

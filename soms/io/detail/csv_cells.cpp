@@ -18,15 +18,19 @@ std::string_view trimmed(std::string_view text) {
 
 }  // namespace
 
-void split_cells(std::string_view line, std::vector<std::string_view>& cells) {
+char separator_of(std::string_view first_row) {
+  return first_row.find(';') == std::string_view::npos ? ',' : ';';
+}
+
+void split_cells(std::string_view line, std::vector<std::string_view>& cells, char separator) {
   cells.clear();
   while (true) {
-    const std::size_t comma = line.find(',');
-    cells.push_back(trimmed(line.substr(0, comma)));
-    if (comma == std::string_view::npos) {
+    const std::size_t end = line.find(separator);
+    cells.push_back(trimmed(line.substr(0, end)));
+    if (end == std::string_view::npos) {
       return;
     }
-    line.remove_prefix(comma + 1);
+    line.remove_prefix(end + 1);
   }
 }
 

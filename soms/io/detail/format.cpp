@@ -62,7 +62,7 @@ constexpr std::string_view kUnpack = "unpack it first";
 constexpr std::string_view kConvert = "convert it to one of the formats that are read";
 constexpr std::string_view kPage = "download the model file itself";
 
-constexpr std::array<Foreign, 17> kForeign = {{
+constexpr std::array<Foreign, 15> kForeign = {{
     {"{", "a JSON file", kConvert, false, ".gltf"},
     {"<!DOCTYPE html", "a web page", kPage, true},
     {"<!DOCTYPE HTML", "a web page", kPage, true},
@@ -84,8 +84,6 @@ constexpr std::array<Foreign, 17> kForeign = {{
      "an xz file", kUnpack},
     {"BZh", "a bzip2 file", kUnpack},
     {"\x28\xb5\x2f\xfd", "a zstd file", kUnpack},
-    {"\xff\xfe", "text in UTF-16", "save it as ASCII or UTF-8"},
-    {"\xfe\xff", "text in UTF-16", "save it as ASCII or UTF-8"},
 }};
 
 std::string format_list() {
@@ -109,6 +107,9 @@ void refuse_foreign(const Source& source, std::string_view extension) {
   const std::size_t begin =
       std::min(source.bytes.find_first_not_of(" \t\r\n"), source.bytes.size());
   const bool imported = is_imported(extension);
+  if (!imported) {
+    refuse_utf16(source.bytes, source.name);
+  }
   for (const Foreign& foreign : kForeign) {
     if (!source.bytes.substr(begin).starts_with(foreign.begin) || (!foreign.anywhere && imported) ||
         (!extension.empty() && extension == foreign.unless)) {

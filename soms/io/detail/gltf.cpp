@@ -28,7 +28,8 @@ namespace {
 
 /// True for extensions that are read, or that change nothing that is.
 bool is_harmless(std::string_view extension) {
-  constexpr std::array<std::string_view, 8> kParts = {"KHR_mesh_quantization",
+  constexpr std::array<std::string_view, 9> kParts = {"KHR_mesh_quantization",
+                                                      kVisibility,
                                                       "_materials_",
                                                       "_texture_",
                                                       "_lights_",
@@ -78,7 +79,7 @@ void check_extensions(const JsonValue& root, bool in_tile) {
   for (std::size_t i = 0; required && i < required->size(); ++i) {
     const std::string_view name = required->at(i).text();
     if (!is_harmless(name) && !(in_tile && name == kCenter)) {
-      refuse_extension(required->at(i), name);
+      refuse_required_extension(required->at(i), name);
     }
   }
   if (!in_tile && center_of(root)) {
@@ -167,6 +168,7 @@ class GltfReader {
   std::uint64_t items_ = 0;           ///< vertices and triangles of the whole scene
   std::uint64_t done_ = 0;
   LeftOut skinned_;
+  LeftOut hidden_;
   std::vector<std::string> notes_;
 };
 
@@ -193,6 +195,9 @@ void GltfReader::reserve(const std::vector<PlacedNode>& nodes) {
     const std::optional<JsonValue> extensions = node.json.find("extensions");
     if (extensions && extensions->find("EXT_mesh_gpu_instancing")) {
       refuse_extension(node.json, "EXT_mesh_gpu_instancing");
+    }
+    if (node.hidden) {
+      hidden_.add([&] { return "in " + node.json.path(); });
     }
     if (node.json.find("skin")) {
       skinned_.add([&] { return "in " + node.json.path(); });
@@ -315,6 +320,8 @@ void GltfReader::add_notes() {
   }
   builder_.note(unused, "meshes that no node of the scene uses");
   builder_.note(skinned_, "skins read in their bind shape, not posed by their joints");
+  builder_.note(hidden_,
+                "nodes with a mesh that the file hides (KHR_node_visibility), read all the same");
   builder_.note(buffers_.surplus(), "surplus bytes after the stated length of a buffer");
   LeftOut animations;
   animations.add([] { return "at animations[0]"; }, length_of("animations"));

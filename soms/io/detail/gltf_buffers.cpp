@@ -11,6 +11,9 @@ namespace soms::detail {
 
 namespace {
 
+constexpr const char* kWithoutExtension =
+    "save the model without it (uncompressed, instances as nodes)";
+
 /// A buffer without bytes may be what a compressed one would be unpacked to.
 void refuse_compressed(const JsonValue& buffer) {
   const std::optional<JsonValue> extensions = buffer.find("extensions");
@@ -25,8 +28,15 @@ void refuse_compressed(const JsonValue& buffer) {
 
 void refuse_extension(const JsonValue& place, std::string_view extension) {
   place.fail(ErrorKind::unsupported,
+             "the extension " + in_quotes(extension) +
+                 " is used here and changes the geometry, but is not supported",
+             kWithoutExtension);
+}
+
+void refuse_required_extension(const JsonValue& place, std::string_view extension) {
+  place.fail(ErrorKind::unsupported,
              "the extension " + in_quotes(extension) + " is required, but is not supported",
-             "save the model without it (uncompressed, instances as nodes)");
+             kWithoutExtension);
 }
 
 char* GltfBuffers::store(std::uint64_t size) {

@@ -20,6 +20,9 @@ namespace soms::detail {
 /// Refuses what an extension would change. \errors ErrorKind::unsupported.
 [[noreturn]] void refuse_extension(const JsonValue& place, std::string_view extension);
 
+/// The same where the document lists the extension as required.
+[[noreturn]] void refuse_required_extension(const JsonValue& place, std::string_view extension);
+
 /// The bytes of a buffer view.
 struct GltfView {
   std::string_view bytes;

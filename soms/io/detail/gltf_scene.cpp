@@ -52,6 +52,13 @@ Affine local_of(const JsonValue& node) {
   return json_matrix(*matrix);
 }
 
+bool is_hidden(const JsonValue& node) {
+  const std::optional<JsonValue> extensions = node.find("extensions");
+  const std::optional<JsonValue> stated = extensions ? extensions->find(kVisibility) : std::nullopt;
+  const std::optional<JsonValue> visible = stated ? stated->find("visible") : std::nullopt;
+  return visible && !visible->boolean();
+}
+
 class NodePlacer {
  public:
   NodePlacer(Source& source, const JsonValue& root, std::vector<std::string>& notes)
@@ -195,10 +202,11 @@ std::vector<PlacedNode> NodePlacer::place() {
     const Affine local = local_of(node);
     const auto here = static_cast<std::uint32_t>(placed.size());
     if (within == kNone) {
-      placed.push_back({node, 0, local});
+      placed.push_back({node, 0, local, is_hidden(node)});
     } else {
       const PlacedNode& outer = placed[within];
-      placed.push_back({node, outer.depth + 1, outer.world * local});
+      placed.push_back(
+          {node, outer.depth + 1, outer.world * local, outer.hidden || is_hidden(node)});
     }
     const std::optional<JsonValue> children = node.find("children");
     for (std::size_t k = children ? children->size() : 0; k-- > 0;) {

@@ -7,15 +7,20 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace soms::detail {
+
+/// By which a node says whether it and those within it are visible.
+inline constexpr std::string_view kVisibility = "KHR_node_visibility";
 
 /// A node of the scene.
 struct PlacedNode {
   JsonValue json;
   std::uint32_t depth = 0;  ///< nodes that it is within
   Affine world;
+  bool hidden = false;  ///< it, or a node that it is within, says that it is not visible
 };
 
 /// Nodes of the default scene, each before those within it, in the order of the file. The first

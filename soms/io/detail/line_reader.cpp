@@ -1,8 +1,10 @@
 #include "soms/io/detail/line_reader.h"
 
 #include "soms/base/error.h"
+#include "soms/io/detail/source.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace soms::detail {
 
@@ -18,13 +20,22 @@ LineReader::LineReader(const std::filesystem::path& path, const Parallel& parall
       parallel_{.stop = parallel.stop},
       file_(open_for_reading(path)),
       buffer_(kFirstSize) {
-  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
   while (end_ < kByteOrderMark.size() && !at_end_) {
     fill();
   }
-  if (std::string_view(buffer_.data(), end_).starts_with(kByteOrderMark)) {
+  const std::string_view start(buffer_.data(), end_);
+  refuse_utf16(start, name_);
+  if (start.starts_with(kByteOrderMark)) {
     begin_ = kByteOrderMark.size();
   }
+}
+
+LineReader::LineReader(std::string name, std::vector<char> bytes)
+    : name_(std::move(name)),
+      file_(-1),
+      buffer_(std::move(bytes)),
+      end_(buffer_.size()),
+      at_end_(true) {
 }
 
 /// Adds bytes behind those that are left, or finds the end of the file.

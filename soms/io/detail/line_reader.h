@@ -21,6 +21,9 @@ class LineReader {
   /// \errors ErrorKind::cannot_open (missing, unreadable, a directory), cancelled.
   explicit LineReader(const std::filesystem::path& path, const Parallel& parallel = {});
 
+  /// The same of bytes in memory; `name` is used in messages.
+  LineReader(std::string name, std::vector<char> bytes);
+
   /// The next line without its end, valid until the next call; nothing at the end of the file.
   /// \errors ErrorKind::bad_file (a line longer than 1 MiB), cannot_open (reading failed),
   /// cancelled.

@@ -156,12 +156,63 @@ void MeshBuilder::begin_part(std::string_view name) {
   if (!open_parts_.empty()) {
     close_part();
   }
-  const auto first = static_cast<std::uint32_t>(mesh_.triangles.size());
-  // Triangles before the first name are a part without one.
-  if (mesh_.parts.empty() && first > 0) {
-    push(mesh_.parts, {"", Part::kNoParent, 0, first});
-  }
+  name_triangles_before_parts();
   open_part(name);
+}
+
+/// Triangles before the first name are a part without one.
+void MeshBuilder::name_triangles_before_parts() {
+  const auto count = static_cast<std::uint32_t>(mesh_.triangles.size());
+  if (mesh_.parts.empty() && count > 0) {
+    push(mesh_.parts, {"", Part::kNoParent, 0, count});
+  }
+}
+
+void MeshBuilder::begin_object(std::string_view name) {
+  close_group();
+  groups_.clear();
+  source_.budget.give_back(std::exchange(group_bytes_, 0));
+  begin_part(name);
+  in_object_ = true;
+}
+
+void MeshBuilder::begin_group(std::string_view name) {
+  const std::size_t around = in_object_ ? 1 : 0;
+  const bool is_open = open_parts_.size() > around;
+  if (in_object_ && name.empty()) {
+    close_group();
+    return;
+  }
+  if (is_open && mesh_.parts[open_parts_.back()].name == name) {
+    return;
+  }
+  close_group();
+  name_triangles_before_parts();
+  if (groups_.empty() && !in_object_ && !mesh_.parts.empty()) {
+    groups_.emplace("", 0);  // the triangles before the first name
+  }
+  const auto known = groups_.find(name);
+  if (known == groups_.end()) {
+    open_part(name);
+  } else {
+    continue_part(known->second);
+  }
+}
+
+/// Closes the group that is open, if one is, and keeps its name if it has triangles.
+void MeshBuilder::close_group() {
+  if (open_parts_.size() == (in_object_ ? 1U : 0U)) {
+    return;
+  }
+  const std::uint32_t group = open_parts_.back();
+  close_part();
+  if (group < mesh_.parts.size() && mesh_.parts[group].continues == Part::kNoParent) {
+    constexpr std::uint64_t kBytesPerGroup = 128;  // a node of a tree, and the name behind it
+    const std::uint64_t bytes = kBytesPerGroup + mesh_.parts[group].name.size();
+    take(bytes);
+    group_bytes_ += bytes;
+    groups_.emplace(mesh_.parts[group].name, group);
+  }
 }
 
 Mesh MeshBuilder::finish() {

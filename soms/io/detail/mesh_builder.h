@@ -10,6 +10,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -59,6 +61,15 @@ class MeshBuilder {
   /// Begins a part that holds all triangles from here to the next one. Parts without triangles
   /// vanish.
   void begin_part(std::string_view name);
+
+  /// As `begin_part`, for a format of objects that hold groups: an object, with groups of its own.
+  void begin_object(std::string_view name);
+
+  /// Begins a group of the object that was begun last, or of the file before the first object. A
+  /// group whose name that object has had goes on: one part, in several runs if need be. Without a
+  /// name the triangles that follow are of no group: the object's own.
+  /// \errors ErrorKind::out_of_memory.
+  void begin_group(std::string_view name);
 
   /// Opens a part within the one that was opened last and is not closed yet. Formats whose parts
   /// nest use this and `close_part` in place of `begin_part`.
@@ -130,6 +141,8 @@ class MeshBuilder {
 
   void take(std::uint64_t bytes);
   void map_faces();
+  void name_triangles_before_parts();
+  void close_group();
 
   Source& source_;
   Mesh mesh_;
@@ -138,6 +151,11 @@ class MeshBuilder {
   std::vector<std::uint32_t> joined_;
   std::vector<Vec3> corners_;
   std::vector<std::uint32_t> open_parts_;  ///< from the outermost to the innermost
+  /// First runs of the groups of the object at hand, by name. A tree, as names of a file could be
+  /// chosen to collide.
+  std::map<std::string, std::uint32_t, std::less<>> groups_;
+  std::uint64_t group_bytes_ = 0;  ///< that `groups_` took
+  bool in_object_ = false;
   std::uint32_t face_ = 0;
   LeftOut thin_faces_;
   LeftOut lost_holes_;

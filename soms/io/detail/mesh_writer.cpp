@@ -4,6 +4,7 @@
 #include "soms/base/portable.h"
 #include "soms/geometry/part_runs.h"
 #include "soms/io/detail/glb_writer.h"
+#include "soms/io/detail/obj_groups.h"
 #include "soms/io/detail/three_ds_writer.h"
 
 #include <algorithm>
@@ -16,18 +17,6 @@
 namespace soms::detail {
 
 namespace {
-
-/// A part's name, fit for the rest of a line.
-std::string line_name(const Mesh& mesh, std::uint32_t part) {
-  std::string name = part == Part::kNoParent ? "" : mesh.parts[part].name;
-  for (char& c : name) {
-    c = (c >= 0 && c < ' ') || c == '\x7f' ? '_' : c;
-  }
-  if (name.ends_with('\\')) {
-    name.back() = '_';
-  }
-  return name;
-}
 
 class MeshWriter {
  public:
@@ -162,18 +151,12 @@ void MeshWriter::obj() {
     output_.put("# no vertices and no faces\ng\n");
   }
   put_vertices("v ");
-  const std::vector<PartRun> runs = part_runs(mesh_);
-  auto run = runs.begin();
+  const std::vector<ObjGroupLines> groups = obj_groups(mesh_).lines;
+  auto group = groups.begin();
   each(mesh_.triangles.size(), 0.5, 1, [&](std::size_t i) {
-    if (run != runs.end() && run->first == i) {
-      const std::string name = line_name(mesh_, run->part);
-      // Triangles in front of all parts need no group.
-      if (run->part != Part::kNoParent || i > 0) {
-        output_.put(name.empty() ? "g" : "g ");
-        output_.put(name);
-        output_.put('\n');
-      }
-      ++run;
+    if (group != groups.end() && group->triangle == i) {
+      output_.put(group->lines);
+      ++group;
     }
     output_.put('f');
     put_indices(mesh_.triangles[i], 1);
@@ -248,7 +231,8 @@ void MeshWriter::stl_text() {
     runs.push_back({});
   }
   const auto line = [&](std::string_view token, const PartRun& run) {
-    const std::string name = line_name(mesh_, run.part);
+    const std::string name =
+        run.part == Part::kNoParent ? std::string() : line_name(mesh_.parts[run.part].name);
     output_.put(token);
     output_.put(name.empty() ? "" : " ");
     output_.put(name);

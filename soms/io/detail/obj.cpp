@@ -22,7 +22,8 @@ constexpr TextStyle kStyle{.comments = true, .continued = true};
 enum class ObjLine : std::uint8_t {
   vertex,
   face,
-  name,
+  object,
+  group,
   passed,     ///< nothing of the surface: normals, materials, how curves are to be drawn
   thin,       ///< lines and points
   free_form,  ///< curves and surfaces, those of the older form too
@@ -38,8 +39,8 @@ struct ObjKeyword {
 /// Words that begin lines, the frequent ones first.
 constexpr auto kObjKeywords = std::to_array<ObjKeyword>(
     {{"v", ObjLine::vertex},         {"f", ObjLine::face},          {"vn", ObjLine::passed},
-     {"vt", ObjLine::passed},        {"s", ObjLine::passed},        {"g", ObjLine::name},
-     {"usemtl", ObjLine::passed},    {"o", ObjLine::name},          {"l", ObjLine::thin},
+     {"vt", ObjLine::passed},        {"s", ObjLine::passed},        {"g", ObjLine::group},
+     {"usemtl", ObjLine::passed},    {"o", ObjLine::object},        {"l", ObjLine::thin},
      {"p", ObjLine::thin},           {"fo", ObjLine::face},         {"mtllib", ObjLine::passed},
      {"vp", ObjLine::passed},        {"mg", ObjLine::passed},       {"bevel", ObjLine::passed},
      {"c_interp", ObjLine::passed},  {"d_interp", ObjLine::passed}, {"lod", ObjLine::passed},
@@ -154,9 +155,13 @@ void ObjReader::read_faces() {
       ++vertices_so_far;
     } else if (kind == ObjLine::face) {
       read_face(scanner, vertices_so_far);
-    } else if (kind == ObjLine::name) {
+    } else if (kind == ObjLine::object || kind == ObjLine::group) {
       TextScanner name = scanner;  // what ends the line is for skip_line, as in the first pass
-      builder_.begin_part(name.rest_of_line());
+      if (kind == ObjLine::object) {
+        builder_.begin_object(name.rest_of_line());
+      } else {
+        builder_.begin_group(name.rest_of_line());
+      }
     } else if (kind != ObjLine::passed) {
       leave_out(kind, begin, keyword);
     }

@@ -11,20 +11,31 @@ namespace soms::detail {
 
 namespace {
 
+constexpr TextStyle kOffStyle{.comments = true};
+
 /// `[ST][C][N][4][n]OFF`: the letters say what stands behind x, y and z, which nobody needs here.
-bool is_magic(std::string_view token) {
+/// The first count may follow without a blank, as in the files of ModelNet40: OFF8 6 0. The word
+/// without it; empty if `token` is no such word.
+std::string_view magic_of(std::string_view token) {
+  std::string_view rest = token;
   for (const std::string_view letters : {"ST", "C", "N", "4", "n"}) {
-    if (token.starts_with(letters)) {
-      token.remove_prefix(letters.size());
+    if (rest.starts_with(letters)) {
+      rest.remove_prefix(letters.size());
     }
   }
-  return token == "OFF";
+  constexpr std::string_view kWord = "OFF";
+  if (!rest.starts_with(kWord)) {
+    return {};
+  }
+  rest.remove_prefix(kWord.size());
+  const bool is_count = rest.find_first_not_of("0123456789") == std::string_view::npos;
+  return is_count ? token.substr(0, token.size() - rest.size()) : std::string_view();
 }
 
 class OffReader {
  public:
   explicit OffReader(Source& source)
-      : source_(source), scanner_(source, 0, {.comments = true}), builder_(source) {}
+      : source_(source), scanner_(source, 0, kOffStyle), builder_(source) {}
 
   Mesh read();
 
@@ -66,15 +77,19 @@ void OffReader::find_row(const char* what) {
 void OffReader::read_magic() {
   find_row("the keyword OFF");
   const TextScanner before = scanner_;
-  const std::string_view magic = scanner_.token_in_line();
-  if (!is_magic(magic)) {
+  const std::string_view token = scanner_.token_in_line();
+  const std::string_view magic = magic_of(token);
+  if (magic.empty()) {
     // Geomview lets the word be left out; then the counts come first.
     scanner_ = before;
-    if (magic[0] < '0' || magic[0] > '9') {
-      scanner_.fail(ErrorKind::bad_file, "the file begins with " + in_quotes(magic) + ", not OFF",
+    if (token[0] < '0' || token[0] > '9') {
+      scanner_.fail(ErrorKind::bad_file, "the file begins with " + in_quotes(token) + ", not OFF",
                     "give an OFF file");
     }
     return;
+  }
+  if (magic.size() < token.size()) {
+    scanner_ = TextScanner(source_, scanner_.position() - (token.size() - magic.size()), kOffStyle);
   }
   if (magic.find_first_of("4n") != std::string_view::npos) {
     before.fail(ErrorKind::unsupported, in_quotes(magic) + " has more than three dimensions",
@@ -217,7 +232,7 @@ bool is_off(std::string_view bytes) {
     std::string_view line = bytes.substr(0, end);
     const std::string_view token = take_token(line);
     if (!token.empty() && token[0] != '#') {
-      return is_magic(token);
+      return !magic_of(token).empty();
     }
     bytes.remove_prefix(std::min(end + 1, bytes.size()));
   }

@@ -67,10 +67,15 @@ void Source::fail_byte(std::size_t position, ErrorKind kind, const std::string& 
 }
 
 void skip_byte_order_mark(Source& source) {
-  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
   if (source.bytes.starts_with(kByteOrderMark)) {
     source.skipped = kByteOrderMark.size();
     source.bytes.remove_prefix(source.skipped);
+  }
+}
+
+void refuse_utf16(std::string_view bytes, const std::string& name) {
+  if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) {
+    throw Error(ErrorKind::unsupported, name + ": text in UTF-16", "save it as ASCII or UTF-8");
   }
 }
 

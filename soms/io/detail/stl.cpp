@@ -36,6 +36,25 @@ bool is_binary_of_right_size(std::string_view bytes) {
   return bytes.size() >= kHeader && bytes.size() == stated_size(bytes);
 }
 
+/// True if each facet is followed by as many bytes as its attribute says, and the file ends so.
+/// Attributes are no lengths, and a reader that takes facets of 50 bytes finds triangles that are
+/// not there.
+bool has_bytes_behind_facets(std::string_view bytes, std::uint64_t count) {
+  std::size_t at = kHeader;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    if (bytes.size() - at < kFacet) {
+      return false;
+    }
+    const std::size_t behind = little_endian<std::uint16_t>(bytes, at + kFacet - 2);
+    at += kFacet;
+    if (bytes.size() - at < behind) {
+      return false;
+    }
+    at += behind;
+  }
+  return at == bytes.size();
+}
+
 Mesh read_binary(Source& source) {
   const std::string_view bytes = source.bytes;
   if (bytes.size() < kHeader) {
@@ -45,6 +64,12 @@ Mesh read_binary(Source& source) {
   }
   const std::uint64_t count = little_endian<std::uint32_t>(bytes, 80);
   const std::uint64_t held = (bytes.size() - kHeader) / kFacet;
+  if (bytes.size() != stated_size(bytes) && has_bytes_behind_facets(bytes, count)) {
+    source.fail_byte(kHeader + kFacet - 2, ErrorKind::bad_file,
+                     "each triangle is followed by as many bytes as its attribute says, but "
+                     "attributes of STL are no lengths, and triangles have 50 bytes each",
+                     "write the file again without bytes between the triangles");
+  }
   // Fewer bytes than a facet behind the last may be padding; more would be triangles lost.
   if (count != held) {
     source.fail_byte(80, ErrorKind::bad_file,

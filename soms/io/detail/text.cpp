@@ -288,8 +288,10 @@ double cell_number(std::string_view cell, std::string_view name, ErrorKind bad,
   const char* end = cell.data() + cell.size();
   const ParsedNumber parsed = parse_number(cell.data(), end, Precision::as_double);
   if (parsed.status == NumberStatus::not_a_number || parsed.end != end) {
+    const bool has_comma = cell.find(',') != std::string_view::npos;
     throw Error(bad, std::string(name) + " is " + in_quotes(cell) + ", not a number",
-                "give a number such as 1.5 or -2e3");
+                has_comma ? "write a decimal point in place of the comma: 1.5"
+                          : "give a number such as 1.5 or -2e3");
   }
   const bool infinite = parsed.status == NumberStatus::good && std::isinf(parsed.value);
   if (!(infinite && may_be_infinite) &&

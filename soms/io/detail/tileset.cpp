@@ -127,6 +127,7 @@ void TilesetReader::read_content(Level& level, const Tile& tile, const TileConte
                .budget = source.budget,
                .memory_per_byte = source.memory_per_byte,
                .parallel = quiet_};
+  refuse_utf16(inner.bytes, inner.name);
   skip_byte_order_mark(inner);
   if (inner.bytes.empty()) {
     content.uri.fail(in_quotes(content.uri.text()) + ": the file is empty");
