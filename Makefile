@@ -1,6 +1,9 @@
 # The commands of the README, and what contributors run. Everything below them is CMake presets.
 JOBS ?= $(shell nproc)
 ARGS ?=
+# With WERROR=ON warnings are errors, as in .ci/run. Without, a compiler that is newer than ours stops nobody.
+WERROR ?= OFF
+STRICT = -D CMAKE_COMPILE_WARNING_AS_ERROR=$(WERROR)
 
 .PHONY: help run build view thesis install python test headers large check wheel asan asan-library asan-python tsan tidy arm64 wasm-configured wasm live wasm-test determinism memcheck endurance packages bare fuzz faults bench format clean
 
@@ -13,6 +16,7 @@ help:
 	@echo "make install  install what is missing, build all of soms, and put it into PREFIX=/usr/local"
 	@echo "make python  install what is missing, and leave the wheel of the Python package in build/python"
 	@echo "make test    install what is missing, build, and run every test of the release build"
+	@echo "             (WERROR=ON, here and below: warnings of the compiler are errors)"
 	@echo "make check   make test, then the suite under ASan+UBSan, the library under TSan, clang-tidy, ARM, WebAssembly,"
 	@echo "             packages, and the README's commands on a bare Debian"
 	@echo "make fuzz    every fuzzer for a minute (FUZZ_SECONDS=600)"
@@ -70,7 +74,7 @@ python:
 
 test:
 	@tools/install_packages.sh run view import test
-	cmake --preset release -D SOMS_BUILD_TESTS=ON -D SOMS_BUILD_PYTHON=ON
+	cmake --preset release -D SOMS_BUILD_TESTS=ON -D SOMS_BUILD_PYTHON=ON $(STRICT)
 	cmake --build --preset release -j $(JOBS)
 	@echo "Not part of this: the npm package, as building it takes minutes (make wasm-test)"
 	ctest --preset release -j $(JOBS)
@@ -78,7 +82,7 @@ test:
 # The suite once more, every access and every arithmetic step watched.
 asan:
 	@tools/install_packages.sh run view import test
-	cmake --preset $@
+	cmake --preset $@ $(STRICT)
 	cmake --build --preset $@ -j $(JOBS)
 	ctest --preset $@ -j $(JOBS)
 
@@ -89,7 +93,7 @@ asan-library: TESTED = $(LIBRARY) fuzz
 tsan: TESTED = $(LIBRARY)
 asan-library tsan:
 	@tools/install_packages.sh run import test $(if $(filter asan-library,$@),sanitize)
-	cmake --preset $@ -D SOMS_BUILD_VIEW=OFF
+	cmake --preset $@ -D SOMS_BUILD_VIEW=OFF $(STRICT)
 	cmake --build --preset $@ -j $(JOBS) --target $(TESTED:%=%_test)
 	ctest --preset $@ -j $(JOBS) -L '^($(shell echo $(TESTED) | tr ' ' '|'))$$'
 
@@ -99,7 +103,7 @@ asan-library tsan:
 SANITIZERS = $(shell $(CXX) -print-file-name=libasan.so):$(shell $(CXX) -print-file-name=libubsan.so):$(shell $(CXX) -print-file-name=libstdc++.so.6)
 asan-python:
 	@tools/install_packages.sh run test
-	cmake --preset asan -D SOMS_BUILD_PYTHON=ON
+	cmake --preset asan -D SOMS_BUILD_PYTHON=ON $(STRICT)
 	cmake --build --preset asan -j $(JOBS) --target soms_python_package
 	for test in answers clash errors index interrupts misuse notebook page recording robot scene truth values; do \
 	  LD_PRELOAD=$(SANITIZERS) ASAN_OPTIONS=malloc_context_size=2:allocator_may_return_null=1 PYTHONMALLOC=malloc \
@@ -113,7 +117,7 @@ headers: test
 
 tidy:
 	@tools/install_packages.sh run test check
-	cmake --preset tidy
+	cmake --preset tidy $(STRICT)
 	cmake --build --preset tidy -j $(JOBS)
 
 # Queries with NEON kernels, cross-compiled and run by qemu.
@@ -164,9 +168,9 @@ memcheck: test
 # command on a processor without any vector extension. The packages stay in build/package.
 packages:
 	@tools/install_packages.sh run view import test packages
-	cmake --preset release -D SOMS_BUILD_TESTS=ON
+	cmake --preset release -D SOMS_BUILD_TESTS=ON $(STRICT)
 	cmake --build --preset release -j $(JOBS) --target soms_installed
-	cmake --preset package -D SOMS_BUILD_PYTHON=ON
+	cmake --preset package -D SOMS_BUILD_PYTHON=ON $(STRICT)
 	cmake --build --preset package -j $(JOBS)
 	ctest --preset release -R R99Answers
 	python3 tests/install/packages_test.py . build/release build/package c++ clang++
@@ -184,7 +188,7 @@ bare:
 FUZZ_SECONDS ?= 60
 fuzz:
 	@tools/install_packages.sh run test check
-	cmake --preset fuzz
+	cmake --preset fuzz $(STRICT)
 	cmake --build --preset fuzz -j $(JOBS)
 	@tools/run_fuzzers.py --seconds $(FUZZ_SECONDS)
 
@@ -203,6 +207,7 @@ large: test
 wheel: test python
 	ctest --preset release -R R99TheWheel
 
+check: WERROR = ON
 check: test headers large wheel asan asan-python tsan tidy arm64 wasm-test determinism memcheck endurance packages bare
 
 # Peers that cannot be installed are left out. A quick run: ARGS=--quick; soms-bench --help tells more.

@@ -31,13 +31,15 @@ if(NOT SOMS_SHARED)
 endif()
 list(TRANSFORM dependencies REPLACE ".+" "find_dependency(\\0)")
 list(JOIN dependencies "\n" dependencies)
-configure_file(cmake/soms_kind.cmake.in soms_${kind}.cmake @ONLY)
-configure_package_config_file(cmake/soms-config.cmake.in soms-config.cmake
+configure_file(cmake/soms_kind.cmake.in installed/soms_${kind}.cmake @ONLY)
+configure_package_config_file(cmake/soms-config.cmake.in installed/soms-config.cmake
   INSTALL_DESTINATION ${SOMS_CMAKE_DIR})
+# For find_package on the build folder, which is no package: it says what to do.
+configure_file(cmake/uninstalled.cmake.in soms-config.cmake @ONLY)
 write_basic_package_version_file(soms-config-version.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/soms-config.cmake
+install(FILES ${PROJECT_BINARY_DIR}/installed/soms-config.cmake
               ${PROJECT_BINARY_DIR}/soms-config-version.cmake
-              ${PROJECT_BINARY_DIR}/soms_${kind}.cmake
+              ${PROJECT_BINARY_DIR}/installed/soms_${kind}.cmake
   DESTINATION ${SOMS_CMAKE_DIR} COMPONENT development)
 
 # The folders of soms.pc are relative to its own place, so that what is installed can be moved.

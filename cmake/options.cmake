@@ -1,8 +1,10 @@
-# Flags of this project's own builds. They never reach an installed package or a user's target.
+# Flags of this project's own builds. They never reach an installed package, a user's target, or a project around this one.
 add_library(soms_options INTERFACE)
-target_compile_options(soms_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor
-  -Wold-style-cast -Woverloaded-virtual)
+if(PROJECT_IS_TOP_LEVEL)
+  target_compile_options(soms_options INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor
+    -Wold-style-cast -Woverloaded-virtual)
+endif()
 if(SOMS_SANITIZE)
   target_compile_options(soms_options INTERFACE
     -fsanitize=${SOMS_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)

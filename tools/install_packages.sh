@@ -1,5 +1,5 @@
 #!/bin/sh
-# Installs the Debian packages that the named sections of packages.txt list and that are missing.
+# Installs the Debian packages that the named sections of packages.txt list and that are missing, also as a program in PATH.
 # Elsewhere than on Debian it names what is needed and goes on: the build says what it misses.
 set -eu
 root=$(CDPATH= cd -- "$(dirname -- "$0")/.." && pwd)
@@ -7,9 +7,15 @@ root=$(CDPATH= cd -- "$(dirname -- "$0")/.." && pwd)
 
 wanted=
 for section in "$@"; do
-  list=$(awk -v s="[$section]" '/^\[/ { on = ($0 == s); next } on && NF && !/^#/ { print $1 }' \
+  # A row is "PACKAGE" or "PACKAGE or PROGRAM".
+  rows=$(awk -v s="[$section]" '/^\[/ { on = ($0 == s); next } on && NF && !/^#/ { print $1 ":" ($2 == "or" ? $3 : "") }' \
     "$root/packages.txt")
-  wanted="$wanted $list"
+  for row in $rows; do
+    program=${row#*:}
+    if [ -z "$program" ] || ! command -v "$program" >/dev/null 2>&1; then
+      wanted="$wanted ${row%%:*}"
+    fi
+  done
 done
 
 if ! command -v dpkg-query >/dev/null 2>&1 || ! command -v apt-get >/dev/null 2>&1; then

@@ -1,10 +1,10 @@
 # The module of live reports: meshes from arrays, overlap and distance, nothing more; made as small as they get. Committed
 # as apps/report/web/dist/live.txt, so this file and the sources are in its hash (web/pack_live.py): rebuild it by `make live`.
 
-# What overlap and distance do without, and scalar kernels: simd128_alone.cpp is in the place of what chooses between kernels.
+# What overlap and distance do without.
 set(other_queries "/(parity|ray|reference|solid|winding)/|/print|/query/(closest|contains|contains_parts|near_triangles|ray|\
 signed_closest|solid|winding|within)\\.cpp|/detail/(closed_surface|connected_parts|exact_ray|odd_edges|point_goal|point_query|\
-point_traversal|ray_plane)\\.cpp|/(closedness|defects|refit|statistics)\\.cpp|/kernels/(instruction_set|scalar)\\.cpp")
+point_traversal|ray_plane)\\.cpp|/(closedness|defects|refit|statistics)\\.cpp")
 soms_web_library(soms_tiny TINY base geometry tree query)
 add_executable(soms_live bridge/answer.cpp bridge/crossings.cpp bridge/failure.cpp bridge/meshes.cpp bridge/pairs.cpp
   bridge/simd128_alone.cpp)

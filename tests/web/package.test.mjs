@@ -265,6 +265,16 @@ test('two workers are two modules', async () => {
   await other.close();
 });
 
+test('a worker loads from a URL, too', async () => {
+  const url = pathToFileURL(join(folder, 'soms.wasm'));
+  for (const source of [url, url.href, undefined]) {
+    const remote = await start({ source });
+    assert.equal(await remote.instructionSet(), 'simd128');
+    await remote.close();
+  }
+  await assert.rejects(start({ source: new URL('nothing.wasm', url) }), { name: 'SomsError', kind: 'cannot_open' });
+});
+
 test('a limit of time cuts, and says so', () => {
   const a = new soms.Shape(box(1));
   assert.equal(soms.overlap(a, new soms.Body(a, shifted(1)), { timeLimit: -1 }).coverage, 'cut');
@@ -331,6 +341,8 @@ test('the worker answers as the page does', async () => {
   await assert.rejects(remote.within(shape, shape, -1), { name: 'SomsError', kind: 'usage' });
   await shape.free();
   await assert.rejects(remote.contains(shape, [0, 0, 0]), { kind: 'usage' });
+  await assert.rejects(shape.bounds(), { name: 'SomsError', kind: 'usage', place: 'this handle was freed' });
+  assert.throws(() => (local.free(), local.bounds()), { name: 'SomsError', kind: 'usage', place: 'this Shape was freed' });
   await remote.close();
   await assert.rejects(remote.memorySize(), { kind: 'usage' });
   local.free();

@@ -138,8 +138,14 @@ function indices(value) {
   return Uint32Array.from(value);
 }
 
+/** Whether the array's numbers are coordinates: three.js scales integers, and keeps halves of floats as integers. */
+function isPlain({ array, isInterleavedBufferAttribute, itemSize, getX }) {
+  const isFloat = array instanceof Float32Array || array instanceof Float64Array;
+  return !isInterleavedBufferAttribute && itemSize === 3 && (isFloat || getX === undefined);
+}
+
 function positions(attribute) {
-  if (!attribute.isInterleavedBufferAttribute && !attribute.normalized && attribute.itemSize === 3) {
+  if (isPlain(attribute)) {
     return attribute.array.length === 3 * attribute.count ? attribute.array
                                                           : attribute.array.slice(0, 3 * attribute.count);
   }

@@ -11,7 +11,7 @@ const SharedBuffer = globalThis.SharedArrayBuffer ?? ArrayBuffer;  // pages with
 export class Mesh extends Handle {
   /** Of {vertices, triangles} or a three.js BufferGeometry. */
   constructor(value) {
-    super(value instanceof Made ? value : Mesh.#made(value), 'soms_mesh_free');
+    super(value instanceof Made ? value : Mesh.#made(value), 'soms_mesh_free', 'Mesh');
   }
 
   static #made(value) {
@@ -55,7 +55,7 @@ export class Shape extends Handle {
     if (layout !== 'wide' && layout !== 'compact') {
       throw usage(`layout is '${layout}'`, "give 'wide' or 'compact'");
     }
-    super(Shape.#made(value, layout === 'compact' ? 1 : 0), 'soms_shape_free');
+    super(Shape.#made(value, layout === 'compact' ? 1 : 0), 'soms_shape_free', 'Shape');
   }
 
   static #made(value, compact) {

@@ -45,16 +45,13 @@ async function compiled(source) {
   if (source instanceof ArrayBuffer || ArrayBuffer.isView(source)) {
     return compiledFrom(source);
   }
-  const place = source === undefined ? new URL('./soms.wasm', import.meta.url)
-                                     : new URL(source, globalThis.location?.href ?? import.meta.url);
-  return compiledFrom(await bytesOf(place));
+  const beside = new URL('./soms.wasm', import.meta.url);
+  return compiledFrom(await bytesOf(source === undefined ? beside : new URL(source, globalThis.location?.href ?? beside)));
 }
 
-async function start({ source, instructionSet } = {}) {
+async function start({ source } = {}) {
   const module = await compiled(source);
-  const variables = instructionSet === undefined ? {} : { SOMS_ISA: instructionSet };
-  const imports = hostImports(() => exported.memory, variables);
-  const instance = await WebAssembly.instantiate(module, imports);
+  const instance = await WebAssembly.instantiate(module, hostImports(() => exported.memory));
   exported = instance.exports;
   exported._initialize();
 }
@@ -62,7 +59,6 @@ async function start({ source, instructionSet } = {}) {
 /**
  * Loads the module; further calls wait for the first one.
  * `source`: its URL, bytes or compiled module; without it, soms.wasm beside this file.
- * `instructionSet`: 'scalar' or 'simd128', which is what queries run on else.
  */
 export function load(options) {
   loading ??= start(options).catch((error) => {
@@ -183,17 +179,19 @@ const forgotten = new FinalizationRegistry(({ address, release }) => exported[re
 export class Handle {
   #address;
   #release;
+  #type;  // not the name of its class, which minifiers change
 
-  constructor({ address }, release) {
+  constructor({ address }, release, type) {
     this.#address = address;
     this.#release = release;
+    this.#type = type;
     forgotten.register(this, { address, release }, this);
   }
 
   /** Where it is in the module. Throws once it is freed. */
   get address() {
     if (this.#address === 0) {
-      throw new SomsError('usage', `this ${this.constructor.name} was freed`, 'keep it until its last use');
+      throw new SomsError('usage', `this ${this.#type} was freed`, 'keep it until its last use');
     }
     return this.#address;
   }

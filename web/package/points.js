@@ -85,7 +85,7 @@ export function containsBatch(body, points, options = {}) {
 /** What `winding` knows of a body. Made once, queried often. */
 export class WindingIndex extends Handle {
   constructor(body) {
-    super(made(run('soms_winding_index', ...placed(body, 'the body'))), 'soms_winding_index_free');
+    super(made(run('soms_winding_index', ...placed(body, 'the body'))), 'soms_winding_index_free', 'WindingIndex');
   }
 }
 

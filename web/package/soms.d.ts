@@ -1,6 +1,11 @@
 /** soms: exact, fast answers to which triangles touch. docs/web.md of its repository has a page about it. */
 
+/// <reference lib="esnext.disposable" />
+
 type Numbers = ArrayLike<number>;
+/** Where the program knows no browser, these are nothing. */
+type Url = typeof globalThis extends { URL: { prototype: infer Type } } ? Type : never;
+type Module = typeof globalThis extends { WebAssembly: { Module: { prototype: infer Type } } } ? Type : never;
 
 /** Thrown by every function. */
 export class SomsError extends Error {
@@ -16,23 +21,27 @@ export class SomsError extends Error {
 
 export interface LoadOptions {
   /** URL, bytes or compiled module; by default soms.wasm beside the script. */
-  source?: string | URL | ArrayBuffer | ArrayBufferView | WebAssembly.Module;
-  /** What queries run on; by default 'simd128'. Answers are the same. */
-  instructionSet?: 'scalar' | 'simd128';
+  source?: string | Url | ArrayBuffer | ArrayBufferView | Module;
 }
 
 /** Loads the module. Await it before anything else; later calls wait for the first. */
 export function load(options?: LoadOptions): Promise<void>;
-/** 'simd128' or 'scalar'. */
+/** What queries run on: 'simd128'. */
 export function instructionSet(): string;
 /** Bytes that the module's memory takes. What is freed is used again, and not given back. */
 export function memorySize(): number;
 /** Bytes of it that are in use. */
 export function memoryInUse(): number;
 
+/** A three.js BufferAttribute or InterleavedBufferAttribute, or what looks like one. */
+export interface AttributeLike {
+  array: Numbers;
+  count: number;
+  itemSize: number;
+}
 /** A three.js BufferGeometry, or what looks like one. */
 export interface GeometryLike {
-  attributes: { position: { array: Numbers; count: number; itemSize: number } & object };
+  attributes: { position: AttributeLike } | { [name: string]: AttributeLike };
   index: { array: Numbers; count: number } | null;
 }
 /** Vertices: n x 3. Triangles: m x 3 indices; without them three vertices each make a triangle. */

@@ -12,7 +12,7 @@ export {
 } from './points.js';
 export { allHits, anyHit, anyHitBatch, closestHit, closestHitBatch } from './rays.js';
 
-/** What queries run on: 'simd128' or 'scalar'. */
+/** What queries run on: 'simd128'. */
 export function instructionSet() {
   return new TextDecoder().decode(query('soms_instruction_set')[0]);
 }

@@ -4,19 +4,22 @@ import { SomsError } from './errors.js';
 import { MAKERS, METHODS, QUERIES } from './worker_names.js';
 
 async function newThread(onReply, onFailure) {
-  const url = new URL('./worker_thread.js', import.meta.url);
-  if (typeof Worker !== 'undefined') {
-    const worker = new Worker(new URL('./worker_thread.js', import.meta.url), { type: 'module' });
-    worker.onmessage = ({ data }) => onReply(data);
-    worker.onerror = (event) => onFailure(event.message);
-    return worker;
+  if (typeof Worker === 'undefined') {
+    const file = './node_thread.js';
+    return (await import(/* webpackIgnore: true */ /* @vite-ignore */ file)).newNodeThread(onReply, onFailure);
   }
-  const threads = 'node:worker_threads';
-  const { Worker: NodeWorker } = await import(/* webpackIgnore: true */ /* @vite-ignore */ threads);
-  const worker = new NodeWorker(url);
-  worker.on('message', onReply);
-  worker.on('error', (error) => onFailure(String(error)));
+  // Bundlers know this expression as it stands, once.
+  const worker = new Worker(new URL('./worker_thread.js', import.meta.url), { type: 'module' });
+  worker.onmessage = ({ data }) => onReply(data);
+  worker.onerror = (event) => onFailure(event.message ?? 'its script cannot be loaded');
   return worker;
+}
+
+/** Options of load() as a message carries them: no URL can be sent, and a relative one is meant from the page. */
+function sent(options) {
+  const { source } = options;
+  const address = typeof source === 'string' || source instanceof URL;
+  return address ? { ...options, source: String(globalThis.location ? new URL(source, location.href) : source) } : options;
 }
 
 /** What lives in the worker until it is freed, or became unreachable here. */
@@ -53,7 +56,7 @@ class RemoteSoms {
   async start(options) {
     this.#thread = await newThread((reply) => this.#settle(reply), (what) => this.#fail(what));
     try {
-      await this.#post('load', options === undefined ? [] : [options]);
+      await this.#post('load', options === undefined ? [] : [sent(options)]);
     } catch (error) {
       await this.close();
       throw error;

@@ -1,29 +1,27 @@
 // Runs inside the worker: does what messages say, and answers each.
+import { usage } from './errors.js';
 import * as soms from './soms.js';
 import { MAKERS, METHODS, QUERIES } from './worker_names.js';
 
-const held = new Map();  // by number
+const held = new Map();  // {handle, type} by number
 let lastNumber = 0;
 
 function revived(value) {
   if (value?.held !== undefined) {
-    return held.get(value.held);
+    return held.get(value.held)?.handle;
   }
-  return value?.shape?.held === undefined ? value : new soms.Body(held.get(value.shape.held), value.pose);
-}
-
-function hold(handle) {
-  held.set(++lastNumber, handle);
-  return lastNumber;
+  return value?.shape?.held === undefined ? value : new soms.Body(held.get(value.shape.held)?.handle, value.pose);
 }
 
 function free(number) {
-  held.get(number)?.free();
+  held.get(number)?.handle.free();
   held.delete(number);
 }
 
 function made(name, values) {
-  return hold(name === 'readMesh' ? soms.readMesh(...values) : new soms[MAKERS[name]](...values));
+  const type = MAKERS[name];
+  held.set(++lastNumber, { handle: name === 'readMesh' ? soms.readMesh(...values) : new soms[type](...values), type });
+  return lastNumber;
 }
 
 async function done({ name, values, on }) {
@@ -35,8 +33,11 @@ async function done({ name, values, on }) {
     return free(on);
   }
   if (on !== undefined) {
-    const handle = held.get(on);
-    return METHODS[handle.constructor.name].includes(name) ? handle[name]() : undefined;
+    const kept = held.get(on);
+    if (kept === undefined) {
+      throw usage('this handle was freed', 'keep it until its last use');
+    }
+    return METHODS[kept.type].includes(name) ? kept.handle[name]() : undefined;
   }
   return name in MAKERS ? made(name, known) : QUERIES.includes(name) ? soms[name](...known) : undefined;
 }
@@ -57,8 +58,9 @@ async function answer(message, post) {
 
 if (typeof self === 'undefined') {
   const threads = 'node:worker_threads';
-  const { parentPort } = await import(/* webpackIgnore: true */ /* @vite-ignore */ threads);
-  parentPort.on('message', (message) => answer(message, (data, list) => parentPort.postMessage(data, list)));
+  import(/* webpackIgnore: true */ /* @vite-ignore */ threads).then(({ parentPort }) => {
+    parentPort.on('message', (message) => answer(message, (data, list) => parentPort.postMessage(data, list)));
+  });
 } else {
   self.onmessage = ({ data }) => answer(data, (reply, list) => self.postMessage(reply, list));
 }

@@ -13,7 +13,7 @@ const position = { array: new Float32Array(9), count: 3, itemSize: 3, normalized
 const geometry = { attributes: { position }, index: null };
 
 await soms.load();
-await soms.load({ source: new URL('soms.wasm', 'https://example.org/'), instructionSet: 'simd128' });
+await soms.load({ source: new URL('soms.wasm', 'https://example.org/') });
 const size: number = soms.memorySize() + soms.memoryInUse();
 const set: string = soms.instructionSet();
 
