@@ -86,7 +86,7 @@ class ListedObject {
   std::string place_;
 };
 
-/// Reads a list of either form, told by its content; a document gives its rows, then itself without
+/// Reads a list of either form, by its content; a document gives its rows, then itself without
 /// them. Lines that are empty are passed over.
 /// \errors ErrorKind::cannot_open; bad_file, with the line: no JSON, no object, nested more than 64
 ///         deep. `option` is named first.

@@ -28,7 +28,7 @@ using ListJson = command::Json;
 constexpr int kChanges = 5000;
 
 std::string list_data(const std::string& name) {
-  return data("lists/" + name).string();
+  return test::data("lists/" + name).string();
 }
 
 TEST(ChangedLists, ABaselineWhoseSchemaIsAListIsAnErrorWithItsLine) {
@@ -339,7 +339,7 @@ TEST(ChangedLists, JsonIsOneDocumentAndJsonlIsLinesOfEveryVerb) {
   expect_both_forms({"robot", data("robots/arm.urdf").string(), "--random", "3"});
   const TemporaryFolder folder;
   const std::string path = (folder.path() / "path.csv").string();
-  write_text(path, "0 0 0\n1 0 0\n2 0 0\n");
+  write_text(path, "x,y,z\n0,0,0\n1,0,0\n2,0,0\n");
   expect_both_forms({"clearance", box(), "--profile", box(), "--path", path});
 }
 
