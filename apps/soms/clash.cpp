@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 #include "soms/clash/part_keys.h"
 
+#include "apps/soms/clash_baseline.h"
 #include "apps/soms/clash_looked_at.h"
 #include "apps/soms/clash_output.h"
 #include "apps/soms/clash_rows.h"
@@ -11,6 +12,7 @@
 #include "apps/soms/solid_text.h"
 #include "apps/support/console.h"
 #include "apps/support/exit_status.h"
+#include "apps/support/json_list.h"
 #include "apps/support/output.h"
 #include "apps/support/parse.h"
 #include "apps/support/text.h"
@@ -80,6 +82,21 @@ void remove_ignored(const ClashVerbOptions& options, const IgnoredPairs& pairs,
     remove("ignore-pairs",
            [&](const ClashRow& row) { return pairs.match(report.models, row.clash); });
   }
+}
+
+/// The filters of `remove_ignored` that rows may be removed by, by the same names.
+std::vector<std::string> filters_of(const ClashVerbOptions& options) {
+  std::vector<std::string> filters = options.ignored_kinds;
+  if (options.tolerance) {
+    filters.emplace_back("tolerance");
+  }
+  if (options.ignore_siblings) {
+    filters.emplace_back("ignore-siblings");
+  }
+  if (!options.ignored_pairs.empty()) {
+    filters.emplace_back("ignore-pairs");
+  }
+  return filters;
 }
 
 /// Leaves out clashes of other statuses than those that are to be listed.
@@ -332,7 +349,7 @@ Action add_clash(CLI::App& app, Shared&) {
   add_clash_questions(app, *options);
   add_clash_sets(app, *options);
   add_repeatable(app, "-o,--output", options->outputs,
-                 "write the list to a file: .csv, .json, .html, .bcfzip or .bcf; may be repeated",
+                 "write the list: .csv, .json, .jsonl, .html, .bcfzip or .bcf; may be repeated",
                  "FILE");
   add_clash_file_options(app, options->files);
   add_model_options(app, options->models.model, "--scale", "--up", "the models");
@@ -359,7 +376,7 @@ int run_clash(const ClashVerbOptions& options, Console& console) {
       options.ignored_pairs.empty() ? IgnoredPairs() : IgnoredPairs(options.ignored_pairs);
   std::optional<ClashBaseline> baseline;
   if (!options.baseline.empty()) {
-    baseline.emplace(options.baseline);
+    baseline.emplace(options.baseline, filters_of(options));
   }
   std::vector<std::pair<std::string, std::unique_ptr<OutputFile>>> files;
   for (const std::string& file : options.outputs) {
@@ -381,7 +398,8 @@ int run_clash(const ClashVerbOptions& options, Console& console) {
   const std::uint64_t wrong = verify ? count_wrong_clashes(models, run, wanted, console) : 0;
   if (console.shared().json) {
     std::ostringstream text;
-    write_clashes_as_json(report, verify && wrong == 0, text);
+    JsonListWriter list(text, {});
+    write_clashes_as_json(report, verify && wrong == 0, list);
     console.print(text.str());
   } else {
     print_clashes_as_text(report, console);

@@ -6,6 +6,8 @@
 #include "apps/soms/clash_page.h"
 #include "apps/soms/pair_options.h"
 #include "apps/support/console.h"
+#include "apps/support/json_list.h"
+#include "apps/support/output.h"
 #include "apps/support/parse.h"
 
 #include <CLI/CLI.hpp>
@@ -18,13 +20,6 @@
 namespace soms::command {
 
 namespace {
-
-std::string extension_of(const std::string& name) {
-  std::string extension = std::filesystem::path(name).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
 
 /// A word of a command line, in quotes where a shell would not take it as it is.
 std::string shell_word(const std::string& word) {
@@ -66,7 +61,7 @@ void add_clash_file_options(CLI::App& app, ClashFileOptions& options) {
 void check_clash_file_options(const ClashFileOptions& options,
                               const std::vector<std::string>& outputs) {
   for (const std::string& output : outputs) {
-    check_extension("-o", output, {".csv", ".json", ".html", ".bcfzip", ".bcf"});
+    check_extension("-o", output, {".csv", ".json", ".jsonl", ".html", ".bcfzip", ".bcf"});
   }
   const bool stated = options.bcf_version.has_value() || options.no_snapshots;
   if (stated && std::none_of(outputs.begin(), outputs.end(), is_bcf)) {
@@ -90,7 +85,8 @@ void write_clash_file(const std::string& name, const ClashReport& report, bool v
                           .snapshots = !options.no_snapshots},
                          console, out);
   } else {
-    write_clashes_as_json(report, verified, out);
+    JsonListWriter list(out, name);
+    write_clashes_as_json(report, verified, list);
   }
 }
 

@@ -71,15 +71,33 @@ Json as_json(const Clash& clash) {
   return row;
 }
 
-/// Throws a Json::exception where the row is none.
-Clash clash_of(const Json& row) {
+/// An enumerator, up to the last one. Throws a Json::exception for no number.
+template <class Enum>
+std::optional<Enum> enumerator_of(const Json& value, Enum last) {
+  const auto number = value.get<std::uint64_t>();
+  return value.is_number_unsigned() && number <= static_cast<std::uint64_t>(last)
+             ? std::optional(static_cast<Enum>(number))
+             : std::nullopt;
+}
+
+/// Nothing, or a Json::exception, where the row is none of a list of these parts.
+std::optional<Clash> clash_of(const Json& row, const ClashModels& models) {
   constexpr std::size_t kPlace = 8;
   constexpr std::size_t kPenetration = 17;
-  Clash clash{.a = row.at(0).get<std::uint32_t>(),
-              .b = row.at(1).get<std::uint32_t>(),
-              .kind = static_cast<ClashKind>(row.at(2).get<unsigned char>()),
-              .relation = static_cast<Relation>(row.at(3).get<unsigned char>()),
-              .why = static_cast<Undecided>(row.at(4).get<unsigned char>()),
+  const auto a = row.at(0).get<std::uint64_t>();
+  const auto b = row.at(1).get<std::uint64_t>();
+  const auto kind = enumerator_of(row.at(2), ClashKind::undecided);
+  const auto relation = enumerator_of(row.at(3), Relation::undecided);
+  const auto why = enumerator_of(row.at(4), Undecided::open);
+  if (a >= models.a.parts.size() || b >= models.second().parts.size() || !kind || !relation ||
+      !why) {
+    return std::nullopt;
+  }
+  Clash clash{.a = static_cast<std::uint32_t>(a),
+              .b = static_cast<std::uint32_t>(b),
+              .kind = *kind,
+              .relation = *relation,
+              .why = *why,
               .triangle_pairs = row.at(5).get<std::uint64_t>(),
               .gap = {row.at(6).get<double>(), row.at(7).get<double>()},
               .place = point_at(row, kPlace),
@@ -100,7 +118,7 @@ std::string checksum(std::string_view text) {
 }
 
 /// A block as it was written; nothing where the line is no whole one.
-std::optional<DecidedClashes> block_of(std::string_view line) {
+std::optional<DecidedClashes> block_of(std::string_view line, const ClashModels& models) {
   const std::size_t at = line.find(' ');
   if (at == std::string_view::npos || checksum(line.substr(at + 1)) != line.substr(0, at + 1)) {
     return std::nullopt;
@@ -116,7 +134,11 @@ std::optional<DecidedClashes> block_of(std::string_view line) {
                                     .triangle_tests = block.at("cost").at(1).get<std::uint64_t>(),
                                     .exact_tests = block.at("cost").at(2).get<std::uint64_t>()}};
     for (const Json& row : block.at("clashes")) {
-      decided.clashes.push_back(clash_of(row));
+      const std::optional<Clash> clash = clash_of(row, models);
+      if (!clash) {
+        return std::nullopt;
+      }
+      decided.clashes.push_back(*clash);
     }
     return decided;
   } catch (const Json::exception&) {
@@ -137,7 +159,7 @@ ClashJournal::ClashJournal(std::string file, const ClashModels& models, const Cl
   const std::uintmax_t size = std::filesystem::file_size(file_, fault);
   if (!fault && size > 0) {
     std::ifstream in(file_, std::ios::binary);
-    read(in, head, candidates.size());
+    read(in, head, models, candidates.size());
     out_.open(file_, std::ios::binary | std::ios::app);
   } else {
     out_.open(file_, std::ios::binary | std::ios::trunc);
@@ -149,7 +171,8 @@ ClashJournal::ClashJournal(std::string file, const ClashModels& models, const Cl
   }
 }
 
-void ClashJournal::read(std::ifstream& in, const std::string& head, std::size_t candidates) {
+void ClashJournal::read(std::ifstream& in, const std::string& head, const ClashModels& models,
+                        std::size_t candidates) {
   std::string line;
   if (!in || !std::getline(in, line)) {
     throw Error(ErrorKind::cannot_open, "--journal " + file_ + ": cannot be read",
@@ -157,16 +180,17 @@ void ClashJournal::read(std::ifstream& in, const std::string& head, std::size_t 
   }
   if (line != head) {
     const Json found = Json::parse(line, nullptr, false);
-    const bool is_journal = found.is_object() && found.value("schema", "") == kJournalSchema;
+    const bool is_journal =
+        found.is_object() && found.contains("schema") && found["schema"] == kJournalSchema;
     throw is_journal
         ? Error(ErrorKind::usage, "--journal " + file_ + ": of other models or options",
                 "give the models and options of the run that it began with, or another file")
-        : Error(ErrorKind::bad_file, "--journal " + file_ + ": no journal of soms clash",
+        : Error(ErrorKind::bad_file, "--journal " + file_ + ", line 1: no journal of soms clash",
                 "give a journal, or a file that does not exist yet");
   }
   std::uintmax_t whole = line.size() + 1;
   while (std::getline(in, line) && !in.eof()) {
-    std::optional<DecidedClashes> block = block_of(line);
+    std::optional<DecidedClashes> block = block_of(line, models);
     if (!block || block->done <= kept_.done || block->done > candidates) {
       break;
     }

@@ -40,7 +40,8 @@ class ClashJournal {
   void add(std::size_t done, const ClashList& block);
 
  private:
-  void read(std::ifstream& in, const std::string& head, std::size_t candidates);
+  void read(std::ifstream& in, const std::string& head, const ClashModels& models,
+            std::size_t candidates);
 
   std::string file_;
   DecidedClashes kept_;

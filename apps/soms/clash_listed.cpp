@@ -121,8 +121,8 @@ ListedClash ListedClashes::at(std::size_t k) const {
   };
   listed.a = number(of_a_, "a");
   listed.b = number(of_b_, "b");
-  listed.place = json_vector(listed.row.value("place", Json()));
-  listed.box = json_corners(listed.row.value("box", Json()));
+  listed.place = json_vector(listed.row["place"]);
+  listed.box = json_corners(listed.row["box"]);
   return listed;
 }
 

@@ -27,7 +27,7 @@ bool LookedAt::is_left_out(const Json& row) const {
                            : parts.end();
     return found == parts.end() ? std::vector<std::uint32_t>() : found->second;
   };
-  const std::string key = row.value("key", "");
+  const std::string key = text_of(row, "key");
   // Sides may have been named in the other order.
   for (const auto& [first, second] : {std::pair("a", "b"), std::pair("b", "a")}) {
     for (const std::uint32_t a : sides(of_a_, first)) {
@@ -43,10 +43,11 @@ bool LookedAt::is_left_out(const Json& row) const {
 }
 
 bool LookedAt::operator()(const Json& row) const {
-  if (row.value("class", "") == clash_name(ClashKind::near)) {
-    const Json gap = row.value("gap", Json());
-    const bool is_known = gap.is_array() && !gap.empty() && gap.front().is_number();
-    if (!within_ || (is_known && gap.front().get<double>() > *within_)) {
+  if (text_of(row, "class") == clash_name(ClashKind::near)) {
+    const auto gap = row.find("gap");
+    const bool is_known =
+        gap != row.end() && gap->is_array() && !gap->empty() && gap->front().is_number();
+    if (!within_ || (is_known && gap->front().get<double>() > *within_)) {
       return false;
     }
   }

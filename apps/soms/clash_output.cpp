@@ -5,6 +5,7 @@
 #include "apps/soms/pair_report.h"
 #include "apps/soms/solid_text.h"
 #include "apps/support/console.h"
+#include "apps/support/json_list.h"
 #include "apps/support/text.h"
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <numeric>
 #include <string>
+#include <utility>
 
 namespace soms::command {
 
@@ -326,19 +328,19 @@ void print_clashes_as_text(const ClashReport& report, Console& console) {
   }
 }
 
-void write_clashes_as_json(const ClashReport& report, bool verified, std::ostream& out) {
+void write_clashes_as_json(const ClashReport& report, bool verified, JsonListWriter& list) {
   for (const ClashRow& row : report.rows) {
-    out << json_line(row_as_json(report, row));
+    list.add(row_as_json(report, row));
   }
   for (Json row : report.resolved) {
     row["status"] = kResolved;
-    out << json_line(row);
+    list.add(row);
   }
   Json totals = totals_as_json(report);
   if (verified) {
     totals["verified"] = true;
   }
-  out << json_line(totals);
+  list.finish(std::move(totals));
 }
 
 void write_clashes_as_csv(const ClashReport& report, std::ostream& out) {

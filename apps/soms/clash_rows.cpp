@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <tuple>
@@ -126,61 +127,6 @@ bool IgnoredPairs::match(const ClashModels& models, const Clash& clash) const {
   return std::any_of(pairs_.begin(), pairs_.end(), [&](const auto& pair) {
     return fit(pair.first, pair.second) || fit(pair.second, pair.first);
   });
-}
-
-ClashBaseline::ClashBaseline(const std::string& file) {
-  std::ifstream in = opened(file, "--baseline");
-  std::string line;
-  bool ended = false;
-  for (std::size_t number = 1; std::getline(in, line); ++number) {
-    const Json row = Json::parse(line, nullptr, false);
-    const bool is_row = row.is_object() && row.value("schema", "") == "soms.clash/1";
-    if (!is_row) {
-      throw Error(
-          ErrorKind::bad_file,
-          fmt::format("--baseline {}, line {}: no row of a clash list", file, number),
-          "give a list that was written by -o FILE.json or --json; a CSV list cannot be compared");
-    }
-    if (row.contains("key") && row["key"].is_string()) {
-      if (row.value("status", "") != kResolved) {
-        rows_.emplace(row["key"].get<std::string>(), row);
-      }
-    } else {
-      ended = true;
-      if (row.value("coverage", "complete") != "complete") {
-        throw Error(ErrorKind::bad_file,
-                    fmt::format("--baseline {}: the list was cut by time or Ctrl-C, so what it "
-                                "lacks need not be new",
-                                file),
-                    "give a complete list: run it to its end, if need be with --journal");
-      }
-    }
-  }
-  if (!ended) {
-    throw Error(ErrorKind::bad_file, fmt::format("--baseline {}: the list has no end", file),
-                "give a whole list, with its last line, which counts the clashes");
-  }
-}
-
-void ClashBaseline::compare(const std::set<std::uint64_t>& found,
-                            const std::function<bool(const Json&)>& looked_at,
-                            ClashReport& report) const {
-  report.has_baseline = true;
-  for (ClashRow& row : report.rows) {
-    row.status = rows_.contains(key_text(row.key)) ? ClashStatus::active : ClashStatus::fresh;
-  }
-  if (!report.complete()) {
-    return;
-  }
-  std::set<std::string> keys;
-  for (const std::uint64_t key : found) {
-    keys.insert(key_text(key));
-  }
-  for (const auto& [key, row] : rows_) {
-    if (!keys.contains(key) && looked_at(row)) {
-      report.resolved.push_back(row);
-    }
-  }
 }
 
 std::string_view status_name(ClashStatus status) {

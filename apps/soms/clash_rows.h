@@ -9,9 +9,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <map>
-#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -79,23 +76,6 @@ class IgnoredPairs {
 
  private:
   std::vector<std::pair<std::string, std::string>> pairs_;
-};
-
-/// Older lists, by their keys.
-class ClashBaseline {
- public:
-  /// Reads what `clash --json` printed, or wrote to a .json file.
-  /// \errors ErrorKind::cannot_open; bad_file, with the line, and for a list that was cut.
-  explicit ClashBaseline(const std::string& file);
-
-  /// Gives each row its status, and adds what is resolved: of a list that is complete, the clashes
-  /// that it has not, though it `looked_at` them. `found` are the keys of all clashes, those that
-  /// were removed, too.
-  void compare(const std::set<std::uint64_t>& found,
-               const std::function<bool(const Json&)>& looked_at, ClashReport& report) const;
-
- private:
-  std::map<std::string, Json> rows_;
 };
 
 /// "new" or "active"; empty where there is no older list.

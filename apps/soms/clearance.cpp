@@ -11,6 +11,7 @@
 #include "apps/soms/pair_options.h"
 #include "apps/support/console.h"
 #include "apps/support/exit_status.h"
+#include "apps/support/json_list.h"
 #include "apps/support/length_unit.h"
 #include "apps/support/map_page.h"
 #include "apps/support/output.h"
@@ -22,8 +23,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <memory>
+#include <sstream>
 #include <utility>
 
 namespace soms::command {
@@ -67,9 +68,12 @@ class ClearanceFiles {
 
   void write(const ClearanceReport& report, const NearestNames& names) {
     for (std::size_t k = 0; k < lists_.size(); ++k) {
-      lists_[k]->stream() << (std::filesystem::path(names_[k]).extension() == ".csv"
-                                  ? clearance_as_csv(report, names)
-                                  : clearance_as_json(report, names));
+      if (extension_of(names_[k]) == ".csv") {
+        lists_[k]->stream() << clearance_as_csv(report, names);
+      } else {
+        JsonListWriter list(lists_[k]->stream(), names_[k]);
+        write_clearance_as_json(report, names, list);
+      }
       lists_[k]->commit();
     }
     if (map_) {
@@ -96,7 +100,7 @@ void check_clearance_files(const ClearanceVerbOptions& options) {
   }
   NamedFiles outputs{{"--map", options.map}, {"--report", options.report}};
   for (const std::string& output : options.outputs) {
-    check_extension("-o", output, {".csv", ".json"});
+    check_extension("-o", output, {".csv", ".json", ".jsonl"});
     outputs.emplace_back("-o", output);
   }
   check_outputs(std::move(taken), outputs);
@@ -231,9 +235,10 @@ void add_clearance_questions(CLI::App& app, ClearanceVerbOptions& options) {
                "compare stations, and places between them, with brute force; exit with\nstatus 6 "
                "if they differ")
       ->group(kQuestionGroup);
-  add_repeatable(app, "-o,--output", options.outputs,
-                 "write the stations to a file, by its extension: .csv or .json; may be repeated",
-                 "FILE");
+  add_repeatable(
+      app, "-o,--output", options.outputs,
+      "write the stations to a file, by its extension: .csv, .json or .jsonl; may be repeated",
+      "FILE");
   add_output(app, "--map", options.map, "draw the path and the city around it as SVG");
   add_output(app, "--report", options.report,
              "write an HTML report with figures, a plot and the scene in 3-D");
@@ -296,8 +301,14 @@ int run_clearance(const ClearanceVerbOptions& options, Console& console) {
   }
   city.rename(report.answer);
   const NearestNames names(world);
-  console.print(console.shared().json ? clearance_as_json(report, names)
-                                      : clearance_in_text(report, names) + line);
+  if (console.shared().json) {
+    std::ostringstream text;
+    JsonListWriter list(text, {});
+    write_clearance_as_json(report, names, list);
+    console.print(text.str());
+  } else {
+    console.print(clearance_in_text(report, names) + line);
+  }
   console.flush();
   files.write(report, names);
   return status_of(options, report, wrong);

@@ -3,6 +3,7 @@
 #include "soms/base/text.h"
 
 #include "apps/soms/near_output.h"
+#include "apps/support/json_list.h"
 #include "apps/support/length_unit.h"
 #include "apps/support/map_page.h"
 #include "apps/support/part_names.h"
@@ -372,12 +373,12 @@ std::string clearance_in_text(const ClearanceReport& report, const NearestNames&
   return text;
 }
 
-std::string clearance_as_json(const ClearanceReport& report, const NearestNames& names) {
-  std::string text;
+void write_clearance_as_json(const ClearanceReport& report, const NearestNames& names,
+                             JsonListWriter& list) {
   for (std::size_t k = 0; k < report.answer.stations.size(); ++k) {
-    text += json_line(station_as_json(report, k, names));
+    list.add(station_as_json(report, k, names));
   }
-  return text + json_line(totals_of_clearance(report, names));
+  list.finish(totals_of_clearance(report, names));
 }
 
 std::string clearance_as_csv(const ClearanceReport& report, const NearestNames& names) {

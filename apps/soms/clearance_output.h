@@ -16,6 +16,8 @@
 
 namespace soms::command {
 
+class JsonListWriter;
+
 /// What was found along a path.
 struct ClearanceReport {
   const World& world;
@@ -84,9 +86,9 @@ class NearestNames {
 [[nodiscard]] std::string clearance_in_text(const ClearanceReport& report,
                                             const NearestNames& names);
 
-/// An object for each station and a last one over all (soms.clearance/1), one a line.
-[[nodiscard]] std::string clearance_as_json(const ClearanceReport& report,
-                                            const NearestNames& names);
+/// A row for each station, and an end over all (soms.clearance/1).
+void write_clearance_as_json(const ClearanceReport& report, const NearestNames& names,
+                             JsonListWriter& list);
 
 /// A header, and a row for each station.
 [[nodiscard]] std::string clearance_as_csv(const ClearanceReport& report,

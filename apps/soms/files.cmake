@@ -11,6 +11,8 @@ set(SOMS_COMMAND_FILES
   bench.h
   clash.cpp
   clash.h
+  clash_baseline.cpp
+  clash_baseline.h
   clash_bcf.cpp
   clash_bcf.h
   clash_canvas.cpp

@@ -7,6 +7,7 @@
 #include "apps/soms/robot_output.h"
 #include "apps/soms/robot_states.h"
 #include "apps/support/console.h"
+#include "apps/support/json_list.h"
 #include "apps/support/output.h"
 #include "apps/support/parse.h"
 #include "apps/support/row_run.h"
@@ -16,8 +17,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace soms::command {
@@ -33,10 +34,11 @@ class RobotFiles {
  public:
   explicit RobotFiles(const std::vector<std::string>& names) {
     for (const std::string& name : names) {
-      files_.push_back(
-          {std::filesystem::path(name).extension() == ".csv", std::make_unique<OutputFile>(name)});
-      if (files_.back().is_csv) {
-        files_.back().file->stream() << robot_csv_header();
+      File& file = files_.emplace_back(File{.file = std::make_unique<OutputFile>(name)});
+      if (extension_of(name) == ".csv") {
+        file.file->stream() << robot_csv_header();
+      } else {
+        file.list.emplace(file.file->stream(), name);
       }
     }
   }
@@ -44,22 +46,28 @@ class RobotFiles {
   [[nodiscard]] bool empty() const { return files_.empty(); }
 
   void add(const std::string& csv, const std::string& json) {
-    for (const File& file : files_) {
-      file.file->stream() << (file.is_csv ? csv : json);
+    for (File& file : files_) {
+      if (file.list) {
+        file.list->add_text(json);
+      } else {
+        file.file->stream() << csv;
+      }
     }
   }
 
-  void finish(const std::string& totals) {
-    for (const File& file : files_) {
-      file.file->stream() << (file.is_csv ? std::string() : totals);
+  void finish(const Json& totals) {
+    for (File& file : files_) {
+      if (file.list) {
+        file.list->finish(totals);
+      }
       file.file->commit();
     }
   }
 
  private:
   struct File {
-    bool is_csv = false;
-    std::unique_ptr<OutputFile> file;
+    std::unique_ptr<OutputFile> file = {};
+    std::optional<JsonListWriter> list = std::nullopt;  ///< none: CSV
   };
 
   std::vector<File> files_;
@@ -166,14 +174,14 @@ class RobotRun : public RowRun {
     const bool json = console().shared().json;
     std::string line;
     if (json || !files_.empty()) {
-      line = json_line(answer_as_json(models_, state, answer,
+      line = json_text(answer_as_json(models_, state, answer,
                                       options_.verify ? std::optional(right) : std::nullopt));
     }
     if (!files_.empty()) {
       files_.add(answer_as_csv(models_, state, answer), line);
     }
     if (json) {
-      console().print(line);
+      console().print(line + "\n");
     } else if (state < kStatesInText) {
       console().print(answer_in_text(models_, state, answer));
     }
@@ -205,12 +213,12 @@ class RobotRun : public RowRun {
     report_.interrupted = end == End::interrupted;
     report_.timed_out = end == End::out_of_time;
     report_.verified = options_.verify && all_right_;
-    const std::string line = json_line(totals_as_json(report_));
+    const Json ending = totals_as_json(report_);
     if (console().shared().json) {
-      console().print(line);
+      console().print(json_line(ending));
       console().flush();
     }
-    files_.finish(line);
+    files_.finish(ending);
   }
 
   const RobotVerbOptions& options_;
@@ -248,7 +256,7 @@ void check_options(const CLI::App& app, const RobotVerbOptions& options) {
   }
   NamedFiles outputs;
   for (const std::string& file : options.outputs) {
-    check_extension("-o", file, {".csv", ".json"});
+    check_extension("-o", file, {".csv", ".json", ".jsonl"});
     outputs.emplace_back("-o", file);
   }
   check_outputs(std::move(taken), outputs);
@@ -315,9 +323,10 @@ void add_robot_questions(CLI::App& app, RobotVerbOptions& options) {
   app.add_flag("--verify", options.verify,
                "compare with brute force; exit with status 6 if they differ")
       ->group(kQuestionGroup);
-  add_repeatable(app, "-o,--output", options.outputs,
-                 "write the states to a file, by its extension: .csv or .json; may be repeated",
-                 "FILE");
+  add_repeatable(
+      app, "-o,--output", options.outputs,
+      "write the states to a file, by its extension: .csv, .json or .jsonl; may be repeated",
+      "FILE");
 }
 
 }  // namespace

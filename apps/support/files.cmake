@@ -15,6 +15,8 @@ set(SOMS_SUPPORT_FILES
   interrupts.h
   json.cpp
   json.h
+  json_list.cpp
+  json_list.h
   length_unit.cpp
   length_unit.h
   look.h

@@ -164,11 +164,16 @@ void check_outputs(NamedFiles taken, const NamedFiles& outputs) {
   }
 }
 
-void check_extension(const std::string& option, const std::filesystem::path& path,
-                     std::initializer_list<std::string_view> extensions) {
+std::string extension_of(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+void check_extension(const std::string& option, const std::filesystem::path& path,
+                     std::initializer_list<std::string_view> extensions) {
+  const std::string extension = extension_of(path);
   std::error_code unknown;
   const std::filesystem::file_status there = std::filesystem::status(path, unknown);
   const bool device = std::filesystem::exists(there) && !std::filesystem::is_regular_file(there);

@@ -94,6 +94,9 @@ using NamedFiles = std::vector<std::pair<std::string, std::string>>;
 /// ErrorKind::usage.
 void check_outputs(NamedFiles taken, const NamedFiles& outputs);
 
+/// The extension of a file's name, in lower case: ".csv".
+[[nodiscard]] std::string extension_of(const std::filesystem::path& path);
+
 /// Throws if a file named by `option` has another extension than those of what is written, the
 /// first of which the message names (".svg"). Empty names, names without a file extension, and what
 /// exists and is no regular file, such as a device, are passed over. \errors ErrorKind::usage.

@@ -228,6 +228,9 @@ int run_program(const Program& program, const std::vector<std::string>& words) {
   } catch (const std::system_error& error) {
     return fail(program, words,
                 fmt::format("the system refused: {}; try --threads 1", error.what()), 4);
+  } catch (const std::exception& error) {
+    // Nothing else is thrown on purpose; a program that aborts would not even say so much.
+    return fail(program, words, fmt::format("internal error: {}", error.what()), 6);
   }
 }
 

@@ -202,7 +202,7 @@ TEST(ClearanceVerb, PosesAreTakenAsTheyAre) {
 TEST(ClearanceVerb, WritesTablesMapAndPage) {
   const Street street;
   const RunResult result = street.run({"--ignore", "road", "--clearance", "1.2", "-o",
-                                       street.file("s.csv"), "-o", street.file("s.json"), "--map",
+                                       street.file("s.csv"), "-o", street.file("s.jsonl"), "--map",
                                        street.file("m.svg"), "--report", street.file("r.html")});
   ASSERT_EQ(result.status, 0) << result.err;
   const auto rows = read_csv(street.file("s.csv"));
@@ -210,7 +210,7 @@ TEST(ClearanceVerb, WritesTablesMapAndPage) {
     std::ifstream file(street.file(name));
     return std::string(std::istreambuf_iterator<char>(file), {});
   };
-  const std::vector<Json> lines = json_lines(text("s.json"));
+  const std::vector<Json> lines = json_lines(text("s.jsonl"));
   ASSERT_EQ(rows.size(), lines.size());  // a header, and a line over all
   for (const auto& row : rows) {
     EXPECT_EQ(row.size(), rows[0].size());

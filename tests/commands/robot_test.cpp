@@ -192,10 +192,10 @@ TEST(RobotVerb, WritesCsvAndJson) {
   const Wall wall;
   const RunResult result =
       robot_run({"--cell", wall.path(), "--off-cell", "base", "--json", "-o", wall.file("a.csv"),
-                 "-o", wall.file("a.json"), "--distance", "--at-most", "0.001"},
+                 "-o", wall.file("a.jsonl"), "--distance", "--at-most", "0.001"},
                 kStates);
   EXPECT_EQ(result.status, 0) << result.err;
-  EXPECT_EQ(read_text(wall.file("a.json")), result.out);
+  EXPECT_EQ(read_text(wall.file("a.jsonl")), result.out);
   EXPECT_EQ(read_text(wall.file("a.csv")),
             "state,verdict,contacts,pairs,out_of_limits,gap_lower,gap_upper,gap_a,gap_b\n"
             "0,contact,1,boom | cell: wall,,0,0,boom,cell: wall\n"
@@ -254,7 +254,7 @@ TEST(RobotVerb, AnswersTheRowsBeforeABadOne) {
 
 TEST(RobotVerb, KeepsWhatIsDoneWhereItIsInterrupted) {
   const TemporaryFolder folder;
-  const std::string file = (folder.path() / "q.json").string();
+  const std::string file = (folder.path() / "q.jsonl").string();
   Child child({test::command().string(), "robot", arm_urdf(), "--random", "1000000000", "--json",
                "-o", file},
               folder.path());

@@ -33,8 +33,7 @@ def written(soms, folder, name, *words):
     """The page, and the rows of the same list as JSON."""
     page, rows = folder / f"{name}.html", folder / f"{name}.json"
     subprocess.run([soms, "clash", *words, "-o", page, "-o", rows, "--quiet"], check=True, capture_output=True)
-    lines = [json.loads(line) for line in rows.read_text(encoding="utf-8").splitlines()]
-    return page, [line for line in lines if "key" in line]
+    return page, json.loads(rows.read_text(encoding="utf-8"))["rows"]
 
 
 def same(page, rows):
