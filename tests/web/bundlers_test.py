@@ -51,8 +51,11 @@ def bundled(folder, name, words, script):
     return site
 
 
-def faults(name, outcome, log):
-    """What differs from what the page must say."""
+def faults(name, outcome, log, site):
+    """What differs from what the page must say, and from the three files that it takes."""
+    count = {suffix: len(list(site.rglob(suffix))) for suffix in ("*.js", "*.wasm")}
+    if count != {"*.js": 2, "*.wasm": 1}:
+        yield f"{name}: {count}, not the page's script, the worker's, and one module"
     if "failure" in outcome:
         yield f"{name}: {outcome['failure']}"
         return
@@ -81,7 +84,7 @@ def main(package, folder, root):
                 outcome = browser.execute_async_script(
                     "const done = arguments[0], failed = (what) => done({failure: String(what)});"
                     "window.outcome ? window.outcome.then(done, failed) : failed('the page has no outcome');")
-                wrong = list(faults(name, outcome, browser.get_log("browser")))
+                wrong = list(faults(name, outcome, browser.get_log("browser"), site))
                 found += wrong
                 files = sorted(f"{file.relative_to(site)} {file.stat().st_size:,}" for file in site.rglob("*") if file.is_file())
                 print(f"{name}: {'differs' if wrong else 'as it must be'}; {', '.join(files)} bytes")

@@ -34,7 +34,7 @@ def bring(folder, package):
         came = subprocess.run(["npm", "ci", "--ignore-scripts", "--no-audit", "--no-fund"], cwd=folder,
                               capture_output=True, text=True)
         if came.returncode != 0:
-            skip(f"npm brings no tools: {came.stderr.strip().splitlines()[-1:]}")
+            skip(f"npm brings no tools: {' '.join(came.stderr.split())[:200]}")
         brought.write_text(lock, encoding="utf-8")
     shutil.rmtree(folder / "node_modules" / "soms", ignore_errors=True)
     shutil.copytree(package, folder / "node_modules" / "soms")

@@ -101,6 +101,21 @@ test('geometries of three.js', () => {
                         getX: (i) => i, getY: () => 0.5, getZ: (i) => i * i };
   assert.deepEqual([...new soms.Mesh({ attributes: { position: interleaved }, index: null }).read().vertices],
                    [0, 0.5, 0, 1, 0.5, 1, 2, 0.5, 4]);
+  // As Float16BufferAttribute has it: 0x3c00 is 1.
+  const halves = { array: Uint16Array.of(0, 0, 0, 0x3c00, 0, 0, 0, 0x3c00, 0), count: 3, itemSize: 3, getX: (i) => Number(i === 1),
+                   getY: (i) => Number(i === 2), getZ: () => 0 };
+  assert.deepEqual([...new soms.Mesh({ attributes: { position: halves }, index: null }).read().vertices], [0, 0, 0, 1, 0, 0, 0, 1, 0]);
+});
+
+test('positions that cannot be read are errors', () => {
+  const array = new Int16Array(9);
+  for (const position of [{ count: 3, itemSize: 3 }, { array, count: 3, itemSize: 3, normalized: true }, { array, count: 3, itemSize: 2 }]) {
+    fails('usage', () => new soms.Mesh({ attributes: { position }, index: null }));
+  }
+  const position = { array: [0, 0, 0, 1, 0, 0, 0, 1, 0], count: 3, itemSize: 3 };
+  fails('usage', () => new soms.Mesh({ attributes: { position }, index: { count: 3 } }));
+  const listed = new soms.Mesh({ attributes: { position }, index: { array: [0, 1, 2, 2], count: 3 } });
+  assert.deepEqual([...listed.read().triangles], [0, 1, 2]);
 });
 
 test('errors have kind, place and remedy', () => {

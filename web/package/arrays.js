@@ -139,15 +139,24 @@ function indices(value) {
 }
 
 /** Whether the array's numbers are coordinates: three.js scales integers, and keeps halves of floats as integers. */
-function isPlain({ array, isInterleavedBufferAttribute, itemSize, getX }) {
+function isPlain({ array, isInterleavedBufferAttribute, itemSize, normalized, getX }) {
   const isFloat = array instanceof Float32Array || array instanceof Float64Array;
-  return !isInterleavedBufferAttribute && itemSize === 3 && (isFloat || getX === undefined);
+  return isNumbers(array) && !isInterleavedBufferAttribute && itemSize === 3 && (isFloat || !(normalized || getX));
+}
+
+function taken(array, count) {
+  if (!isNumbers(array)) {
+    throw usage('a geometry has no numbers in an array', 'give a BufferGeometry, or {vertices, triangles}');
+  }
+  return array.length === count ? array : array.slice(0, count);
 }
 
 function positions(attribute) {
   if (isPlain(attribute)) {
-    return attribute.array.length === 3 * attribute.count ? attribute.array
-                                                          : attribute.array.slice(0, 3 * attribute.count);
+    return taken(attribute.array, 3 * attribute.count);
+  }
+  if (typeof attribute.getX !== 'function') {
+    throw usage('the positions of this geometry cannot be read', 'give a BufferAttribute, or an array of 3 numbers for each vertex');
   }
   const all = new Float64Array(3 * attribute.count);
   for (let i = 0; i < attribute.count; ++i) {
@@ -160,7 +169,7 @@ function arraysOf(value) {
   const geometry = value?.geometry ?? value;
   if (geometry?.attributes?.position !== undefined) {
     const index = geometry.index;
-    return [positions(geometry.attributes.position), index ? index.array.subarray(0, index.count) : undefined];
+    return [positions(geometry.attributes.position), index ? taken(index.array, index.count) : undefined];
   }
   if (value?.vertices !== undefined) {
     return [value.vertices, value.triangles];
