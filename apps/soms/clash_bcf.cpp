@@ -135,7 +135,8 @@ void add_components(const Json& row, const char* side, look::Rgb color,
   const Json others = part.value("joined", Json::array());
   for (const Json& other : others) {
     if (other.is_object()) {
-      components.push_back({text_of(other, "id"), file_name(row, side), text_of(other, "part"), hex});
+      components.push_back(
+          {text_of(other, "id"), file_name(row, side), text_of(other, "part"), hex});
     }
   }
 }

@@ -163,9 +163,9 @@ class PartsRun : public ProbeRun<PointSource> {
 
   [[nodiscard]] Json part_json(std::uint32_t part) const {
     const BodyPart& found = body_.parts()[part];
-    Json json =
-        body_.partition() == Partition::named ? body_as_json(mesh(), found.named, found.joined)
-                                              : Json::object();
+    Json json = body_.partition() == Partition::named
+                    ? body_as_json(mesh(), found.named, found.joined)
+                    : Json::object();
     json["first"] = found.first;
     return json;
   }

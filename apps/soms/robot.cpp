@@ -342,7 +342,8 @@ Action add_robot(CLI::App& app, Shared& shared) {
       ->group("Models");
   app.footer(
       "Exact for the poses that the joints give: surfaces that meet, and links inside of closed\n"
-      "bodies; what may be inside of an open one is undecided. Without --srdf, links that a joint connects are not compared. Radians and meters.\n"
+      "bodies; what may be inside of an open one is undecided. Without --srdf, links that a joint "
+      "connects are not compared. Radians and meters.\n"
       "\nExample:\n"
       "  soms generate sphere --triangles 800 -o ball.off\n"
       "  printf '<robot><link name=\"a\"><collision><geometry><box size=\"1 1 1\"/></geometry>"

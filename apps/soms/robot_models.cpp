@@ -130,8 +130,7 @@ RobotModelOptions model_options(const RobotModelsOptions& options, const Robot& 
 void name_bodies(RobotModels& models) {
   for (const RobotBody& body : models.model.cell_bodies()) {
     models.cell_files.push_back(models.cell[body.mesh].source);
-    std::vector<std::string> labels{
-        body_label(models.cell[body.mesh], body.part.part, {})};
+    std::vector<std::string> labels{body_label(models.cell[body.mesh], body.part.part, {})};
     for (const RobotMeshPart& other : body.joined) {
       labels.push_back(body_label(models.cell[other.mesh], other.part, {}));
     }

@@ -179,10 +179,9 @@ class SolidPartsRun : public PoseRun {
 
  private:
   [[nodiscard]] std::vector<PartBody> parts_of(const Mesh& mesh) const {
-    return console().run("looking for closed parts",
-                         [&](const Parallel& parallel) {
-                           return part_bodies(mesh, {}, parallel, OpenParts::joined);
-                         });
+    return console().run("looking for closed parts", [&](const Parallel& parallel) {
+      return part_bodies(mesh, {}, parallel, OpenParts::joined);
+    });
   }
 
   void reserve(std::size_t rows) override { answers_.assign(rows, {}); }
@@ -294,7 +293,8 @@ class SolidPartsRun : public PoseRun {
       std::string text =
           fmt::format("{}{{\"a\":{},\"b\":{},{}", &pair == answers_[k].data() ? "" : ",",
                       json_text(body_as_json(report().a, pair.a->part, pair.a->joined)),
-                      json_text(body_as_json(report().b, pair.b->part, pair.b->joined)), solid_keys(pair.answer));
+                      json_text(body_as_json(report().b, pair.b->part, pair.b->joined)),
+                      solid_keys(pair.answer));
       if (pair.answer.why == Undecided::open) {
         text += fmt::format(",\"odd_edges\":[{},{}]", pair.a->odd_edges, pair.b->odd_edges);
       }

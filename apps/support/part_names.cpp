@@ -54,7 +54,8 @@ Json part_as_json(const Mesh& mesh, std::uint32_t part) {
 std::string joined_label(const std::vector<std::string>& labels) {
   constexpr std::size_t kMost = 3;
   const std::size_t named = labels.size() > kMost ? kMost - 1 : labels.size();
-  std::string text = fmt::format("{}", fmt::join(labels.begin(), labels.begin() + static_cast<std::ptrdiff_t>(named), " + "));
+  std::string text = fmt::format(
+      "{}", fmt::join(labels.begin(), labels.begin() + static_cast<std::ptrdiff_t>(named), " + "));
   return named == labels.size() ? text : fmt::format("{} + {} more", text, labels.size() - named);
 }
 

@@ -232,8 +232,8 @@ void bind_model(py::module_& module) {
       "(m,) uint32: links that are compared with the cell.");
   model.def_property_readonly(
       "open", &open_bodies,
-      "A list of str: links and parts of the cell that are not closed; with them surfaces alone "
-      "are compared.");
+      "A list of str: links and bodies of the cell that are not closed; what may lie in one of "
+      "them is undecided.");
   model.def("__repr__", [](const HeldRobotModel& h) {
     return "RobotModel{" + std::to_string(h.model.link_names().size()) + " links, " +
            std::to_string(h.model.compared().size()) + " pairs compared, " +

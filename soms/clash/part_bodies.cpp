@@ -112,10 +112,9 @@ void join(const Mesh& mesh, OpenParts open_parts, std::vector<Piece>& pieces) {
     return;
   }
   const auto piece_of = [&](std::uint32_t part) -> Piece& {
-    return *std::lower_bound(pieces.begin(), pieces.end(), part,
-                             [](const Piece& piece, std::uint32_t number) {
-                               return piece.part.part < number;
-                             });
+    return *std::lower_bound(
+        pieces.begin(), pieces.end(), part,
+        [](const Piece& piece, std::uint32_t number) { return piece.part.part < number; });
   };
   std::vector<std::uint32_t> gone;
   for (const PartGroup& group : detail::groups_of_open(mesh, open)) {

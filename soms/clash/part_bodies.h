@@ -26,8 +26,8 @@ struct PartComponent {
   [[nodiscard]] bool operator==(const PartComponent&) const = default;
 };
 
-/// The triangles of a mesh whose innermost part it is, as a body; or those of several parts that are
-/// one body together. A value; copies share the body.
+/// The triangles of a mesh whose innermost part it is, as a body; or those of several parts that
+/// are one body together. A value; copies share the body.
 struct PartBody {
   /// Index in Mesh::parts, of an object of several runs that of the first; Part::kNoParent for the
   /// triangles that no part holds. Of a body of several parts it is the first.

@@ -88,8 +88,8 @@ std::vector<PartGroup> bodies_of(const Mesh& mesh, const Parallel& parallel) {
   const std::vector<std::uint32_t> joined = detail::joined_by_position(mesh, work);
   std::vector<PartGroup> groups;
   std::vector<OpenPart> open;
-  for (OpenPart& part : odd_edges_by_part(
-           mesh, sorted_edges(mesh, joined, part_of, parallel), used)) {
+  for (OpenPart& part :
+       odd_edges_by_part(mesh, sorted_edges(mesh, joined, part_of, parallel), used)) {
     if (detail::covers_evenly(part.edges)) {
       groups.push_back({.parts = {part.part}, .closed = true});
     } else {

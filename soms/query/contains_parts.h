@@ -30,7 +30,7 @@ struct BodyPart {
   /// Index in Mesh::parts; none for a connected part. Of several that are one body, the first.
   std::uint32_t named = Part::kNoParent;
   std::vector<std::uint32_t> joined = {};  ///< the others, Part::kNoParent last
-  TriangleId first = 0;                   ///< its first triangle
+  TriangleId first = 0;                    ///< its first triangle
   std::uint64_t triangles = 0;
   bool closed = true;           ///< by itself, at the body's pose, as `closedness` decides it
   std::uint64_t odd_edges = 0;  ///< edges that an odd number of its triangles use

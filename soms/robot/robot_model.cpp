@@ -30,9 +30,9 @@ struct OneMesh {
       parts.push_back({number, k});
     }
     // The outer of two parts with the same triangles is the first.
-    other.parts.insert(other.parts.begin(),
-                       {.name = other.source,
-                        .count = static_cast<std::uint32_t>(other.triangles.size())});
+    other.parts.insert(
+        other.parts.begin(),
+        {.name = other.source, .count = static_cast<std::uint32_t>(other.triangles.size())});
     if (number == 0) {
       mesh = std::move(other);
     } else {
@@ -78,8 +78,8 @@ std::vector<RobotBody> bodies_among(std::span<const Mesh> meshes, std::uint32_t 
     }
   }
   std::vector<RobotBody> bodies;
-  for (PartBody& part : part_bodies(meshes.size() == 1 ? meshes[0] : one.mesh, {}, parallel,
-                                    OpenParts::joined)) {
+  for (PartBody& part :
+       part_bodies(meshes.size() == 1 ? meshes[0] : one.mesh, {}, parallel, OpenParts::joined)) {
     const RobotMeshPart first = one.part(part.part);
     RobotBody body{.owner = owner, .mesh = first.mesh, .name = name_of(meshes, first)};
     for (const std::uint32_t other : part.joined) {

@@ -45,8 +45,8 @@ struct RobotBody {
   std::string name = {};
   /// Its `part` is of `mesh`; its triangles count through all meshes of the link, or of the cell.
   PartBody part = {};
-  std::vector<RobotMeshPart> joined = {};   ///< the other parts of the body, in PartBody's stead
-  std::vector<TriangleId> connected = {};   ///< the first triangle of each connected part
+  std::vector<RobotMeshPart> joined = {};  ///< the other parts of the body, in PartBody's stead
+  std::vector<TriangleId> connected = {};  ///< the first triangle of each connected part
   std::vector<std::uint32_t> connected_of = {};  ///< of each triangle; empty where there is one
   /// Those connected parts of an open body that are closed: a point inside is inside of the body.
   std::optional<ClosedBody> core = std::nullopt;
@@ -65,10 +65,10 @@ struct RobotPair {
 
 /// The bodies of a robot's links and of its cell, and which of them are compared: pairs of links
 /// but `skipped_pairs`, and each link with each part of the cell. Bodies of one link are not, nor
-/// parts of the cell. Meshes are divided into their parts; parts that close each other are one body,
-/// also those of several meshes of a link or of the cell, and so are open parts that may enclose
-/// something together (OpenParts::joined).
-/// A value; copies share the meshes and their trees.
+/// parts of the cell. Meshes are divided into their parts; parts that close each other are one
+/// body, also those of several meshes of a link or of the cell, and so are open parts that may
+/// enclose something together (OpenParts::joined). A value; copies share the meshes and their
+/// trees.
 class RobotModel {
  public:
   /// \errors  As `check(Robot)`, `part_bodies` and `check(Pose)`; ErrorKind::out_of_range for a

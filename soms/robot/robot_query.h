@@ -72,8 +72,8 @@ void check(const RobotOptions& options);
 struct RobotAnswer {
   RobotVerdict verdict = RobotVerdict::undecided;
   std::vector<RobotContact> contacts = {};  ///< by pair
-  /// Pairs of bodies that were not decided: one may be inside the other, which is open, also where a
-  /// pose rounds a T-junction; or the deadline passed, and `coverage` is `cut`.
+  /// Pairs of bodies that were not decided: one may be inside the other, which is open, also where
+  /// a pose rounds a T-junction; or the deadline passed, and `coverage` is `cut`.
   std::uint64_t undecided = 0;
   std::vector<std::uint32_t> beyond_limits = {};  ///< joints; the state is answered nevertheless
   std::optional<RobotGap> gap = std::nullopt;     ///< where requested and not cut

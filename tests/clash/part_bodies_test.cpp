@@ -5,9 +5,13 @@
 #include "soms/io/read_mesh.h"
 
 #include "tests/support/bodies.h"
+#include "tests/support/cut_mesh.h"
 #include "tests/support/support.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace soms {
@@ -85,6 +89,57 @@ TEST(PartBodies, EndWhenAStopIsRequested) {
   stop.request_stop();
   EXPECT_THROW(
       static_cast<void>(part_bodies(house_around_a_pipe(), {}, {.stop = stop.get_token()})), Error);
+}
+
+/// A box in two halves, another in two that leave a face open, and a whole one.
+Mesh boxes_in_halves() {
+  const Mesh box = test::box_body({0, 0, 0}, {1, 1, 1});
+  Mesh mesh = test::cut_by(box, {0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 0}, 2);
+  Mesh open = test::box_body({5, 0, 0}, {6, 1, 1});
+  open.triangles.resize(10);
+  open.faces.clear();
+  append(mesh, test::cut_by(open, {0, 0, 0, 0, 0, 1, 1, 1, 1, 1}, 2));
+  append(mesh,
+         test::cut_by(test::box_body({9, 0, 0}, {10, 1, 1}), std::vector<std::uint32_t>(12, 0), 1));
+  return mesh;
+}
+
+TEST(PartBodies, OfPartsThatCloseEachOtherAreOne) {
+  const std::vector<PartBody> parts = part_bodies(boxes_in_halves());
+  ASSERT_EQ(parts.size(), 4U);
+  EXPECT_EQ(parts[0].part, 0U);
+  EXPECT_EQ(parts[0].joined, (std::vector<std::uint32_t>{1}));
+  EXPECT_TRUE(parts[0].closed);
+  EXPECT_EQ(parts[0].odd_edges, 0U);
+  EXPECT_EQ(parts[0].body.shape.mesh().triangles.size(), 12U);
+  EXPECT_TRUE(std::is_sorted(parts[0].triangles.begin(), parts[0].triangles.end()));
+  for (const std::size_t open : {1U, 2U}) {
+    EXPECT_EQ(parts[open].part, open + 1);
+    EXPECT_TRUE(parts[open].joined.empty());
+    EXPECT_FALSE(parts[open].closed);
+  }
+  EXPECT_EQ(parts[3].part, 4U);
+  EXPECT_TRUE(parts[3].closed);
+}
+
+TEST(PartBodies, OfOpenPartsAreOneOnRequest) {
+  const std::vector<PartBody> parts = part_bodies(boxes_in_halves(), {}, {}, OpenParts::joined);
+  ASSERT_EQ(parts.size(), 3U);
+  EXPECT_EQ(parts[1].part, 2U);
+  EXPECT_EQ(parts[1].joined, (std::vector<std::uint32_t>{3}));
+  EXPECT_FALSE(parts[1].closed);
+  EXPECT_EQ(parts[1].odd_edges, 4U);
+  EXPECT_EQ(parts[1].body.shape.mesh().triangles.size(), 10U);
+}
+
+TEST(PartBodies, ThatCouldBeClosedInSeveralWaysAreOpen) {
+  Mesh twice =
+      test::cut_by(test::box_body({0, 0, 0}, {1, 1, 1}), {0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 0}, 2);
+  append(twice, twice);
+  EXPECT_EQ(part_bodies(twice).size(), 4U);
+  const std::vector<PartBody> parts = part_bodies(twice, {}, {}, OpenParts::joined);
+  ASSERT_EQ(parts.size(), 1U);
+  EXPECT_FALSE(parts[0].closed) << "parity would call the inside of both outside";
 }
 
 }  // namespace

@@ -110,7 +110,7 @@ TEST(RobotVerb, SaysItInWords) {
             "6 pairs of links compared, 4 not (joint neighbors, or excluded by an option)\n"
             "cylinders and spheres are meshes that exceed them by at most 0.000483857238\n"
             "cell: 1 part, compared with 4 links\n"
-            "not closed, so that only surfaces are compared with it: wall of the cell\n"
+            "not closed, so that what lies in it is undecided: wall of the cell\n"
             "state 0: contact: boom and cell: wall\n"
             "state 1: free\n"
             "state 2: contact: boom and cell: wall; out of limits: lift\n"

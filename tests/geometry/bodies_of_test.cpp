@@ -143,7 +143,8 @@ Mesh random_cut(Rng& rng) {
   for (std::uint64_t k = 1 + rng.below(3); k > 0; --k) {
     const auto at = [&] { return static_cast<double>(rng.below(2)); };
     const Vec3 lower{at(), at(), at()};
-    const Mesh box = box_body(lower, lower + Vec3{1, 1, 1 + at()}, 1 + static_cast<int>(rng.below(2)));
+    const Mesh box =
+        box_body(lower, lower + Vec3{1, 1, 1 + at()}, 1 + static_cast<int>(rng.below(2)));
     const bool whole_faces = rng.below(2) == 0;
     const auto first = static_cast<std::uint32_t>(rng.below(parts));
     const auto last = static_cast<std::uint32_t>(1 + rng.below(parts - first));
@@ -164,10 +165,9 @@ Mesh random_cut(Rng& rng) {
     const auto middle = static_cast<std::uint32_t>(1 + rng.below(parts - 1));
     const std::uint32_t begin = cut.parts[middle].first;
     cut.parts.push_back({.name = "front", .first = 0, .count = begin});
-    cut.parts.push_back(
-        {.name = "back",
-         .first = begin,
-         .count = static_cast<std::uint32_t>(cut.triangles.size()) - begin});
+    cut.parts.push_back({.name = "back",
+                         .first = begin,
+                         .count = static_cast<std::uint32_t>(cut.triangles.size()) - begin});
     for (std::uint32_t k = 0; k < parts; ++k) {
       cut.parts[k].parent = k < middle ? parts : parts + 1;
     }

@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 
 #include "tests/support/bodies.h"
+#include "tests/support/cut_mesh.h"
 #include "tests/support/support.h"
 
 #include <gtest/gtest.h>
@@ -105,6 +106,25 @@ TEST(ContainsParts, RefusesPoints) {
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::not_finite);
   }
+}
+
+TEST(ContainsParts, TakePartsThatCloseEachOtherForOne) {
+  Mesh mesh = house();
+  Mesh halves =
+      test::cut_by(box_body({30, 0, 0}, {32, 2, 2}), {0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 0}, 2);
+  append(mesh, halves);
+  const PartedBody body{Body(mesh)};
+  const ContainsParts found = contains(body, Vec3{31, 1, 1});
+  ASSERT_EQ(found.parts.size(), 1U);
+  EXPECT_EQ(found.parts[0].side, Side::inside);
+  const BodyPart& part = body.parts()[found.parts[0].part];
+  EXPECT_TRUE(part.closed);
+  EXPECT_EQ(part.triangles, 12U);
+  ASSERT_EQ(part.joined.size(), 1U);
+  EXPECT_EQ(mesh.parts[part.named].name, "p0");
+  EXPECT_EQ(mesh.parts[part.joined[0]].name, "p1");
+  EXPECT_EQ(body.open_parts(), 2U) << "the crate and the loose triangle";
+  EXPECT_EQ(contains(body, Vec3{31, 1, 2}).parts, (Sides{{found.parts[0].part, Side::on}}));
 }
 
 }  // namespace

@@ -164,10 +164,9 @@ TEST(CutRobots, AnswerAsWhole) {
 
 TEST(CutRobots, AnswerAsThePanda) {
   SOMS_NEEDS_OUTSIDE_DATA("a test of the Panda arm");
-  const Robot robot =
-      read_robot(*test::outside_data("robots/panda_description/urdf/panda.urdf"),
-                 {.packages = {{"moveit_resources_panda_description",
-                                *test::outside_data("robots/panda_description")}}});
+  const Robot robot = read_robot(*test::outside_data("robots/panda_description/urdf/panda.urdf"),
+                                 {.packages = {{"moveit_resources_panda_description",
+                                                *test::outside_data("robots/panda_description")}}});
   Rng rng(7);
   Robot parts = robot;
   for (Link& link : parts.links) {

@@ -33,7 +33,7 @@ class ClosedUnions {
   void untie(std::span<const std::uint32_t> classes,
              std::span<const std::vector<std::uint32_t>* const> stretches);
 
-  DisjointSets classes_;  ///< surfaces that are in the same closed unions
+  DisjointSets classes_;            ///< surfaces that are in the same closed unions
   std::vector<std::uint8_t> open_;  ///< of the least of a class: it is in no closed union
   std::vector<std::vector<std::uint32_t>> stretches_;  ///< of three classes or more
 };

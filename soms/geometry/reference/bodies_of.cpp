@@ -57,9 +57,8 @@ std::vector<Choice> without_choice(const std::map<std::uint32_t, Mesh>& meshes,
   });
   const std::vector<Choice> all = least;
   std::erase_if(least, [&](Choice choice) {
-    return std::any_of(all.begin(), all.end(), [&](Choice other) {
-      return other != choice && (other & choice) != 0;
-    });
+    return std::any_of(all.begin(), all.end(),
+                       [&](Choice other) { return other != choice && (other & choice) != 0; });
   });
   return least;
 }

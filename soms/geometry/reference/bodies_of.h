@@ -8,7 +8,7 @@
 
 namespace soms::reference {
 
-/// The groups of `bodies_of` that are closed: every set of parts is asked for by `closedness`.
+/// The groups of `bodies_of` that are closed: `closedness` decides for every set of parts.
 /// \pre    At most 16 parts are open.
 /// \cost   O(2^p n) for p open parts, for each object that holds some.
 [[nodiscard]] std::vector<PartGroup> closed_bodies_by_brute_force(const Mesh& mesh);

@@ -56,11 +56,11 @@ class StateQuery {
   const RobotOptions& options_;
   Parallel alone_;
   BroadPhase broad_phase_;
-  std::vector<Body> bodies_;  ///< at the poses of the state
-  std::vector<Box> boxes_;    ///< that hold them
+  std::vector<Body> bodies_;                       ///< at the poses of the state
+  std::vector<Box> boxes_;                         ///< that hold them
   std::vector<std::optional<ClosedBody>> closed_;  ///< of an open one, its core
   std::vector<std::uint8_t> was_closed_;           ///< `closed_` was tried for this state
-  /// Of each connected part, and of the body, which is last; empty if they were not asked for.
+  /// Of each connected part, and of the body, which is last; empty until they are needed.
   std::vector<std::vector<Box>> exact_boxes_;
   bool cut_ = false;
 };

@@ -110,8 +110,8 @@ PairFound look_at(const RobotModel& model, const PlacedBodies& placed, std::size
       const Body core(closed_parts(around.shape.mesh()), around.pose);
       const bool closed =
           closedness(core.shape.mesh(), {.pose = core.pose, .places = 0}).whole.closed;
-      found.inside = found.inside || has_corner_inside(placed.bodies[inner], core,
-                                                       placed.boxes[outer], closed);
+      found.inside = found.inside ||
+                     has_corner_inside(placed.bodies[inner], core, placed.boxes[outer], closed);
       found.undecided =
           found.undecided || may_be_inside(placed.bodies[inner], around, placed.boxes[outer]);
       continue;
@@ -119,8 +119,8 @@ PairFound look_at(const RobotModel& model, const PlacedBodies& placed, std::size
     const bool closed =
         closedness(around.shape.mesh(), {.pose = around.pose, .places = 0}).whole.closed;
     found.undecided = found.undecided || !closed;
-    found.inside = found.inside || has_corner_inside(placed.bodies[inner], around,
-                                                     placed.boxes[outer], closed);
+    found.inside = found.inside ||
+                   has_corner_inside(placed.bodies[inner], around, placed.boxes[outer], closed);
   }
   found.undecided = found.undecided && !found.inside;
   return found;
