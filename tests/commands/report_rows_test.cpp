@@ -12,7 +12,7 @@ namespace soms::test {
 namespace {
 
 std::string reported(const std::string& name) {
-  return data("reports/" + name).string();
+  return test::data("reports/" + name).string();
 }
 
 /// The rows of `clash`, and the totals last.
