@@ -56,7 +56,7 @@ struct ClashModelOptions {
 /// Models that were named, each alone or by its folder.
 struct ModelFiles {
   std::vector<std::string> files;
-  std::vector<std::string> notes;  ///< what folders have besides; told already
+  std::vector<std::string> notes;  ///< what folders have besides; printed already
 };
 
 /// The models among `names`, where a folder stands for the models in it, by name; one with a

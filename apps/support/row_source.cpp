@@ -33,8 +33,8 @@ RowSource::RowSource(const std::string& path, RowKind kind, const Console& conso
 std::optional<std::span<const double>> RowSource::read() {
   try {
     const auto row = reader_->next();
-    if (!row && read_ == 0 && !told_) {
-      told_ = true;
+    if (!row && read_ == 0 && !reported_) {
+      reported_ = true;
       console_->note(printable(name_) + ": no rows");
     }
     read_ += row ? 1U : 0U;
@@ -55,8 +55,9 @@ void RowSource::fail(const Error& error) const {
     throw of_standard_input(error);
   }
   if (error.kind() == ErrorKind::cannot_open) {
-    throw Error(error.kind(), error.place(),
-                fmt::format("name a CSV or .npy file of {}s, or - for standard input", noun_));
+    throw Error(
+        error.kind(), error.place(),
+        fmt::format("name a CSV, .npy or .npz file of {}s, or - for standard input", noun_));
   }
   throw error;
 }

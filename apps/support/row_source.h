@@ -66,7 +66,7 @@ class RowSource {
   const Console* console_;
   std::optional<RowReader> reader_;
   std::uint64_t read_ = 0;                 ///< rows
-  bool told_ = false;                      ///< that there are no rows
+  bool reported_ = false;                  ///< that there are no rows
   std::uint64_t given_ = 0;                ///< rows, by `next_row`
   std::vector<double> row_;                ///< the last one that was read ahead and given
   std::deque<std::vector<double>> ahead_;  ///< rows that `is_single` read

@@ -12,6 +12,9 @@ namespace soms {
 
 namespace {
 
+constexpr std::string_view kJson = ".json";
+constexpr std::string_view kJsonLines = ".jsonl";  // of sequences of features
+
 constexpr std::array<WritableFormat, 8> kWritable{{
     {MeshFormat::ply, "ply", "PLY", ".ply"},
     {MeshFormat::ply_ascii, "ply-ascii", "text PLY", ""},
@@ -54,24 +57,32 @@ std::span<const std::string_view> imported_extensions() {
   return detail::imported_extensions();
 }
 
-bool is_model_of_folder(const std::filesystem::path& file) {
+bool is_named_as_model(const std::filesystem::path& file) {
   const std::string name = file.filename().string();
-  if (name.starts_with('.')) {
+  const std::string extension = detail::extension_of(name);
+  const auto formats = detail::read_formats();
+  const auto imported = detail::imported_extensions();
+  return !name.starts_with('.') &&
+         (extension == kJsonLines ||
+          std::any_of(
+              formats.begin(), formats.end(),
+              [&](const detail::ReadFormat& format) { return format.extension == extension; }) ||
+          std::find(imported.begin(), imported.end(), extension) != imported.end());
+}
+
+bool is_model_of_folder(const std::filesystem::path& file) {
+  if (!is_named_as_model(file)) {
     return false;
   }
-  const std::string extension = detail::extension_of(name);
-  const auto& formats = detail::read_formats();
-  if (extension == ".json" || extension == ".jsonl") {
-    const detail::FileBytes bytes = detail::read_file(file, 0);
-    return std::any_of(formats.begin(), formats.end(), [&](const detail::ReadFormat& format) {
-      return format.extension == ".json" && format.recognizes(bytes.view());
-    });
+  const std::string extension = detail::extension_of(file.filename().string());
+  if (extension != kJson && extension != kJsonLines) {
+    return true;
   }
-  const auto imported = detail::imported_extensions();
-  return std::any_of(
-             formats.begin(), formats.end(),
-             [&](const detail::ReadFormat& format) { return format.extension == extension; }) ||
-         std::find(imported.begin(), imported.end(), extension) != imported.end();
+  const detail::FileBytes bytes = detail::read_file(file, 0);
+  const auto formats = detail::read_formats();
+  return std::any_of(formats.begin(), formats.end(), [&](const detail::ReadFormat& format) {
+    return format.extension == kJson && format.recognizes(bytes.view());
+  });
 }
 
 std::span<const WritableFormat> writable_formats() {

@@ -27,9 +27,12 @@ struct ReadableFormat {
 /// sorted.
 [[nodiscard]] std::span<const std::string_view> imported_extensions();
 
-/// True if a file of a folder is to be read as a model: its extension is that of a format that is
-/// read, and its name does not begin with a point, as those of hidden files do. JSON has many uses:
-/// such a file must begin as a model in JSON. A model that is broken is one.
+/// True if a name is that of a model: its extension is that of a format that is read, and it does
+/// not begin with a point, as those of hidden files do.
+[[nodiscard]] bool is_named_as_model(const std::filesystem::path& file);
+
+/// True if a file of a folder is to be read as a model: it is named as one and, as JSON has many
+/// uses, begins as a model where it is JSON. A model that is broken is one.
 /// \errors ErrorKind::cannot_open for a JSON file that cannot be read.
 [[nodiscard]] bool is_model_of_folder(const std::filesystem::path& file);
 

@@ -12,7 +12,7 @@ namespace soms::test {
 namespace {
 
 std::string reported(const std::string& name) {
-  return data("reports/" + name).string();
+  return test::data("reports/" + name).string();
 }
 
 /// The rows of `clash`, and the totals last.
@@ -76,14 +76,14 @@ TEST(ReportedFiles, HiddenNodesAreReadAndSaid) {
   EXPECT_EQ(soms_run({"info", reported("hidden.gltf"), "--strict"}).status, 3);
 }
 
-TEST(ReportedFiles, OrphanChildIsToldThatItLacksParents) {
+TEST(ReportedFiles, OrphanChildLacksParentsAndTheErrorSaysSo) {
   const RunResult result = soms_run({"info", reported("orphan_child.json")});
   EXPECT_EQ(result.status, 3);
   EXPECT_NE(result.err.find("the object \"c\" has no \"parents\""), std::string::npos)
       << result.err;
 }
 
-TEST(ReportedFiles, StlBinAttrbytesIsToldThatAttributesAreNoLengths) {
+TEST(ReportedFiles, StlBinAttrbytesHasAttributesThatAreNoLengths) {
   const RunResult result = soms_run({"info", reported("stl_bin_attrbytes.stl")});
   EXPECT_EQ(result.status, 3);
   EXPECT_NE(result.err.find("attributes of STL are no lengths"), std::string::npos) << result.err;

@@ -195,20 +195,39 @@ TEST(ObjGroups, KeepTwoPartsTwoAndOnePartOne) {
   });
 }
 
+/// A COLLADA file whose scene shows a triangle by two nodes.
+std::string two_nodes_of_one_name() {
+  const std::string node = R"(<node name="a"><instance_geometry url="#g"/></node>)";
+  return R"(<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">)"
+         R"(<library_geometries><geometry id="g"><mesh><source id="p">)"
+         R"(<float_array id="n" count="9">0 0 0 1 0 0 0 1 0</float_array><technique_common>)"
+         R"(<accessor source="#n" count="3" stride="3"><param name="X" type="float"/>)"
+         R"(<param name="Y" type="float"/><param name="Z" type="float"/></accessor>)"
+         R"(</technique_common></source><vertices id="v">)"
+         R"(<input semantic="POSITION" source="#p"/></vertices><triangles count="1">)"
+         R"(<input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></triangles></mesh>)"
+         R"(</geometry></library_geometries><library_visual_scenes><visual_scene id="s">)" +
+         node + node +
+         R"(</visual_scene></library_visual_scenes><scene><instance_visual_scene url="#s"/>)"
+         R"(</scene></COLLADA>)";
+}
+
 TEST(ObjGroups, OfOtherFormatsAreKnownByTheirPlace) {
-  const auto tetrahedra = [](const std::string& before, const std::string& between) {
+  const auto solids = [](const std::string& before, const std::string& between) {
     const std::string facet =
         "facet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
         "endfacet\n";
     return before + facet + between + facet + "endsolid\n";
   };
   // Two solids of one name stay two, as programs call all of theirs alike.
-  EXPECT_EQ(read_text(tetrahedra("solid a\n", "endsolid a\nsolid a\n"), "a.stl").parts,
+  EXPECT_EQ(read_text(solids("solid a\n", "endsolid a\nsolid a\n"), "a.stl").parts,
             (std::vector<Part>{{"a", kNone, 0, 1}, {"a", kNone, 1, 1}}));
   // So do objects of 3DS, which its writer gives names that differ.
   EXPECT_EQ(written(model("o a\nf\no a\nf"), MeshFormat::three_ds, "a.3ds").parts,
             (std::vector<Part>{{"a", kNone, 0, 1}, {"a_2", kNone, 1, 1}}));
-  // And nodes of glTF.
+  // And nodes of COLLADA and glTF.
+  EXPECT_EQ(read_text(two_nodes_of_one_name(), "a.dae").parts,
+            (std::vector<Part>{{"a", kNone, 0, 1}, {"a", kNone, 1, 1}}));
   EXPECT_EQ(written(model("o a\nf\no a\nf"), MeshFormat::glb, "a.glb").parts,
             (std::vector<Part>{{"a", kNone, 0, 1}, {"a", kNone, 1, 1}}));
 }

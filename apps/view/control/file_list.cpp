@@ -1,6 +1,5 @@
 #include "apps/view/control/file_list.h"
 
-#include "soms/base/error.h"
 #include "soms/base/text.h"
 #include "soms/io/formats.h"
 
@@ -19,15 +18,6 @@ char lower_case(char c) {
   return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
 }
 
-/// A file that cannot be looked at is none.
-bool is_model(const fs::path& path) {
-  try {
-    return is_model_of_folder(path);
-  } catch (const Error&) {
-    return false;
-  }
-}
-
 /// Rows of a folder; an entry that cannot be looked at is left out.
 std::vector<FileRow> rows_of(const fs::path& folder, std::error_code& fault) {
   std::vector<FileRow> rows;
@@ -36,8 +26,7 @@ std::vector<FileRow> rows_of(const fs::path& folder, std::error_code& fault) {
     const std::string name = entry->path().filename().string();
     std::error_code unknown;
     const bool is_folder = entry->is_directory(unknown);
-    if (name.front() != '.' &&
-        (is_folder || (entry->is_regular_file(unknown) && is_model(entry->path())))) {
+    if (name.front() != '.' && (is_folder || (is_named_as_model(entry->path()) && !unknown))) {
       rows.push_back({entry->path(), printable(name) + (is_folder ? "/" : ""), is_folder});
     }
   }
