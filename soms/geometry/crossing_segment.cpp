@@ -91,7 +91,7 @@ Vec3 zero_between(const Vec3& p, const ScaledNumber& at_p, const Vec3& q,
   if (at_p.fraction == 0 || at_q.fraction == 0) {
     return at_p.fraction == 0 ? p : q;
   }
-  // What is far below the other may vanish beside it.
+  // What is far below the other may vanish beside it; the sum is above 0.
   const int top = std::max(at_p.exponent, at_q.exponent);
   const double over = std::ldexp(std::abs(at_p.fraction), at_p.exponent - top);
   const double under = std::ldexp(std::abs(at_q.fraction), at_q.exponent - top);
@@ -250,6 +250,7 @@ Crossing outline(std::vector<Vec3> points, const Triangle& t, const Measure& mea
   for (const Vec3& p : points) {
     middle += p * (1 / static_cast<double>(points.size()));
   }
+  // In a sliver so thin that the quotient is infinite, no four points are distinct.
   const Vec3 v = cross(n, u) * (1 / length(n));
   const auto angle = [&](const Vec3& p) {
     const Vec3 w = (p - middle) * measure.scale;

@@ -1,4 +1,4 @@
-// Two meshes of awkward numbers at awkward poses, by any rule in either layout, as built or
+// Two meshes of awkward numbers and sizes at awkward poses, by any rule in either layout, as built or
 // refitted: every question of the table, at lengths at and beside the distance, a named traversal,
 // and every question about points, against brute force.
 #include "soms/thesis/overlap.h"
@@ -11,6 +11,7 @@
 #include "tests/fuzz/bytes.h"
 #include "tests/fuzz/poses.h"
 #include "tests/fuzz/require.h"
+#include "tests/fuzz/scales.h"
 #include "tests/support/closest_check.h"
 #include "tests/support/query_table.h"
 
@@ -33,12 +34,13 @@ using fuzz::require;
 struct Numbers {
   explicit Numbers(Bytes& bytes)
       : kind(bytes.below(5)),
-        unit(std::ldexp(1.0, static_cast<int>(bytes.below(120)) - 60)),
-        shift(bytes.below(4) == 0 ? std::ldexp(unit, static_cast<int>(bytes.below(50))) : 0),
+        unit(fuzz::unit_of(bytes)),
+        shift(bytes.below(4) == 0 ? fuzz::far_by(unit, static_cast<int>(bytes.below(50))) : 0),
         thin(bytes.below(4)),
         thinness(bytes.below(3) == 0 ? -3 : -30) {}
 
-  double coordinate(Bytes& bytes, std::uint32_t axis) const {
+  /// In units of `size`, the mesh's or a far smaller one.
+  double coordinate(Bytes& bytes, std::uint32_t axis, double size) const {
     const double on_lattice = static_cast<double>(bytes.below(5)) - 1;
     double x = 0;
     switch (kind) {
@@ -57,7 +59,7 @@ struct Numbers {
       default:
         x = 4 * bytes.fraction();
     }
-    return shift + unit * (axis == thin ? std::ldexp(x, thinness) : x);
+    return shift + size * (axis == thin ? std::ldexp(x, thinness) : x);
   }
 
   std::uint32_t kind;
@@ -74,12 +76,13 @@ Mesh mesh_of(Bytes& bytes, const Numbers& numbers) {
   const std::uint32_t triangles = bytes.below(most);
   for (std::uint32_t i = 0; i < triangles; ++i) {
     std::array<std::uint32_t, 3> corners = {};
+    const double size = fuzz::unit_of_heap(bytes, numbers.unit);
     for (std::uint32_t& corner : corners) {
       const std::uint32_t choice = bytes.byte();
       if (choice < 160 || mesh.vertices.empty()) {
         Vec3 v;
         for (std::uint32_t axis = 0; axis < 3; ++axis) {
-          v[axis] = numbers.coordinate(bytes, axis);
+          v[axis] = numbers.coordinate(bytes, axis, size);
         }
         mesh.vertices.push_back(v);
         corner = static_cast<std::uint32_t>(mesh.vertices.size() - 1);
@@ -104,7 +107,7 @@ Pose awkward_pose_of(Bytes& bytes, double unit) {
       pose.m[4 * row + to] += off * pose.m[4 * row + from];
     }
   } else if (change == 2) {
-    pose.m[4 * bytes.below(3) + 3] += std::ldexp(unit, static_cast<int>(bytes.below(64)));
+    pose.m[4 * bytes.below(3) + 3] += fuzz::far_by(unit, static_cast<int>(bytes.below(64)));
   } else if (change == 3) {
     double& shift = pose.m[4 * bytes.below(3) + 3];
     shift = std::nextafter(shift, bytes.below(2) == 0 ? -1e300 : 1e300);
@@ -130,7 +133,7 @@ Shape shape_of(const Mesh& mesh, const Numbers& numbers, Bytes& bytes) {
   const bool refitted = bytes.below(2) == 0;
   for (std::size_t k = 0; refitted && k < before.vertices.size(); ++k) {
     const std::uint32_t axis = 2 * bytes.below(2);
-    before.vertices[k][axis] = numbers.coordinate(bytes, axis);
+    before.vertices[k][axis] = numbers.coordinate(bytes, axis, numbers.unit);
   }
   Shape shape(std::move(before), options);
   if (refitted) {

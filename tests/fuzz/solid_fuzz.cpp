@@ -10,8 +10,8 @@
 #include "tests/fuzz/closed_mesh.h"
 #include "tests/fuzz/poses.h"
 #include "tests/fuzz/require.h"
+#include "tests/fuzz/scales.h"
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -52,7 +52,7 @@ void check_relation(const Body& a, const Body& b) {
 }
 
 void check_input(Bytes& bytes) {
-  const double unit = std::ldexp(1.0, static_cast<int>(bytes.below(120)) - 60);
+  const double unit = fuzz::unit_of(bytes);
   const Body a = body_of(bytes, unit);
   const Body b = bytes.below(8) == 0 ? Body(a.shape, a.pose) : body_of(bytes, unit);
   const bool closed = is_closed(a) && is_closed(b);

@@ -73,12 +73,29 @@ Triangle triangle(Bytes& bytes, const Corners& corners) {
   return {a, b, corners.next(bytes)};
 }
 
-/// One in two has a corner, or the middle of an edge, at a point of `other`.
+bool fits(const Triangle& t) {
+  const auto within = [](const Vec3& v) {
+    return std::abs(v.x) <= 0x1p298 && std::abs(v.y) <= 0x1p298 && std::abs(v.z) <= 0x1p298;
+  };
+  return within(t.a) && within(t.b) && within(t.c);
+}
+
+/// The triangle, up to 2^-60 of its size, about the origin or at a point of `other`.
+Triangle shrunk(const Triangle& t, const Triangle& other, Bytes& bytes) {
+  const double share = std::ldexp(1.0, -static_cast<int>(bytes.below(61)));
+  const Vec3 at = bytes.below(2) == 0 ? Vec3{} : point_of(other, bytes);
+  return {at + t.a * share, at + t.b * share, at + t.c * share};
+}
+
+/// One in two has a corner, or the middle of an edge, at a point of `other`; some are far smaller.
 Triangle triangle_near(const Triangle& other, Bytes& bytes, const Corners& corners) {
   Triangle t = triangle(bytes, corners);
+  if (bytes.below(4) == 0) {
+    t = shrunk(t, other, bytes);
+  }
   const std::uint32_t kind = bytes.below(6);
   if (kind < 3) {
-    return t;
+    return fits(t) ? t : other;
   }
   t.a = point_of(other, bytes);
   if (kind == 4) {
@@ -86,10 +103,7 @@ Triangle triangle_near(const Triangle& other, Bytes& bytes, const Corners& corne
   } else if (kind == 5) {
     t.b = t.a + (t.a - t.c);
   }
-  const auto fits = [](const Vec3& v) {
-    return std::abs(v.x) <= 0x1p298 && std::abs(v.y) <= 0x1p298 && std::abs(v.z) <= 0x1p298;
-  };
-  return fits(t.a) && fits(t.b) ? t : other;
+  return fits(t) ? t : other;
 }
 
 Triangle moved(const Triangle& t, const Pose& pose) {

@@ -1,26 +1,24 @@
-// Every query at every scale, with triangles far smaller than their body, against its twin: bodies
-// of 2^-1070 to 2^300, triangles of 2^0 to 2^-60 of them, sizes mixed in one mesh. Kernels are chosen
-// once a process, so CMakeLists.txt runs this for each instruction set. SOMS_TEST_FACTOR multiplies
-// the cases.
-#include "soms/geometry/detail/double_double.h"
-#include "soms/query/reference/winding.h"
-#include "soms/query/winding.h"
+// Every row of the tables of questions at every scale, with triangles far smaller than their body,
+// against its twin. ray_scales_test.cpp has segments and winding numbers. Kernels are chosen once a
+// process, so CMakeLists.txt runs this for each instruction set. SOMS_TEST_FACTOR multiplies the
+// cases.
 #include "soms/scene/scene.h"
 
-#include "tests/properties/uneven_bodies.h"
 #include "tests/query/overlap_inputs.h"
 #include "tests/support/closest_check.h"
 #include "tests/support/needs_instruction_set.h"
 #include "tests/support/probe_table.h"
 #include "tests/support/query_table.h"
-#include "tests/support/slow_build.h"
+#include "tests/support/scales.h"
 #include "tests/support/support.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -29,11 +27,7 @@
 namespace soms {
 namespace {
 
-using test::Sizes;
-using test::UnevenBodies;
-
-/// Every so many exponents of a body's size.
-constexpr int kStep = test::kSlowBuild ? 50 : 10;
+using test::Scales;
 
 /// How often each kind of answer was compared.
 class Tally {
@@ -58,27 +52,50 @@ class Tally {
   std::map<std::string, std::uint64_t> counts_;
 };
 
-/// Runs `body` for bodies of all sizes; the first failure ends it.
+/// Calls `check` for all pairs of scales; the first failure ends it.
 template <class Function>
-void for_all_sizes(std::string_view tag, const Function& body) {
-  for (const Sizes& sizes : test::all_sizes(kStep)) {
-    SCOPED_TRACE("bodies of 2^" + std::to_string(sizes.body) + ", triangles of 2^" +
-                 std::to_string(sizes.tiny));
-    test::for_each_case(
-        std::string(tag) + std::to_string(sizes.body) + "/" + std::to_string(sizes.tiny), 1,
-        [&](Rng& rng) { body(sizes, rng); });
-    if (testing::Test::HasFatalFailure()) {
-      return;
-    }
-  }
+void for_all_scales(std::string_view tag, const Function& check) {
+  std::size_t number = 0;
+  test::for_each_case(tag, static_cast<int>(test::count_of_scales()), [&](Rng& rng) {
+    const Scales scales = test::scales_of(number++);
+    SCOPED_TRACE("body of 2^" + std::to_string(scales.body) + ", triangles of 2^" +
+                 std::to_string(scales.triangle));
+    check(scales, rng);
+  });
 }
 
-/// Half stay where they are, since a rotation rounds away what is tiny; some rotations do not.
-Pose pose_for(const UnevenBodies& bodies, Rng& rng) {
-  if (rng.below(2) == 0) {
-    return {};
+/// Half stay where they are, since a rotation rounds away what is tiny.
+Pose pose_for(const Scales& scales, Rng& rng) {
+  return rng.below(2) == 0 ? Pose{} : test::pose_at(rng, scales);
+}
+
+Mesh mesh_at(const Scales& scales, bool solids, Rng& rng) {
+  return solids ? test::uneven_solids(rng, scales) : test::uneven_mesh(rng, scales);
+}
+
+/// Points on, beside and near small triangles of a body.
+std::vector<Vec3> points_at(const Body& body, const Scales& scales, Rng& rng) {
+  const auto on = [&] { return test::point_of_small(rng, body.shape.mesh(), body.pose); };
+  const double small = std::exp2(std::min(scales.triangle + rng.uniform(-2, 3), scales.body - 2.0));
+  Vec3 beside = on();
+  double& x = beside[rng.below(3)];
+  x = std::nextafter(x, rng.below(2) == 0 ? -1e300 : 1e300);
+  return {on(), beside, on() + test::any_way(rng, small),
+          on() + test::any_way(rng, std::exp2(scales.body - 2))};
+}
+
+/// Rays between such points, and in any direction.
+std::vector<Ray> rays_at(const Body& body, const Scales& scales, Rng& rng) {
+  const std::vector<Vec3> from = points_at(body, scales, rng);
+  const std::vector<Vec3> to = points_at(body, scales, rng);
+  std::vector<Ray> rays;
+  for (std::size_t k = 0; k < from.size(); ++k) {
+    const Vec3 way = rng.below(4) == 0 ? test::any_way(rng, 1) : to[k] - from[k];
+    if (way != Vec3{}) {
+      rays.push_back({from[k], way, rng.below(3) == 0 ? 1 : std::numeric_limits<double>::infinity()});
+    }
   }
-  return test::moving(test::awkward_rotation(rng), bodies.places[0], bodies.places[0]);
+  return rays;
 }
 
 Body body_of(const Mesh& mesh, const Pose& pose, Rng& rng) {
@@ -122,11 +139,13 @@ std::string fault_of_scene(const Body& a, const Body& b, const Overlap& truth) {
 
 TEST_F(ScalesProperty, QueriesOfTwoBodiesAnswerAsBruteForce) {
   Tally tally;
-  for_all_sizes("scales/pairs", [&](const Sizes& sizes, Rng& rng) {
-    const UnevenBodies bodies = test::uneven_bodies(sizes, rng);
-    const Pose pose = pose_for(bodies, rng);
-    const Body a = body_of(bodies.a, pose, rng);
-    const Body b = body_of(bodies.b, rng.below(2) == 0 ? pose : pose_for(bodies, rng), rng);
+  for_all_scales("scales/pairs", [&](const Scales& scales, Rng& rng) {
+    const bool solids = rng.below(2) == 0;
+    const Mesh mesh = mesh_at(scales, solids, rng);
+    const Pose pose = pose_for(scales, rng);
+    const Body a = body_of(mesh, pose, rng);
+    const Body b = body_of(test::uneven_beside(rng, scales, mesh, solids),
+                           rng.below(4) == 0 ? pose_for(scales, rng) : pose, rng);
     ASSERT_EQ(test::first_fault(a, b), "");
     const test::PairTruth truth = test::truth_of(a, b);
     ASSERT_EQ(fault_of_batches(a, b, truth.distance.distance.upper), "");
@@ -176,10 +195,9 @@ std::string fault_of_probes(const Body& body, const std::vector<Probe>& probes, 
 
 TEST_F(ScalesProperty, NearestTrianglesOfPointsAreThoseOfBruteForce) {
   Tally tally;
-  for_all_sizes("scales/closest", [&](const Sizes& sizes, Rng& rng) {
-    const UnevenBodies bodies = test::uneven_bodies(sizes, rng);
-    const Body body = body_of(rng.below(4) == 0 ? bodies.b : bodies.a, pose_for(bodies, rng), rng);
-    for (const Vec3& point : test::points_at(bodies, sizes, rng)) {
+  for_all_scales("scales/closest", [&](const Scales& scales, Rng& rng) {
+    const Body body = body_of(mesh_at(scales, false, rng), pose_for(scales, rng), rng);
+    for (const Vec3& point : points_at(body, scales, rng)) {
       ASSERT_EQ(test::first_fault_of_point(body, point), "");
       tally.count("closest and several nearest");
     }
@@ -190,10 +208,9 @@ TEST_F(ScalesProperty, NearestTrianglesOfPointsAreThoseOfBruteForce) {
 
 TEST_F(ScalesProperty, QueriesOfPointsAnswerAsBruteForce) {
   Tally tally;
-  for_all_sizes("scales/points", [&](const Sizes& sizes, Rng& rng) {
-    const UnevenBodies bodies = test::uneven_bodies(sizes, rng);
-    const Body body = body_of(bodies.a, pose_for(bodies, rng), rng);
-    ASSERT_EQ(fault_of_probes(body, test::points_at(bodies, sizes, rng), tally), "");
+  for_all_scales("scales/points", [&](const Scales& scales, Rng& rng) {
+    const Body body = body_of(mesh_at(scales, true, rng), pose_for(scales, rng), rng);
+    ASSERT_EQ(fault_of_probes(body, points_at(body, scales, rng), tally), "");
   });
   tally.print();
   for (const char* kind : {"closest", "signed closest", "contains: outside", "contains: on",
@@ -204,74 +221,15 @@ TEST_F(ScalesProperty, QueriesOfPointsAnswerAsBruteForce) {
 
 TEST_F(ScalesProperty, RaysAnswerAsBruteForce) {
   Tally tally;
-  for_all_sizes("scales/rays", [&](const Sizes& sizes, Rng& rng) {
-    const UnevenBodies bodies = test::uneven_bodies(sizes, rng);
-    const Body body = body_of(bodies.a, pose_for(bodies, rng), rng);
-    ASSERT_EQ(fault_of_probes(body, test::rays_at(bodies, sizes, rng), tally), "");
+  for_all_scales("scales/rays", [&](const Scales& scales, Rng& rng) {
+    const Body body = body_of(mesh_at(scales, false, rng), pose_for(scales, rng), rng);
+    ASSERT_EQ(fault_of_probes(body, rays_at(body, scales, rng), tally), "");
   });
   tally.print();
   for (const char* kind :
        {"closest_hit", "any_hit", "all_hits", "rays that hit", "rays that miss"}) {
     EXPECT_GT(tally.of(kind), 100U) << kind;
   }
-}
-
-/// A segment is the ray from its one end to its other, where their difference is exact.
-std::string fault_of_segment(const Body& body, const Vec3& from, const Vec3& to, Tally& tally) {
-  const Ray ray{from, to - from, 1};
-  bool exact = !(ray.direction == Vec3{});
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    exact = exact && detail::two_sum(to[axis], -from[axis]).low == 0;
-  }
-  if (!exact) {
-    return {};
-  }
-  tally.count("segments");
-  const ClosestHit hit = closest_hit(body, Segment{from, to});
-  const ClosestHit of_ray = closest_hit(body, ray);
-  return hit.triangle == of_ray.triangle && hit.t == of_ray.t && hit.point == of_ray.point
-             ? ""
-             : "a segment is hit otherwise than its ray";
-}
-
-TEST_F(ScalesProperty, SegmentsAreRaysOfLengthOne) {
-  Tally tally;
-  for_all_sizes("scales/segments", [&](const Sizes& sizes, Rng& rng) {
-    const UnevenBodies bodies = test::uneven_bodies(sizes, rng);
-    const Body body = body_of(bodies.a, {}, rng);
-    const Vec3& corner = bodies.a.vertices[rng.below(bodies.a.vertices.size())];
-    for (const Vec3& point : test::points_at(bodies, sizes, rng)) {
-      ASSERT_EQ(fault_of_segment(body, {}, point, tally), "");
-      ASSERT_EQ(fault_of_segment(body, corner, point, tally), "");
-    }
-  });
-  tally.print();
-  EXPECT_GT(tally.of("segments"), 1000U);
-}
-
-TEST_F(ScalesProperty, WindingNumbersHoldThoseOfBruteForce) {
-  constexpr double kWidth = 1e-6;
-  Tally tally;
-  for_all_sizes("scales/winding", [&](const Sizes& sizes, Rng& rng) {
-    const UnevenBodies bodies = test::uneven_bodies(sizes, rng);
-    const Body body = body_of(bodies.a, pose_for(bodies, rng), rng);
-    const WindingIndex index(body);
-    const std::vector<Vec3> points = test::points_at(bodies, sizes, rng);
-    const WindingBatch batch = winding(index, points);
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const Winding answer = winding(index, points[k]);
-      const Bracket truth = reference::winding_by_brute_force(body, points[k]);
-      ASSERT_TRUE(truth.lower <= truth.upper) << "the twin has no bracket";
-      ASSERT_TRUE(answer.number.lower <= truth.upper && answer.number.upper >= truth.lower)
-          << answer.number.lower << " to " << answer.number.upper << ", the twin: " << truth.lower
-          << " to " << truth.upper;
-      ASSERT_EQ(batch.at(k), answer);
-      const bool narrow = answer.number.upper - answer.number.lower < kWidth;
-      tally.count(narrow ? "winding, narrow" : "winding, wide");
-    }
-  });
-  tally.print();
-  EXPECT_GT(tally.of("winding, narrow"), 1000U);
 }
 
 }  // namespace

@@ -1,9 +1,12 @@
 #include "tests/support/scales.h"
 
+#include "tests/support/bodies.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace soms::test {
@@ -17,13 +20,24 @@ constexpr int kStepOfBodies = 10;
 constexpr int kEveryBody = 24;
 constexpr int kLeastTriangle = -60;
 constexpr int kStepOfTriangles = 4;
+/// Subnormal bodies; the most exponent of a layout; squares and products of three lengths underflow
+/// in doubles; products of two, and of the squares' roots, in floats.
+constexpr std::array<std::array<int, 2>, 5> kCritical{
+    {{-1070, -1060}, {-1046, -1040}, {-1003, -998}, {-538, -534}, {-78, -66}}};
 /// Doubles have no more digits.
 constexpr int kDigits = 52;
+
+bool is_critical(int exponent) {
+  return std::any_of(kCritical.begin(), kCritical.end(), [exponent](const auto& range) {
+    return range[0] <= exponent && exponent <= range[1];
+  });
+}
 
 std::vector<int> exponents_of_bodies() {
   std::vector<int> exponents;
   for (int e = kLeastBody; e <= kMostBody; ++e) {
-    if ((e - kLeastBody) % kStepOfBodies == 0 || std::abs(e) <= kEveryBody) {
+    if ((e - kLeastBody) % kStepOfBodies == 0 || std::abs(e) <= kEveryBody ||
+        is_critical(e)) {
       exponents.push_back(e);
     }
   }
@@ -128,6 +142,29 @@ double size_of_heap(Rng& rng, const Scales& scales) {
   return power(scales.triangle + above);
 }
 
+void add_large(Rng& rng, const Scales& scales, Mesh& mesh) {
+  add_soup(rng, {}, power(scales.body), mesh);
+  mesh.triangles.resize(std::min<std::size_t>(mesh.triangles.size(), 1 + rng.below(3)));
+}
+
+void add_heap(Rng& rng, const Vec3& place, double size, Mesh& mesh) {
+  switch (rng.below(8)) {
+    case 0:
+    case 1:
+      add_soup(rng, place, size, mesh);
+      break;
+    case 2:
+    case 3:
+      add_lattice(rng, place, size, mesh);
+      break;
+    case 4:
+      add_triangle(mesh, place, place, place);
+      break;
+    default:
+      add_sheets(rng, place, size, mesh);
+  }
+}
+
 }  // namespace
 
 std::size_t count_of_scales() {
@@ -147,26 +184,10 @@ Scales any_scales(Rng& rng) {
 
 Mesh uneven_mesh(Rng& rng, const Scales& scales) {
   Mesh mesh;
-  add_soup(rng, {}, power(scales.body), mesh);
-  mesh.triangles.resize(std::min<std::size_t>(mesh.triangles.size(), 1 + rng.below(3)));
+  add_large(rng, scales, mesh);
   for (std::uint64_t k = 0, count = 1 + rng.below(3); k < count; ++k) {
     const Vec3 place = place_of_heap(rng, scales);
-    const double size = 0.25 * size_of_heap(rng, scales);
-    switch (rng.below(8)) {
-      case 0:
-      case 1:
-        add_soup(rng, place, size, mesh);
-        break;
-      case 2:
-      case 3:
-        add_lattice(rng, place, size, mesh);
-        break;
-      case 4:
-        add_triangle(mesh, place, place, place);
-        break;
-      default:
-        add_sheets(rng, place, size, mesh);
-    }
+    add_heap(rng, place, 0.25 * size_of_heap(rng, scales), mesh);
   }
   return mesh;
 }
@@ -179,6 +200,29 @@ Mesh uneven_solids(Rng& rng, const Scales& scales) {
     add_tetrahedra(rng, place, 0.5 * size_of_heap(rng, scales), 4, mesh);
   }
   return mesh;
+}
+
+Mesh uneven_beside(Rng& rng, const Scales& scales, const Mesh& other, bool solids) {
+  Mesh mesh;
+  const Vec3 place = point_of_small(rng, other, {});
+  const bool is_point = rng.below(8) == 0;
+  if (is_point) {
+    const Vec3 point = place + any_way(rng, power(scales.triangle) * rng.uniform(0, 2));
+    add_triangle(mesh, point, point, point);
+    add_triangle(mesh, point, point, point);
+  } else if (rng.below(2) == 0) {
+    solids ? add_tetrahedra(rng, {}, power(scales.body), 1, mesh) : add_large(rng, scales, mesh);
+  }
+  for (std::uint64_t k = 0, count = is_point ? 0 : 1 + rng.below(2); k < count; ++k) {
+    const double size = 0.25 * size_of_heap(rng, scales);
+    const Vec3 at = rng.below(2) == 0 ? place : place + any_way(rng, size * rng.uniform(0, 8));
+    solids ? add_tetrahedra(rng, at, size, 4, mesh) : add_heap(rng, at, size, mesh);
+  }
+  const double limit = power(scales.body - 1);
+  return mapped(std::move(mesh), [limit](const Vec3& v) {
+    return Vec3{std::clamp(v.x, -limit, limit), std::clamp(v.y, -limit, limit),
+                std::clamp(v.z, -limit, limit)};
+  });
 }
 
 Pose pose_at(Rng& rng, const Scales& scales) {

@@ -16,8 +16,8 @@ struct Scales {
   int triangle = 0;
 };
 
-/// All bodies from 2^-1070 to 2^300, next to those that trees take as they are each power, with
-/// triangles from 2^0 to 2^-60 of them: so many cases, and the one of a number.
+/// All bodies from 2^-1070 to 2^300, each power next to those that trees take as they are and where
+/// units change or squares and products of three underflow in floats or doubles, with triangles from 2^0 to 2^-60 of them: so many cases, and the one of a number.
 [[nodiscard]] std::size_t count_of_scales();
 [[nodiscard]] Scales scales_of(std::size_t number);
 
@@ -30,6 +30,11 @@ struct Scales {
 
 /// The same of closed surfaces: tetrahedra, which may cross each other.
 [[nodiscard]] Mesh uneven_solids(Rng& rng, const Scales& scales);
+
+/// A mesh to be beside another one of these scales, as it is and moved by nothing: heaps of small
+/// triangles, or tetrahedra, at small triangles of the other or a little off, and now and then some
+/// as large as the body; or a single point.
+[[nodiscard]] Mesh uneven_beside(Rng& rng, const Scales& scales, const Mesh& other, bool solids);
 
 /// A pose that keeps such a mesh within 2^300: any rotation, and no shift, one of the size of a
 /// least triangle, one of the size of the body, or one so far that all of it moves to a few places.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <initializer_list>
 #include <limits>
 
@@ -50,6 +51,11 @@ std::string fault_of_points(const Body& a, const Body& b, const TrianglePair& pa
                             const Vec3& q, const Bracket& d) {
   const Triangle s = moved_triangle(a, pair.first);
   const Triangle t = moved_triangle(b, pair.second);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!std::isfinite(p[axis]) || !std::isfinite(q[axis])) {
+      return "a coordinate of a point is not a number";
+    }
+  }
   const double unit = ulp(largest_coordinate(s, t));
   const double most = 4 * unit;
   if (!is_near(p, s, most)) {

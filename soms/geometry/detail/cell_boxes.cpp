@@ -34,7 +34,8 @@ double below(double x) {
   return std::nextafter(x, -kInfinity);
 }
 
-/// A number of few bits near the middle of a range, where there is one; else any.
+/// A number of few bits near the middle of a range, where there is one; else any, or none where the
+/// unit underflows: that is in no range.
 double middle_of(double lower, double upper) {
   const double unit = std::ldexp(1.0, std::ilogb(upper - lower) - kBitsOfMiddle);
   return std::round((lower + (upper - lower) / 2) / unit) * unit;

@@ -13,6 +13,8 @@ namespace soms::detail {
 namespace {
 
 /// |p| + |q| below this share of the lengths makes an end hard to find.
+/// Lengths are within [2^-150, 2^150] (safe_length) and determinants sure, above 2^-44 of three of
+/// them: nothing under- or overflows that counts beside 2^-102 of one.
 constexpr double kLeastSpan = 0x1p-30;
 static_assert(2 * (97 + 48 + 8) * 0x1p-102 / kLeastSpan < 0x1p-60);
 

@@ -43,7 +43,8 @@ struct PlaneHit {
 ///
 /// The time is the quotient of two determinants, -n.(o - a) and n.d. Each is off by `error_bound`
 /// of predicates.h at most. For n.d half as much is added, since the low part of d is at most 2^-53
-/// of d, and the bound is 7 of those. The quotient's roundings are below 2^-50.
+/// of d, and the bound is 7 of those. The quotient's roundings are below 2^-50. Determinants that
+/// underflow are predicates.h's; so no divisor is 0, and a quotient that does is off by 2^-1074.
 [[nodiscard]] std::optional<TimeBounds> time_bounds(const RayLine& line,
                                                     const ScaledDirection& direction,
                                                     const Triangle& triangle);
@@ -51,7 +52,9 @@ struct PlaneHit {
 /// The same in double-double: the neighboring doubles and the nearest point, where that suffices.
 ///
 /// Differences of coordinates are exact. Terms of n.(a - o) pass four operations and those of the
-/// sum two, each off by 2^-102 of the term: below 2^-98 of the sum of magnitudes; so is n.d.
+/// sum two, each off by 2^-102 of the term: below 2^-98 of the sum of magnitudes; so is n.d. Low
+/// parts that underflow are off by 2^-1074 and multiplied by 2^301 at most, as in predicates.h. A
+/// way t d that underflows is off by less than 2^-100 of the point's coordinate, above 2^-900.
 [[nodiscard]] std::optional<PlaneHit> plane_hit(const RayLine& line,
                                                 const ScaledDirection& direction,
                                                 const Triangle& triangle);

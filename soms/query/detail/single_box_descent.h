@@ -10,7 +10,8 @@
 /// two sums (2); what the doubles lose is in the slack. The margin is 2^-19 T, 32 of them, and the
 /// slack. Held against a min/max grid, D stays a double, and r_i alone is rounded: 2^-19 of the sum
 /// of r, and the slack, of which half is W; the other half is more than what the ends of the box
-/// and of the triangles, sums of two doubles, lose.
+/// and of the triangles, sums of two doubles, lose. Floats that underflow lose 2^-150 each, doubles
+/// 2^-1075: the slack has 2^-100 and W's 2^-1064 for them.
 #pragma once
 
 #include "soms/query/answer.h"

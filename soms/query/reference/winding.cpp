@@ -59,7 +59,8 @@ void WindingSum::add(const Triangle& t, const Vec3& p) {
   // `product` at most, by Cauchy and Binet, and each is off by 8.
   const Long off = 64 * kLongUnit * product;
   const Long size = std::hypot(volume, rest);
-  if (size <= 16 * off) {
+  // Where a product of lengths underflows, or is not a number, nothing is known either.
+  if (!(size > 16 * off && off >= std::numeric_limits<Long>::min())) {
     ++halves;
     return;
   }

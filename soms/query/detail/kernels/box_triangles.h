@@ -1,5 +1,12 @@
 // The triangles of a block against a box: a large leaf beside a small node. relative_pose.h proves
 // the margins. Included after triangle_pairs.h, once for each instruction set.
+//
+// Underflow. Products of a length and an entry of a rotation, in radii and centers, lose 2^-150:
+// `margin` has 2^-100 for them. A direction n, a product of two or three lengths, may lose all of
+// itself: what is left is a direction, too, and 0 parts nothing. Its products with corners, half
+// sides, margin and reach lose 2^-150 each, less than 2^-145 in all: kLeastProduct. Those with the
+// box's axes are multiplied on: kLeastAlong. A bound that is not a number (no limit of nearness, n
+// being 0) parts nothing.
 
 /// More than underflow takes from the three products of a normal and an axis, which are then
 /// multiplied by a length that may be large.

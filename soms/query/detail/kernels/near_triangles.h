@@ -8,6 +8,14 @@
 // the quotient by 2^-24: a factor of 1 - 2^-20. So it does not matter with what error v was
 // computed, and v is the shortest line that floats find between the triangles. No answer needs that
 // factor, nor the one of the squared reach below: e is at least 2^-21 of the distance.
+//
+// Underflow. Products of v and corners lose 2^-150 each, less than 2^-146 in all: 2^-140. The gap
+// is divided by 2^-60 at least: longer |v| is rounded by 2^-29 of it by squares that underflow, and
+// for shorter v, products of two lengths perhaps, the bound is only lower; below 0 it says nothing.
+// Lines and estimates only choose v and an order: determinants and squares below kTinySquare count
+// as that, so quotients are finite, or infinite and clamped, and never 0 over 0. A line is not
+// longer than its estimate, or shorter than 2^-60, as NearFilter::direction needs. Squares of gaps
+// and of the reach are near_pose.h's.
 
 /// Edges of a facet, from each corner to the next.
 struct Edges {

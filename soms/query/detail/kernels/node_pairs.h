@@ -1,4 +1,4 @@
-// All lanes of two nodes by four lanes at a time; see nodes.h.
+// All lanes of two nodes by four lanes at a time; see nodes.h, also for what underflows.
 
 /// Intervals of four boxes on three axes.
 struct Intervals {

@@ -1,5 +1,5 @@
 // Relative poses of many poses, kDoubles at a time. Included inside a namespace, after
-// lanes_double.h.
+// lanes_double.h. Half sides that are subnormal floats are off by 2^-150: kSlackOfLengths.
 
 using Real = WideDouble;
 using Flag = MaskDouble;

@@ -34,14 +34,17 @@
 //
 // Underflow. No product of two lengths loses more than 2^-147. Times T this is below 2^-140 where
 // T < 1; else e >= 2^-23 T, as T <= 4 S + 8 e, and the rest of the bounds covers it. The last
-// products lose less than 2^-147, bounds themselves less than 2^-145: 2^-140 is added to each.
-// Overflow leaves a bound infinite, which nothing exceeds.
+// products lose less than 2^-147. Of the bounds, e T loses 2^-150, which is then multiplied by at
+// most 65 lengths: below 2^-143 where T < 1; where it is not, nothing in them underflows, as both e
+// and lengths exceed 2^-23. So 2^-140 is added to each: it covers even triangles whose products are
+// all 0, which stay open. Overflow leaves a bound infinite, which nothing exceeds; no bound is 0
+// times infinity, as lengths exceed e and e is finite.
 //
 // Tips. A facet turns about the corner that is alone on its side, so it must not be sure that all
 // corners are on one side unless the planes part them as directions too. Those need more than the
 // margin, 5 e |n_b| < 30.1 e L_b^2, and the greatest n_b.g, which is 0 but for rounding: n_b's own
-// 12 u L_b^3, the product's 18 u L_b^3, with u L_b <= e / 4, and 2^-146 for underflow. Together
-// that is below 38 e L_b^2 + 2^-140 + 2^-146: sides are sure only above 50 e l_b T + 2^-139.
+// 12 u L_b^3, the product's 18 u L_b^3, with u L_b <= e / 4, and 2^-146 for underflow, and bounds
+// lose 2^-143. Together that is below 38 e L_b^2 + 2^-140 + 2^-142: sides are sure only above 50 e l_b T + 2^-139.
 
 using Vectors = Coordinates<Wide>;
 

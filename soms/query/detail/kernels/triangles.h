@@ -1,5 +1,10 @@
 // Kernels of blocks, for any kind of eight lanes F8. Included once for each instruction set, inside
 // its namespace and after its F8; so it has no include guard and includes nothing.
+//
+// Underflow. Here a length is multiplied by what is at most about 1, an entry of a rotation, of a
+// unit normal or a ratio, and loses 2^-150; what is multiplied once or twice so loses less than
+// 2^-146. All such lengths are compared with or have an error of `slack` or `rounding`, of which
+// 2^-100 is for that (relative_pose.h). Roundings are counted there and in triangle_pairs.h.
 
 /// Three coordinates in lanes F.
 template <class F>

@@ -32,6 +32,12 @@
 /// beside them, for which 2 W. 2^-140 covers what underflows; the length, the quotient and the
 /// product round by less than 2^-20, for which keys are shortened by 2^-19.
 ///
+/// Underflow. Squares of gaps that underflow turn a root by 2^-74 at most (near_pose.h), products
+/// of gaps' parts lose 2^-150. Of the 2 W that gaps give way by, 1.74 W are used, and 2 W is above
+/// 2^-66 unless the body is a point: then each point is far, or on it. The length of a direction is
+/// taken as 2^-60 at least; longer ones are rounded by 2^-29 of them. Divisors of shares are 2^-100
+/// at least, so shares are finite or clamped: they only choose the direction.
+///
 /// Far points. Where the point is many times the body's size away, u S outweighs the body. Then
 /// directions differ little, and one decides, as for far bodies (near_pose.h): with w the way from
 /// a node's origin to the point in the world, |P - y| >= w.(P - y) / |w|. Keys are bounds less

@@ -18,7 +18,7 @@
 /// parity_frame.h counts, and by 2^-24 of themselves, which are not longer than the block's radius
 /// r. A bound beyond 2 r parts all or nothing; another one is rounded to a float by 2^-23 r at
 /// most, after two sums (4 * 3.5 u64 V) and a comparison (2 * 3.5): in doubt by less than 128 u64 V
-/// + 2^-22 r, and 2^-140 for floats that underflow.
+/// + 2^-22 r, and 2^-140 for floats that underflow. Doubles that do lose 2^-1075 each: 2^-1060.
 #pragma once
 
 #include "soms/base/box.h"
