@@ -13,7 +13,7 @@ namespace soms::test {
 namespace {
 
 std::string scales_data(const std::string& file) {
-  return data("rays/" + file).string();
+  return test::data("rays/" + file).string();
 }
 
 /// The only answer of a run that brute force agrees with.

@@ -51,7 +51,7 @@ def faults(root, command, folder):
         said = answer(command, folder, "distance", a, b)
         if [said["lower"], said["upper"]] != [distance, distance] or not said["verified"]:
             yield f"{title}: drawn with distance {distance}, soms says {said}"
-        if ends and any(abs(x - y) > ROUNDING for p, q in zip(ends, said["points"]) for x, y in zip(p, q)):
+        if ends and any(not abs(x - y) <= ROUNDING for p, q in zip(ends, said["points"]) for x, y in zip(p, q)):
             yield f"{title}: drawn between {ends}, soms says {said}"
 
 

@@ -124,7 +124,7 @@ def chosen_faults(page, rows):
     page.settle()
     press(page, f'.clash[data-row="{r}"]')
     page.landed()
-    if page.soms("chosenRow()") != r or away(page.soms("target()"), page.soms(f"focus({r})")) > 1e-3:
+    if page.soms("chosenRow()") != r or not away(page.soms("target()"), page.soms(f"focus({r})")) <= 1e-3:
         yield "the camera does not look at the row that is chosen"
     if page.soms(f"lines({r})") == 0:
         yield "a crossing has no curve"

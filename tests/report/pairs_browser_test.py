@@ -26,7 +26,7 @@ def gap_faults(browser, soms, folder):
     page.canvas()
     if page.soms("chosenGap()") != 1 or page.run("return location.hash") != "#gap=1":
         yield "a link does not choose its gap"
-    if away(page.soms("target()"), page.soms("middle(1)")) > 1e-3:
+    if not away(page.soms("target()"), page.soms("middle(1)")) <= 1e-3:
         yield "the camera does not look at the gap"
     if str(page.soms("step()")) != row[3] or row[2] not in page.element("picked").text:
         yield f"the gap of {row} is reported as '{page.element('picked').text}'"
@@ -38,7 +38,7 @@ def gap_faults(browser, soms, folder):
                 g.querySelector('text').style.display, g.classList.contains('is')];""")
     if shown[0] != row[2] or shown[4] == "none" or not shown[5]:
         yield f"the length {row[2]} is drawn as {shown}"
-    if shown[1] < 5 or abs(shown[2] - 0.5) > 0.05 or abs(shown[3] - 0.5) > 0.05:
+    if shown[1] < 5 or not abs(shown[2] - 0.5) <= 0.05 or not abs(shown[3] - 0.5) <= 0.05:
         yield f"the line of the gap is not in the middle: {shown}"
     page.print_one()
     if page.soms("chosenGap()") != 1:
@@ -141,7 +141,7 @@ def many_rows_faults(browser, soms, folder):
     r = int(row.get_attribute("data-row"))
     row.click()
     page.landed()
-    if away(page.soms("target()"), page.soms(f"center({r})")) > 1e-3:
+    if not away(page.soms("target()"), page.soms(f"center({r})")) <= 1e-3:
         yield "many rows: the camera does not go to a row without triangles"
     left = [line.text for line in lines(page, "left")]
     if page.soms(f"held({r})") == 0 and not any("not on this page" in text for text in left):

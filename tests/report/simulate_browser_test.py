@@ -45,7 +45,7 @@ def fold_faults(page):
         yield "an event has no pairs of triangles"
     if page.soms("chosenRow()") != r or page.soms("chosen()") != -1:
         yield "the row is not chosen"
-    if away(page.soms("target()"), page.soms(f"center({r})")) > 1e-3:
+    if not away(page.soms("target()"), page.soms(f"center({r})")) <= 1e-3:
         yield "the camera does not look at the row's place"
     if page.run("return location.hash") != f"#row={r}":
         yield "the address does not name the row"
@@ -69,7 +69,7 @@ def click_faults(page):
     after, target = page.soms("camera()"), page.soms("target()")
     if away(before, after) < 1:
         yield f"the camera stayed where it was: {before}, {after}"
-    if away(target, page.soms(f"focus({k})")) > 1e-3:
+    if not away(target, page.soms(f"focus({k})")) <= 1e-3:
         yield f"the camera looks at {target}, the contact is at {page.soms(f'focus({k})')}"
     if away(after, target) > 60:
         yield f"the camera is {away(after, target)} away from the contact"

@@ -129,7 +129,7 @@ def pdf_faults(pdf):
         yield f"{len(pages)} pages, {len(boxes)} media boxes"
     for box in boxes:
         numbers = [float(number) for number in box.split()]
-        if any(abs(a - b) > 0.5 for a, b in zip(numbers, (0, 0, *A4))):
+        if any(not abs(a - b) <= 0.5 for a, b in zip(numbers, (0, 0, *A4))):
             yield f"a page of the PDF is {numbers}"
 
 

@@ -44,7 +44,7 @@ std::vector<int> exponents_of_bodies() {
   return exponents;
 }
 
-double power(int exponent) {
+double two_to(int exponent) {
   return std::ldexp(1.0, exponent);
 }
 
@@ -67,7 +67,7 @@ Vec3 place_of_heap(Rng& rng, const Scales& scales) {
     return {};
   }
   const int room = static_cast<int>(rng.below(kDigits));
-  return in_cube(rng, 0.25 * power(std::min(scales.body, scales.triangle + room)));
+  return in_cube(rng, 0.25 * two_to(std::min(scales.body, scales.triangle + room)));
 }
 
 /// Parallel triangles, one behind the other along an axis, in any order.
@@ -139,11 +139,11 @@ void add_tetrahedra(Rng& rng, const Vec3& place, double size, std::uint64_t most
 double size_of_heap(Rng& rng, const Scales& scales) {
   const auto range = static_cast<std::uint64_t>(scales.body - scales.triangle) + 1;
   const int above = rng.below(3) == 0 ? static_cast<int>(rng.below(range)) : 0;
-  return power(scales.triangle + above);
+  return two_to(scales.triangle + above);
 }
 
 void add_large(Rng& rng, const Scales& scales, Mesh& mesh) {
-  add_soup(rng, {}, power(scales.body), mesh);
+  add_soup(rng, {}, two_to(scales.body), mesh);
   mesh.triangles.resize(std::min<std::size_t>(mesh.triangles.size(), 1 + rng.below(3)));
 }
 
@@ -194,7 +194,7 @@ Mesh uneven_mesh(Rng& rng, const Scales& scales) {
 
 Mesh uneven_solids(Rng& rng, const Scales& scales) {
   Mesh mesh;
-  add_tetrahedra(rng, {}, power(scales.body), 2, mesh);
+  add_tetrahedra(rng, {}, two_to(scales.body), 2, mesh);
   for (std::uint64_t k = 0, count = 1 + rng.below(3); k < count; ++k) {
     const Vec3 place = place_of_heap(rng, scales);
     add_tetrahedra(rng, place, 0.5 * size_of_heap(rng, scales), 4, mesh);
@@ -207,18 +207,18 @@ Mesh uneven_beside(Rng& rng, const Scales& scales, const Mesh& other, bool solid
   const Vec3 place = point_of_small(rng, other, {});
   const bool is_point = rng.below(8) == 0;
   if (is_point) {
-    const Vec3 point = place + any_way(rng, power(scales.triangle) * rng.uniform(0, 2));
+    const Vec3 point = place + any_way(rng, two_to(scales.triangle) * rng.uniform(0, 2));
     add_triangle(mesh, point, point, point);
     add_triangle(mesh, point, point, point);
   } else if (rng.below(2) == 0) {
-    solids ? add_tetrahedra(rng, {}, power(scales.body), 1, mesh) : add_large(rng, scales, mesh);
+    solids ? add_tetrahedra(rng, {}, two_to(scales.body), 1, mesh) : add_large(rng, scales, mesh);
   }
   for (std::uint64_t k = 0, count = is_point ? 0 : 1 + rng.below(2); k < count; ++k) {
     const double size = 0.25 * size_of_heap(rng, scales);
     const Vec3 at = rng.below(2) == 0 ? place : place + any_way(rng, size * rng.uniform(0, 8));
     solids ? add_tetrahedra(rng, at, size, 4, mesh) : add_heap(rng, at, size, mesh);
   }
-  const double limit = power(scales.body - 1);
+  const double limit = two_to(scales.body - 1);
   return mapped(std::move(mesh), [limit](const Vec3& v) {
     return Vec3{std::clamp(v.x, -limit, limit), std::clamp(v.y, -limit, limit),
                 std::clamp(v.z, -limit, limit)};
@@ -243,9 +243,9 @@ Pose pose_at(Rng& rng, const Scales& scales) {
   const std::uint64_t shift = rng.below(6);
   if (shift > 2 && scales.body < kMostBody - 1) {
     const int collapsing = scales.body + kDigits - 4 + static_cast<int>(rng.below(12));
-    const Vec3 to = in_cube(rng, power(shift == 3   ? scales.triangle
-                                       : shift == 4 ? scales.body - 1
-                                                    : std::min(collapsing, kMostBody - 2)));
+    const Vec3 to = in_cube(rng, two_to(shift == 3   ? scales.triangle
+                                        : shift == 4 ? scales.body - 1
+                                                     : std::min(collapsing, kMostBody - 2)));
     for (std::size_t axis = 0; axis < 3; ++axis) {
       pose.m[4 * axis + 3] = to[axis];
     }

@@ -133,7 +133,8 @@ void RayFrame::see_blocks(const Sheared& sheared, LineNumbers& numbers) const {
   view.shift = {0, sheared.from[1], sheared.from[2], 0};
 }
 
-/// Turns the mesh's units into those of the layout: by a power of two, so nothing is rounded.
+/// Turns the mesh's units into those of the layout: by a power of two, so nothing is rounded but
+/// what underflows, which is nothing beside the slack.
 void RayFrame::scale(LineView& view, double scale) {
   for (auto& column : view.column) {
     for (double& entry : column) {

@@ -26,8 +26,9 @@
 ///
 /// Underflow. All of a is enlarged where it is small, so |a| is at least 2^-400. Straight against
 /// d, where a' is below 2^-110 |a|, h is below 2^-109 |a'| and is taken as 0. Else squares of a'
-/// are at least 2^-1020: where bits of them are lost, h is so small beside a' that this turns
-/// nothing, and one over the root is a factor of the whole of S(a).
+/// are at least 2^-1020: where bits of them are lost, 2^-1074 of h's numerator, S(a) turns by
+/// 2^-1074 / (|a'| |a|), less than 2^-160, and one over the root is a factor of the whole of S(a).
+/// Products of S(a) and S(b) that underflow are nothing beside their errors.
 ///
 /// At half a turn: where p is on the strip, z is negative, and the angle jumps. Which way p passes
 /// it is decided exactly, in the way in which crossings of the ray against d are: so the two jump

@@ -173,7 +173,8 @@ class WindingTree::Sum {
       Memory& memory)
       : tree_(tree), body_(body), point_(point), direction_(direction), memory_(memory) {}
 
-  /// Takes a node by its moments, if they are good enough.
+  /// Takes a node by its moments, if they are good enough. A tolerance that underflows takes
+  /// what is exact.
   bool take_far(const Node& node, double width) {
     const double share =
         static_cast<double>(passed_ + node.count) / static_cast<double>(tree_.nodes_[0].count);
@@ -207,6 +208,7 @@ class WindingTree::Sum {
     pass(node);
   }
 
+  /// Terms that underflow are below the step that the bounds are moved by.
   [[nodiscard]] Bracket bracket() const {
     const double rest = angles_.rest();
     const double whole = static_cast<double>(crossings_) + angles_.turns();

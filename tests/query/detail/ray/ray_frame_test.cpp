@@ -53,7 +53,7 @@ Body body_of(Rng& rng) {
 }
 
 /// A ray or segment through a point of a triangle as near as doubles allow, or a little off it,
-/// from inside the body or from far away.
+/// from inside the body, from as near as the triangle is large, or from far away.
 RayLine line_of(Rng& rng, const Body& body) {
   const auto count = static_cast<std::uint64_t>(body.shape.mesh().triangles.size());
   const Triangle t = moved_triangle(body, static_cast<TriangleId>(rng.below(count)));
@@ -67,6 +67,11 @@ RayLine line_of(Rng& rng, const Body& body) {
     if (rng.below(4) != 0) {
       from[axis] += std::max({side.x, side.y, side.z}) * far * rng.uniform(-1, 1);
     }
+  }
+  if (rng.below(3) == 0) {  // as near as a triangle is large
+    const Vec3 edge = t.b - t.a;
+    from = p + test::any_way(rng, std::max({std::abs(edge.x), std::abs(edge.y), std::abs(edge.z)}) *
+                                      std::exp2(rng.uniform(-1, 5)));
   }
   RayLine line{from, p, 1, true};
   const double reach = std::exp2(std::floor(rng.uniform(-100, 100)));
