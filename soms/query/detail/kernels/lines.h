@@ -111,7 +111,7 @@ inline void line_descents(const WideNode* nodes, LineDescent* const* descents, s
 }
 
 /// Areas that are not surely above this are left open, so that one over a sum of three is a float.
-constexpr float kLeastArea = 0x1p-120F;
+constexpr float kLeastArea = 0x1p-126F;
 
 /// Where the line of a ray crosses triangles: weighted by the shares of the areas that it parts
 /// them into. A product of an area and a length would be one of three lengths, and underflow;

@@ -68,8 +68,8 @@
 /// is rounded to less than 2^-126 is off by 2^-150. W and U have 2^-100 more:
 ///   corners, and the ray as a node sees it, are off by less than 2^-146, of which |1 / w_k| times
 ///   enters into places, as it does of U; products with it, at most 2^24, by 2^-150 more;
-///   twice an area by 2^-149: A has 2^-120 more, so a sum of three areas that are surely of one
-///   sign is above 2^-119, one over it is below 2^119, and above 2^-100, as no sum is beyond 2^100;
+///   twice an area by 2^-149: A has 2^-126 more, so a sum of three areas that are surely of one
+///   sign is above 2^-125, one over it is below 2^125, and above 2^-100, as no sum is beyond 2^100;
 ///   shares of areas, which are at most 1, by 2^-150, times ranges below 2^24, and their products
 ///   by 2^-150 more: below 2^-125, of what 6 E leaves, which is E; 6 A over the sum is at most 2,
 ///   and its product with the range off by 2^-126 at most.
