@@ -1,6 +1,6 @@
-// Two meshes of awkward numbers and sizes at awkward poses, by any rule in either layout, as built or
-// refitted: every question of the table, at lengths at and beside the distance, a named traversal,
-// and every question about points, against brute force.
+// Two meshes of awkward numbers and sizes at awkward poses, by any rule in either layout, as built
+// or refitted: every question of the table, at lengths at and beside the distance, a named
+// traversal, and every question about points, against brute force.
 #include "soms/thesis/overlap.h"
 #include "soms/thesis/traversals.h"
 #include "soms/tree/check.h"

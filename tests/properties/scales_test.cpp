@@ -2,6 +2,8 @@
 // against its twin. ray_scales_test.cpp has segments and winding numbers. Kernels are chosen once a
 // process, so CMakeLists.txt runs this for each instruction set. SOMS_TEST_FACTOR multiplies the
 // cases.
+#include "tests/support/scales.h"
+
 #include "soms/scene/scene.h"
 
 #include "tests/query/overlap_inputs.h"
@@ -9,7 +11,6 @@
 #include "tests/support/needs_instruction_set.h"
 #include "tests/support/probe_table.h"
 #include "tests/support/query_table.h"
-#include "tests/support/scales.h"
 #include "tests/support/support.h"
 
 #include <algorithm>
@@ -92,7 +93,8 @@ std::vector<Ray> rays_at(const Body& body, const Scales& scales, Rng& rng) {
   for (std::size_t k = 0; k < from.size(); ++k) {
     const Vec3 way = rng.below(4) == 0 ? test::any_way(rng, 1) : to[k] - from[k];
     if (way != Vec3{}) {
-      rays.push_back({from[k], way, rng.below(3) == 0 ? 1 : std::numeric_limits<double>::infinity()});
+      rays.push_back(
+          {from[k], way, rng.below(3) == 0 ? 1 : std::numeric_limits<double>::infinity()});
     }
   }
   return rays;
@@ -153,7 +155,8 @@ TEST_F(ScalesProperty, QueriesOfTwoBodiesAnswerAsBruteForce) {
     for (const test::QueryRow& row : test::query_table(a, b)) {
       tally.count(std::string(row.name));
     }
-    tally.count(truth.overlap.pairs.empty() ? "pairs of bodies apart" : "pairs of bodies that meet");
+    tally.count(truth.overlap.pairs.empty() ? "pairs of bodies apart"
+                                            : "pairs of bodies that meet");
   });
   tally.print();
   for (const char* kind : {"overlap", "overlap any", "overlap first", "distance", "within", "solid",
@@ -213,8 +216,8 @@ TEST_F(ScalesProperty, QueriesOfPointsAnswerAsBruteForce) {
     ASSERT_EQ(fault_of_probes(body, points_at(body, scales, rng), tally), "");
   });
   tally.print();
-  for (const char* kind : {"closest", "signed closest", "contains: outside", "contains: on",
-                           "contains: inside"}) {
+  for (const char* kind :
+       {"closest", "signed closest", "contains: outside", "contains: on", "contains: inside"}) {
     EXPECT_GT(tally.of(kind), 100U) << kind;
   }
 }

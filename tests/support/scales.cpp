@@ -36,8 +36,7 @@ bool is_critical(int exponent) {
 std::vector<int> exponents_of_bodies() {
   std::vector<int> exponents;
   for (int e = kLeastBody; e <= kMostBody; ++e) {
-    if ((e - kLeastBody) % kStepOfBodies == 0 || std::abs(e) <= kEveryBody ||
-        is_critical(e)) {
+    if ((e - kLeastBody) % kStepOfBodies == 0 || std::abs(e) <= kEveryBody || is_critical(e)) {
       exponents.push_back(e);
     }
   }

@@ -17,7 +17,8 @@ struct Scales {
 };
 
 /// All bodies from 2^-1070 to 2^300, each power next to those that trees take as they are and where
-/// units change or squares and products of three underflow in floats or doubles, with triangles from 2^0 to 2^-60 of them: so many cases, and the one of a number.
+/// units change or squares and products of three underflow in floats or doubles, with triangles
+/// from 2^0 to 2^-60 of them: so many cases, and the one of a number.
 [[nodiscard]] std::size_t count_of_scales();
 [[nodiscard]] Scales scales_of(std::size_t number);
 

@@ -24,8 +24,9 @@
 /// an axis, an edge along one, any corner), w is 0 along these and has the coordinates of r along
 /// the others, without error: as sums of two doubles, differences of doubles are exact. The length
 /// of w is off by sqrt(3) times that, and 4 u of itself. The largest coordinate of such a w is at
-/// least 2^-48 of |r|, for an edge as p is outside of it by that, so its square does not underflow. Lengths are within [2^-150, 2^150], so
-/// nothing over- or underflows that is not nothing beside u times what it is added to.
+/// least 2^-48 of |r|, for an edge as p is outside of it by that, so its square does not underflow.
+/// Lengths are within [2^-150, 2^150], so nothing over- or underflows that is not nothing beside u
+/// times what it is added to.
 #pragma once
 
 #include "soms/base/vector.h"

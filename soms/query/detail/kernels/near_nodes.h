@@ -1,6 +1,6 @@
 // Lower bounds of the distances between boxes of two nodes, for any kind of lanes Wide. Included
-// after triangle_pairs.h, once for each instruction set. near_pose.h proves them, and what products,
-// squares and quotients that underflow lose.
+// after triangle_pairs.h, once for each instruction set. near_pose.h proves them, and what
+// products, squares and quotients that underflow lose.
 
 inline constexpr std::uint32_t kAllWide = (1U << kWide) - 1;
 

@@ -1,6 +1,6 @@
 // Lower bounds of the distances of a point from boxes and triangles. Included after
-// triangle_pairs.h, once for each instruction set. near/point_pose.h proves them, and what products,
-// squares and quotients that underflow lose.
+// triangle_pairs.h, once for each instruction set. near/point_pose.h proves them, and what
+// products, squares and quotients that underflow lose.
 
 inline constexpr float kPointMargin = 0x1p-18F;  // of a gap of a box, for each unit of S
 inline constexpr float kPointError = 0x1p-20F;   // of a corner, likewise

@@ -1,5 +1,5 @@
-// Checks of many poses, kDoubles at a time. Included inside a namespace, after relative_poses.h. What
-// products lose that underflow, 2^-1075 each, is nothing beside the tolerance, 1 and 2^300.
+// Checks of many poses, kDoubles at a time. Included inside a namespace, after relative_poses.h.
+// What products lose that underflow, 2^-1075 each, is nothing beside the tolerance, 1 and 2^300.
 
 /// Entry i,j of RtR.
 inline Real gram(const std::array<Real, 12>& m, std::size_t i, std::size_t j) {

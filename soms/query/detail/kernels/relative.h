@@ -1,7 +1,7 @@
 // N, D and the slack of relative_pose.h, of one pose of x or of several side by side. Included
 // inside a namespace, after `Real`, a double or lanes of them, and `Flag`, what comparing them
-// gives; with `abs` and `max`. A product that underflows loses 2^-1075, and is then multiplied by an
-// entry of the inverse at most: below 2^-1070 on an axis, kSlackOfUnderflow has 2^-1064 for it.
+// gives; with `abs` and `max`. A product that underflows loses 2^-1075, and is then multiplied by
+// an entry of the inverse at most: below 2^-1070 on an axis, kSlackOfUnderflow has 2^-1064 for it.
 
 inline Real row_times(const std::array<double, 3>& a, const Real& x, const Real& y, const Real& z) {
   return (Real(a[0]) * x + Real(a[1]) * y) + Real(a[2]) * z;

@@ -44,7 +44,8 @@
 // corners are on one side unless the planes part them as directions too. Those need more than the
 // margin, 5 e |n_b| < 30.1 e L_b^2, and the greatest n_b.g, which is 0 but for rounding: n_b's own
 // 12 u L_b^3, the product's 18 u L_b^3, with u L_b <= e / 4, and 2^-146 for underflow, and bounds
-// lose 2^-143. Together that is below 38 e L_b^2 + 2^-140 + 2^-142: sides are sure only above 50 e l_b T + 2^-139.
+// lose 2^-143. Together that is below 38 e L_b^2 + 2^-140 + 2^-142: sides are sure only above 50 e
+// l_b T + 2^-139.
 
 using Vectors = Coordinates<Wide>;
 

@@ -38,8 +38,8 @@
 // Nothing underflows that matters: e_a and e_b are at least 2^-101, as W is (relative_pose.h), so
 // bounds are above 2^-300 or, times |n|_1 alone, beside one of those, and products lose below
 // 2^-900. A direction n all of whose products underflow has the heights 0 and parts nothing. Floats
-// that `ratio` makes subnormal lose 2^-150, which W's 2^-100 covers. Nothing overflows either: W is below
-// 2^100.
+// that `ratio` makes subnormal lose 2^-150, which W's 2^-100 covers. Nothing overflows either: W is
+// below 2^100.
 
 using Doubles = Coordinates<WideDouble>;
 

@@ -36,7 +36,8 @@ constexpr double kOffsetShare = 1.5;
 static_assert(kOffsetShare * 2.75 > 4);
 
 /// The least `rounding` of the numbers, in units of the layout: what is left over of it covers what
-/// squares of lengths lose that underflow. Only where a point is the reference is it less by itself.
+/// squares of lengths lose that underflow. Only where a point is the reference is it less by
+/// itself.
 constexpr float kLeastRounding = 0x1p-70F;
 
 /// Least values of `sign` times triangles' points along `w`.

@@ -47,8 +47,8 @@
 /// - c_y|, which is below 3.5 V: below 65. The slack is 256 u64 V, and 2^-1064 for products that
 /// underflow; w is scaled before it is squared, so |w| does not. Sums over boxes in float are off
 /// by less than 2^-19 (radius_x + radius_y), since no more than twelve roundings and the axes'
-/// 2^-23 meet; 2^-100 units of a layout are added for floats that underflow. FarSearch comes first, with one direction for all nodes; this serves where it gives
-/// up.
+/// 2^-23 meet; 2^-100 units of a layout are added for floats that underflow. FarSearch comes first,
+/// with one direction for all nodes; this serves where it gives up.
 #pragma once
 
 #include "soms/base/vector.h"
