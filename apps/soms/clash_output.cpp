@@ -205,7 +205,9 @@ std::string detail_in_text(const ClashReport& report, const Clash& clash) {
       std::string text = clash.triangle_pairs == 0 ? "" : ", surfaces meet";
       for (const auto& [part, which] : {std::pair{&report.models.a.parts[clash.a], "first"},
                                         std::pair{&b.parts[clash.b], "second"}}) {
-        if (!part->closed) {
+        if (!part->closed && part->odd_edges == 0) {
+          text += fmt::format(", parts of the {} close each other in several ways", which);
+        } else if (!part->closed) {
           text += fmt::format(", the {} is open at {}", which, counted(part->odd_edges, "edge"));
         }
       }

@@ -100,6 +100,18 @@ std::vector<detail::Segment> open_edges(const Piece& piece) {
   return edges;
 }
 
+/// Whether parts close each other: those of a group that is not closed may, in several ways.
+bool are_closed(const PartGroup& group, std::span<const detail::OpenPart> open) {
+  std::vector<detail::Segment> edges;
+  for (const std::uint32_t part : group.parts) {
+    const auto at = std::lower_bound(
+        open.begin(), open.end(), part,
+        [](const detail::OpenPart& known, std::uint32_t number) { return known.part < number; });
+    edges.insert(edges.end(), at->edges.begin(), at->edges.end());
+  }
+  return detail::covers_evenly(edges);
+}
+
 /// Puts pieces that are one body together, in the place of the first.
 void join(const Mesh& mesh, OpenParts open_parts, std::vector<Piece>& pieces) {
   std::vector<detail::OpenPart> open;
@@ -118,7 +130,8 @@ void join(const Mesh& mesh, OpenParts open_parts, std::vector<Piece>& pieces) {
   };
   std::vector<std::uint32_t> gone;
   for (const PartGroup& group : detail::groups_of_open(mesh, open)) {
-    if (group.parts.size() < 2 || (!group.closed && open_parts == OpenParts::alone)) {
+    if (group.parts.size() < 2 ||
+        (!group.closed && open_parts == OpenParts::alone && !are_closed(group, open))) {
       continue;
     }
     Piece& first = piece_of(group.parts.front());

@@ -49,9 +49,10 @@ struct PartBody {
   [[nodiscard]] bool operator==(const PartBody&) const = default;
 };
 
-/// What becomes of parts that stay open, and may enclose something together.
+/// What becomes of parts that stay open, and may enclose something together. Those that close each
+/// other, though in several ways, are one body that counts as open.
 enum class OpenParts : unsigned char {
-  alone,   ///< each is a body of its own
+  alone,   ///< each other one is a body of its own
   joined,  ///< those of a group of `bodies_of` are one body, which is open
 };
 

@@ -1,6 +1,7 @@
 #include "soms/clash/part_bodies.h"
 
 #include "soms/base/error.h"
+#include "soms/clash/clash.h"
 #include "soms/geometry/parts_of.h"
 #include "soms/io/read_mesh.h"
 
@@ -136,10 +137,16 @@ TEST(PartBodies, ThatCouldBeClosedInSeveralWaysAreOpen) {
   Mesh twice =
       test::cut_by(test::box_body({0, 0, 0}, {1, 1, 1}), {0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 0}, 2);
   append(twice, twice);
-  EXPECT_EQ(part_bodies(twice).size(), 4U);
-  const std::vector<PartBody> parts = part_bodies(twice, {}, {}, OpenParts::joined);
-  ASSERT_EQ(parts.size(), 1U);
-  EXPECT_FALSE(parts[0].closed) << "parity would call the inside of both outside";
+  for (const OpenParts open : {OpenParts::alone, OpenParts::joined}) {
+    const std::vector<PartBody> parts = part_bodies(twice, {}, {}, open);
+    ASSERT_EQ(parts.size(), 1U);
+    EXPECT_FALSE(parts[0].closed) << "parity would call the inside of both outside";
+    // So nobody knows what is in it, and nothing there is clear.
+    const ClashList list =
+        clashes(parts, part_bodies(test::box_body({0.25, 0.25, 0.25}, {0.5, 0.5, 0.5})), {}, {});
+    ASSERT_EQ(list.clashes.size(), 1U);
+    EXPECT_EQ(list.clashes[0].kind, ClashKind::undecided);
+  }
 }
 
 }  // namespace

@@ -74,15 +74,11 @@ using Cut = std::array<int, 6>;
   return text;
 }
 
-[[nodiscard]] inline std::string nothing(int) {
-  return {};
-}
-
 [[nodiscard]] inline std::string obj_of(const Cut& cut, const std::string& keyword) {
   return obj_corners() + by_part(
                              cut,
                              [&](int part) { return keyword + " p" + std::to_string(part) + "\n"; },
-                             obj_face, nothing);
+                             obj_face, [](int) { return std::string(); });
 }
 
 /// Each face behind the name of its group, so that names come again.
