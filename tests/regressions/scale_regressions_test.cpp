@@ -22,7 +22,7 @@ Vec3 point_of_r125(Rng& rng, double reach) {
 
 // A mesh without extent keeps the unit of usual bodies. Beside it a body of 2^-74 was seen in that
 // unit, in which squares of gaps are below the least float: a lower bound was rounded up.
-TEST(Regression, R125ATinyBodyBesideAPointHasItsNearestTriangle) {
+TEST(Regression, R124ATinyBodyBesideAPointHasItsNearestTriangle) {
   for (int exponent = -76; exponent <= -68; ++exponent) {
     const double size = std::ldexp(1.0, exponent);
     test::for_each_case("r125/" + std::to_string(exponent), 50, [&](Rng& rng) {

@@ -10,8 +10,8 @@
 /// Rounding, in units of u64 V (near_pose.h): a moved origin along n, 7 and 5.3; a moved vertex
 /// that bounds of nodes stand for, 7; the length of n and a sum of two of these, 18: below 65. A
 /// moved corner is exact, and along n off by 5.3. All keys and limits give way by kFarRounding,
-/// and by kFarBoxes of a node's radius for sums over its boxes in float. What underflows: the 2^-1064
-/// and 2^-100 of near_pose.h.
+/// and by kFarBoxes of a node's radius for sums over its boxes in float. What underflows: the
+/// 2^-1064 and 2^-100 of near_pose.h.
 #pragma once
 
 #include "soms/query/answer.h"
