@@ -4,8 +4,8 @@
 
 #include "soms/geometry/mesh.h"
 
+#include "tests/commands/run.h"
 #include "tests/support/cut_mesh.h"
-#include "tests/support/support.h"
 
 #include <algorithm>
 #include <array>
