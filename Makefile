@@ -76,6 +76,7 @@ test:
 	@tools/install_packages.sh run view import test
 	cmake --preset release -D SOMS_BUILD_TESTS=ON -D SOMS_BUILD_PYTHON=ON $(STRICT)
 	cmake --build --preset release -j $(JOBS)
+	@tools/install_web_ifc.sh build/release
 	@echo "Not part of this: the npm package, as building it takes minutes (make wasm-test)"
 	ctest --preset release -j $(JOBS)
 

@@ -164,7 +164,8 @@ void SceneWriter::tell_axes(bool turned) {
     note += "; the unit is not read, even if the file states one";
   }
   if (extension_ == ".ifc") {
-    note += "; names are Assimp's: GUIDs, types and storeys are read where web-ifc is installed";
+    note += "; names are Assimp's: GUIDs, types and storeys are read where web-ifc is "
+            "installed (npm install --global web-ifc)";
   }
   answer_.note(note);
 }

@@ -126,17 +126,35 @@ function storeyOf(api, model, held, element) {
   return last;
 }
 
+/** The lines of these types and of all that inherit from them by the schema of the model. */
+function linesOf(api, model, types) {
+  const all = new Set();
+  for (const type of types) {
+    const lines = api.GetLineIDsWithType(model, type, true);
+    for (let k = 0; k < lines.size(); ++k) {
+      all.add(lines.get(k));
+    }
+  }
+  return all;
+}
+
+/** The lines whose shape is no body: holes, virtual elements, and spaces of any kind. A site is a body: its shape is the ground. */
+function bodiless(api, model, package_) {
+  // IFC 2x3 knows no IfcSpatialElement.
+  const all = linesOf(api, model, [package_.IFCFEATUREELEMENTSUBTRACTION, package_.IFCVIRTUALELEMENT,
+    package_.IFCSPATIALELEMENT, package_.IFCSPATIALSTRUCTUREELEMENT]);
+  linesOf(api, model, [package_.IFCSITE]).forEach((site) => all.delete(site));
+  return all;
+}
+
 /** A note of the elements that state a shape and gave no triangles; '' if there are none. */
-function lost(api, model, package_, found) {
-  const lines = api.GetLineIDsWithType(model, package_.IFCELEMENT, true);
+function lost(api, model, package_, empty, found) {
   let count = 0;
   let first = '';
-  for (let k = 0; k < lines.size(); ++k) {
-    const id = lines.get(k);
-    const type = api.GetNameFromTypeCode(api.GetLineType(model, id));
-    const line = found.has(id) || type.startsWith('IfcOpening') ? null : api.GetLine(model, id);
+  for (const id of linesOf(api, model, [package_.IFCELEMENT, package_.IFCSITE])) {
+    const line = found.has(id) || empty.has(id) ? null : api.GetLine(model, id);
     if (line?.Representation) {
-      first ||= `${type} '${plain(line.Name)}' (${plain(line.GlobalId)})`;
+      first ||= `${api.GetNameFromTypeCode(api.GetLineType(model, id))} '${plain(line.Name)}' (${plain(line.GlobalId)})`;
       ++count;
     }
   }
@@ -208,11 +226,18 @@ async function main() {
   }
   const held = holders(api, model, package_);
   const storeys = new Map();
+  const empty = bodiless(api, model, package_);
   const found = new Set();
   api.StreamAllMeshes(model, (mesh) => {
+    if (empty.has(mesh.expressID)) {
+      return;
+    }
     const geometries = []; // what web-ifc hands out here is gone after this call
     for (let k = 0; k < mesh.geometries.size(); ++k) {
       geometries.push(readGeometry(api, model, mesh.geometries.get(k)));
+    }
+    if (!geometries.some(({ corners }) => corners.length >= 3)) {
+      return;
     }
     found.add(mesh.expressID);
     const storey = storeyOf(api, model, held, mesh.expressID);
@@ -223,7 +248,7 @@ async function main() {
   });
   const answer = new Answer();
   answer.text('n', `read by web-ifc ${version} (${schema}): coordinates are floats in the frame of each element, lengths became meters, its rotation from z up to y up was undone`);
-  const left = lost(api, model, package_, found);
+  const left = lost(api, model, package_, empty, found);
   if (left !== '') {
     answer.text('n', left);
   }

@@ -16,6 +16,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace soms::test {
@@ -174,16 +175,153 @@ TEST_F(FakeIfc, LeavesOtherFormatsAndANamedProgramAlone) {
                  "soms-import cannot read it as .step: .step");
 }
 
-/// The house of assimp-testmodels, if it and web-ifc are installed.
+/// The same package, to be found: the script says which it was given.
+class FoundIfc : public FakeIfc {
+ protected:
+  FoundIfc() { fs::create_directory(programs()); }
+
+  [[nodiscard]] fs::path programs() const { return folder_.path() / "bin"; }
+
+  void make_program(const std::string& name, const std::string& script) const {
+    write_content(programs() / name, "#!/bin/sh\n" + script + "\n");
+    fs::permissions(programs() / name, fs::perms::owner_all);
+  }
+
+  void move_package(const fs::path& modules) const {
+    fs::create_directories(folder_.path() / modules);
+    fs::rename(package(), folder_.path() / modules / "web-ifc");
+  }
+
+  void expect_found(const fs::path& modules) const {
+    make_program("node", "echo \"given $2\"; exit 1");
+    expect_refused("a model", "house.ifc", ErrorKind::bad_file,
+                   "web-ifc cannot read it as .ifc: given " +
+                       (fs::canonical(folder_.path()) / modules / "web-ifc").string());
+  }
+
+  const Variable no_package_{"SOMS_WEB_IFC", ""};
+  const Variable no_node_{"SOMS_NODE", ""};
+  const Variable no_list_{"NODE_PATH", ""};
+  const Variable path_{"PATH", "relative:" + programs().string() + ":/usr/bin:/bin"};
+};
+
+TEST_F(FoundIfc, BesideTheNodeThatPathNames) {
+  move_package("lib/node_modules");
+  expect_found("lib/node_modules");
+}
+
+TEST_F(FoundIfc, ByNodePath) {
+  move_package("elsewhere");
+  const Variable list("NODE_PATH", "relative:" + (folder_.path() / "elsewhere").string());
+  expect_found("elsewhere");
+}
+
+TEST_F(FoundIfc, InTheCurrentFolder) {
+  move_package("project/node_modules");
+  const fs::path before = fs::current_path();
+  fs::current_path(folder_.path() / "project");
+  expect_found("project/node_modules");
+  fs::current_path(before);
+}
+
+TEST_F(FoundIfc, ByWhatNpmSays) {
+  for (const char* const place : {"/usr/local/lib", "/usr/lib"}) {
+    if (fs::exists(fs::path(place) / "node_modules/web-ifc")) {
+      GTEST_SKIP() << "web-ifc in " << place << " is found first";
+    }
+  }
+  move_package("configured");
+  make_program("npm", "[ \"$*\" = 'root --global' ] && echo '" +
+                          (folder_.path() / "configured").string() + "'");
+  expect_found("configured");
+}
+
+/// web-ifc as `make test` installs it.
 class WebIfc : public testing::Test {
  protected:
   void SetUp() override {
-    const char* const named = std::getenv("SOMS_WEB_IFC");
-    const bool is_named = named != nullptr && *named != '\0';
-    if (!is_named && !fs::exists("/usr/lib/node_modules/web-ifc") &&
-        !fs::exists("/usr/local/lib/node_modules/web-ifc")) {
-      GTEST_SKIP() << "the npm package web-ifc is not installed";
+    if (!fs::exists(fs::path(SOMS_TEST_WEB_IFC) / "package.json")) {
+      GTEST_SKIP() << "web-ifc is not in the build: tools/install_web_ifc.sh installs it by npm";
     }
+  }
+
+  const Variable package_{"SOMS_WEB_IFC", SOMS_TEST_WEB_IFC};
+};
+
+using Names = std::vector<std::string>;
+
+Names names_of(const Mesh& mesh) {
+  Names all;
+  for (const Part& part : mesh.parts) {
+    all.push_back(part.name);
+  }
+  return all;
+}
+
+/// The wall of voiding.ifc with a door in its hole, the hole made by `line` of this schema.
+Mesh with_hole(const std::string& line, const std::string& schema) {
+  std::string text = content_of(data("ifc/voiding.ifc"));
+  const auto replace = [&](const std::string& old, const std::string& now) {
+    const auto at = text.find(old);
+    ASSERT_NE(at, std::string::npos) << old;
+    text.replace(at, old.size(), now);
+  };
+  replace("IFCVOIDINGFEATURE('0000000000000000000003',$,'V',$,$,#20,#24,$,.CUTOUT.)", line);
+  replace("'IFC4'", "'" + schema + "'");
+  return read_text(text, "hole.ifc");
+}
+
+TEST_F(WebIfc, MakesNoBodyOfAHole) {
+  EXPECT_EQ(names_of(read_mesh(data("ifc/opening.ifc"))), (Names{"W", "D"}));
+  const Mesh mesh = read_mesh(data("ifc/voiding.ifc"));
+  EXPECT_EQ(names_of(mesh), (Names{"W", "D"}));
+  EXPECT_EQ(mesh.parts[0].count, 28U);  // the hole is cut
+  EXPECT_EQ(mesh.notes.size(), 1U);
+}
+
+TEST_F(WebIfc, MakesNoBodyOfWhatIsNone) {
+  const std::string begun = "('0000000000000000000003',$,'V',$,$,#20,#24,$";
+  for (const auto& [line, schema] : std::vector<std::pair<std::string, std::string>>{
+           {"IFCOPENINGELEMENT" + begun + ")", "IFC2X3"},
+           {"IFCOPENINGSTANDARDCASE" + begun + ",.OPENING.)", "IFC4"},
+           {"IFCEARTHWORKSCUT" + begun + ",.CUT.)", "IFC4X3"},
+           {"IFCVIRTUALELEMENT" + begun + ")", "IFC2X3"},
+           {"IFCVIRTUALELEMENT" + begun + ")", "IFC4"},
+           {"IFCSPACE" + begun + ",.ELEMENT.,.INTERNAL.,$)", "IFC2X3"},
+           {"IFCSPACE" + begun + ",.ELEMENT.,.SPACE.,$)", "IFC4"},
+           {"IFCBUILDING" + begun + ",.ELEMENT.,$,$,$)", "IFC2X3"},
+           {"IFCSPATIALZONE" + begun + ",.FIRESAFETY.)", "IFC4"},
+           {"IFCEXTERNALSPATIALELEMENT" + begun + ",.EXTERNAL.)", "IFC4"}}) {
+    const Mesh mesh = with_hole(line, schema);
+    EXPECT_EQ(names_of(mesh), (Names{"W", "D"})) << line << " " << schema;
+    EXPECT_EQ(mesh.notes.size(), 1U) << line << " " << schema;
+  }
+}
+
+TEST_F(WebIfc, KeepsWhatIsABody) {
+  const std::string begun = "('0000000000000000000003',$,'V',$,$,#20,#24,$";
+  for (const std::string& line :
+       {"IFCBEAM" + begun + ",$)", "IFCSITE" + begun + ",.ELEMENT.,$,$,$,$,$)"}) {
+    Names names = names_of(with_hole(line, "IFC4"));
+    std::sort(names.begin(), names.end());
+    EXPECT_EQ(names, (Names{"D", "V", "W"})) << line;
+  }
+}
+
+TEST_F(WebIfc, CountsAnElementThatAHoleTakesWhole) {
+  const Mesh mesh = read_mesh(data("ifc/lost_void.ifc"));
+  EXPECT_EQ(names_of(mesh), Names{"A"});
+  ASSERT_EQ(mesh.notes.size(), 2U);
+  EXPECT_EQ(mesh.notes[1],
+            "elements with a shape of which web-ifc makes no triangles, not read: 1, the first "
+            "IfcBeam 'B' (0000000000000000000003)");
+}
+
+/// The house of assimp-testmodels, if it is installed.
+class WebIfcHouse : public WebIfc {
+ protected:
+  void SetUp() override {
+    WebIfc::SetUp();
     if (!fs::exists(kHouse)) {
       GTEST_SKIP() << kHouse << " is not there: it is of the package assimp-testmodels";
     }
@@ -192,7 +330,7 @@ class WebIfc : public testing::Test {
   static constexpr const char* kHouse = "/usr/share/assimp/models/IFC/AC14-FZK-Haus.ifc";
 };
 
-TEST_F(WebIfc, ReadsElementsInTheirStoreys) {
+TEST_F(WebIfcHouse, ReadsElementsInTheirStoreys) {
   const Mesh mesh = read_mesh(kHouse);
   check(mesh);
   EXPECT_EQ(mesh.up, UpAxis::z);
@@ -220,7 +358,7 @@ TEST_F(WebIfc, ReadsElementsInTheirStoreys) {
   EXPECT_NEAR(box.upper.y, 10, 1e-6);
 }
 
-TEST_F(WebIfc, RefusesAFileThatIsCutOffOrNone) {
+TEST_F(WebIfcHouse, RefusesAFileThatIsCutOffOrNone) {
   const std::string whole = content_of(kHouse);
   expect_refused(whole.substr(0, whole.size() / 2), "house.ifc", ErrorKind::bad_file,
                  "it is cut off: END-ISO-10303-21 is missing");

@@ -5,8 +5,10 @@
 #include <dlfcn.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <optional>
+#include <sstream>
 #include <system_error>
 
 namespace soms::detail {
@@ -34,6 +36,19 @@ bool runs(const fs::path& program) {
 std::optional<std::string> variable(const char* name) {
   const char* const value = std::getenv(name);
   return value == nullptr || *value == '\0' ? std::nullopt : std::optional<std::string>(value);
+}
+
+/// The folders of a variable like PATH. One that is not named from the root on is left out: it
+/// would be another one in each current folder.
+std::vector<fs::path> listed(const char* name) {
+  std::vector<fs::path> all;
+  std::istringstream list(variable(name).value_or(""));
+  for (std::string folder; std::getline(list, folder, ':');) {
+    if (fs::path(folder).is_absolute()) {
+      all.emplace_back(folder);
+    }
+  }
+  return all;
 }
 
 /// Where this program and the library with this code lie, as far as that is known.
@@ -64,9 +79,11 @@ std::optional<fs::path> find_node(const Source& source) {
     }
     return *named;
   }
-  for (const char* const node : {"/usr/local/bin/node", "/usr/bin/node"}) {
-    if (runs(node)) {
-      return node;
+  std::vector<fs::path> places = listed("PATH");
+  places.insert(places.end(), {"/usr/local/bin", "/usr/bin"});
+  for (const fs::path& place : places) {
+    if (runs(place / "node")) {
+      return place / "node";
     }
   }
   return std::nullopt;
@@ -76,8 +93,24 @@ bool holds_web_ifc(const fs::path& folder) {
   return is_file(folder / "package.json") && is_file(folder / "web-ifc-api-node.js");
 }
 
-/// The folder of the npm package.
-std::optional<fs::path> find_web_ifc(const Source& source) {
+/// Where npm puts global packages, as npm itself says; nothing without npm.
+std::optional<fs::path> npm_root() {
+  std::FILE* const answer = popen("npm root --global </dev/null 2>/dev/null", "r");
+  if (answer == nullptr) {
+    return std::nullopt;
+  }
+  std::string line;
+  for (int c = std::fgetc(answer); c != EOF; c = std::fgetc(answer)) {
+    line += static_cast<char>(c);
+  }
+  // Its status is unknown where SIGCHLD is ignored; whether the folder is right is seen below.
+  pclose(answer);
+  const fs::path folder = line.substr(0, line.find('\n'));
+  return folder.is_absolute() ? std::optional(folder) : std::nullopt;
+}
+
+/// The folder of the npm package, for this Node.js.
+std::optional<fs::path> find_web_ifc(const Source& source, const fs::path& node) {
   if (const auto named = variable("SOMS_WEB_IFC")) {
     if (!holds_web_ifc(*named)) {
       source.fail(ErrorKind::unsupported,
@@ -90,24 +123,37 @@ std::optional<fs::path> find_web_ifc(const Source& source) {
   for (fs::path& place : places) {
     place /= "node_modules";
   }
+  const auto by_variable = listed("NODE_PATH");
+  places.insert(places.end(), by_variable.begin(), by_variable.end());
+  std::error_code unknown;
+  if (const auto current = fs::current_path(unknown); !unknown) {
+    places.push_back(current / "node_modules");
+  }
+  // npm's global packages lie beside its Node.js, unless it is configured otherwise.
+  places.push_back(node.parent_path().parent_path() / "lib/node_modules");
   places.insert(places.end(), {"/usr/local/lib/node_modules", "/usr/lib/node_modules"});
   for (const fs::path& place : places) {
     if (holds_web_ifc(place / "web-ifc")) {
       return place / "web-ifc";
     }
   }
+  // Asked last: npm takes longer to start than a model to read.
+  if (const auto place = npm_root(); place && holds_web_ifc(*place / "web-ifc")) {
+    return *place / "web-ifc";
+  }
   return std::nullopt;
 }
 
 /// web-ifc, if all that it takes is there.
 std::optional<ImportProgram> web_ifc(const Source& source) {
-  const auto package = find_web_ifc(source);
-  if (!package) {
-    return std::nullopt;
-  }
   const auto node = find_node(source);
   const auto script = beside_us(kIfcScript);
-  if (!node || !script) {
+  // What a variable names wrongly is an error even where the rest is missing.
+  if (!script || (!node && !variable("SOMS_WEB_IFC"))) {
+    return std::nullopt;
+  }
+  const auto package = find_web_ifc(source, node.value_or(""));
+  if (!node || !package) {
     return std::nullopt;
   }
   return ImportProgram{"web-ifc", *node, {script->string(), package->string()}, kNodeMemory, true};
@@ -157,7 +203,7 @@ ImportProgram find_import_program(const Source& source, std::string_view extensi
           " is read by the program soms-import, which is not installed",
       std::string("build soms where Assimp is found (Debian: libassimp-dev), set SOMS_IMPORT to "
                   "the path of the program, ") +
-          (is_ifc ? "install Node.js and, by npm, web-ifc, " : "") + "or convert the model");
+          (is_ifc ? "install Node.js and web-ifc (npm install --global web-ifc), " : "") + "or convert the model");
 }
 
 }  // namespace soms::detail

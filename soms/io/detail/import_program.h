@@ -25,9 +25,10 @@ struct ImportProgram {
 };
 
 /// The program for files with this extension: for .ifc the npm package web-ifc, run by Node.js,
-/// where both are found, and soms-import for all others. web-ifc is found by the variable
-/// SOMS_WEB_IFC, else among the global packages of npm or beside soms-import; soms-import by the
-/// variable SOMS_IMPORT, else beside this program or in libexec/soms beside it or the library.
+/// where both are found, and soms-import for all others. Node.js is found by the variable
+/// SOMS_NODE, else by PATH; web-ifc by SOMS_WEB_IFC, else in node_modules beside soms-import, by
+/// NODE_PATH, in node_modules of the current folder, or among the global packages of npm;
+/// soms-import by SOMS_IMPORT, else beside this program or in libexec/soms beside it or the library.
 /// \errors ErrorKind::unsupported: not found, or a variable names nothing that runs.
 [[nodiscard]] ImportProgram find_import_program(const Source& source, std::string_view extension);
 
