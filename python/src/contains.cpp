@@ -91,6 +91,16 @@ void bind_parted_body(py::module_& module) {
             return p.named == Part::kNoParent ? std::optional<std::uint32_t>() : p.named;
           },
           "Index in Mesh.parts, or None.")
+      .derived(
+          "joined",
+          [](const BodyPart& p) {
+            std::vector<std::optional<std::uint32_t>> others;
+            for (const std::uint32_t other : p.joined) {
+              others.push_back(other == Part::kNoParent ? std::nullopt : std::optional(other));
+            }
+            return others;
+          },
+          "A list: the other parts of a body of several, by their indices; None for no part.")
       .field("first", &BodyPart::first, "Its first triangle.")
       .field("triangles", &BodyPart::triangles, "How many it has.")
       .field("closed", &BodyPart::closed, "By itself, at the body's pose.")

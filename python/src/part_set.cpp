@@ -72,9 +72,27 @@ std::vector<Text> file_texts(const PartSet& set, std::string Part::*place) {
 std::vector<Text> names_of(const PartSet& set) {
   std::vector<Text> names;
   for (std::size_t k = 0; k < set.parts.size(); ++k) {
-    names.push_back({part_text(set.mesh_of(k), set.parts[k].part)});
+    const Mesh& mesh = set.mesh_of(k);
+    std::string name = part_text(mesh, set.parts[k].part);
+    for (const std::uint32_t other : set.parts[k].joined) {
+      name += " + " + part_text(mesh, other);
+    }
+    names.push_back({std::move(name)});
   }
   return names;
+}
+
+/// Numbers of parts, -1 for the triangles that no part holds.
+py::list joined_of(const PartSet& set) {
+  py::list all;
+  for (const PartBody& part : set.parts) {
+    py::list others;
+    for (const std::uint32_t other : part.joined) {
+      others.append(other == Part::kNoParent ? std::int64_t{-1} : std::int64_t{other});
+    }
+    all.append(std::move(others));
+  }
+  return all;
 }
 
 py::array bounds_of(const PartSet& set) {
@@ -125,7 +143,11 @@ void bind_part_columns(PartsClass& parts) {
       "(n, 2, 3): lower and upper corner of the box of each part, in world.");
   parts.def_property_readonly("names", &names_of,
                               "A list of str: the names around the part and its own, as "
-                              "'Level 1/Slab'; the mesh's source for triangles of no part.");
+                              "'Level 1/Slab'; the mesh's source for triangles of no part. Of a "
+                              "body of several parts, all, with ' + ' between.");
+  parts.def_property_readonly("joined", &joined_of,
+                              "A list of lists of int: the other parts of each body, as part has "
+                              "the first: parts that close each other are one body.");
   parts.def_property_readonly(
       "ids", [](const PartSet& set) { return file_texts(set, &Part::id); },
       "A list of str: the id that the file gives the part, or an empty text.");

@@ -98,6 +98,18 @@ class Clashes(unittest.TestCase):
         met = soms.overlap(structure.body(int(clashes.a[0])), services.body(int(clashes.b[0])))
         self.assertEqual(len(met.pairs), clashes.triangle_pairs[0])
 
+    def test_parts_that_close_each_other_are_one_body(self):
+        mesh = soms.Mesh(TETRAHEDRON, FACES, [soms.Part("front", 0, 2), soms.Part("back", 2, 2)])
+        bodies = soms.PartBodies(mesh)
+        self.assertEqual((bodies.closed.tolist(), bodies.part.tolist()), ([True], [0]))
+        self.assertEqual((bodies.joined, bodies.names), ([[1]], ["front + back"]))
+        parted = soms.PartedBody(mesh)
+        self.assertEqual([(part.named, part.joined, part.closed) for part in parted.parts],
+                         [(0, [1], True)])
+        self.assertEqual(soms.contains(parted, TETRAHEDRON.mean(axis=0)).parts["part"].tolist(), [0])
+        alone = soms.PartBodies(soms.Mesh(TETRAHEDRON, FACES, [soms.Part("all", 0, 4)]))
+        self.assertEqual(alone.joined, [[]])
+
     def test_columns(self):
         clashes = soms.clash(*building())
         table = clashes.columns()
