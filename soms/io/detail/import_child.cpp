@@ -229,7 +229,11 @@ void ImportRun::collect(int pipe) {
 }
 
 void ImportRun::fail_status(int status) const {
-  const std::string remedy = "check the model, or convert it to a format that soms reads itself";
+  const bool read_better = extension_ == ".ifc" && program_.name != "web-ifc";
+  const std::string remedy =
+      std::string("check the model, ") +
+      (read_better ? "install Node.js and web-ifc (npm install --global web-ifc), " : "") +
+      "or convert it to a format that soms reads itself";
   if (WIFSIGNALED(status)) {
     // What a library does that gets no memory cannot be distinguished from a fault of another kind.
     source_.fail(ErrorKind::bad_file,
