@@ -164,8 +164,9 @@ void SceneWriter::tell_axes(bool turned) {
     note += "; the unit is not read, even if the file states one";
   }
   if (extension_ == ".ifc") {
-    note += "; names are Assimp's: GUIDs, types and storeys are read where web-ifc is "
-            "installed (npm install --global web-ifc)";
+    note +=
+        "; names are Assimp's: GUIDs, types and storeys are read where web-ifc is "
+        "installed (npm install -g web-ifc)";
   }
   answer_.note(note);
 }

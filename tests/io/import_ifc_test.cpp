@@ -170,7 +170,7 @@ TEST_F(FakeIfc, LeavesOtherFormatsAndANamedProgramAlone) {
   make_node("echo \"$*\"; exit 1");
   expect_refused("a model", "house.ifc", ErrorKind::bad_file,
                  "soms-import cannot read it as .ifc: .ifc");
-  expect_refused("a model", "house.ifc", ErrorKind::bad_file, "npm install --global web-ifc");
+  expect_refused("a model", "house.ifc", ErrorKind::bad_file, "npm install -g web-ifc");
   const Variable by_package("SOMS_WEB_IFC", package());
   expect_refused("a model", "house.step", ErrorKind::bad_file,
                  "soms-import cannot read it as .step: .step");

@@ -232,7 +232,7 @@ void ImportRun::fail_status(int status) const {
   const bool read_better = extension_ == ".ifc" && program_.name != "web-ifc";
   const std::string remedy =
       std::string("check the model, ") +
-      (read_better ? "install Node.js and web-ifc (npm install --global web-ifc), " : "") +
+      (read_better ? "install Node.js and web-ifc (npm install -g web-ifc), " : "") +
       "or convert it to a format that soms reads itself";
   if (WIFSIGNALED(status)) {
     // What a library does that gets no memory cannot be distinguished from a fault of another kind.

@@ -95,7 +95,7 @@ bool holds_web_ifc(const fs::path& folder) {
 
 /// Where npm puts global packages, as npm itself says; nothing without npm.
 std::optional<fs::path> npm_root() {
-  std::FILE* const answer = popen("npm root --global </dev/null 2>/dev/null", "r");
+  std::FILE* const answer = popen("npm root -g </dev/null 2>/dev/null", "r");
   if (answer == nullptr) {
     return std::nullopt;
   }
@@ -137,7 +137,7 @@ std::optional<fs::path> find_web_ifc(const Source& source, const fs::path& node)
       return place / "web-ifc";
     }
   }
-  // Asked last: npm takes longer to start than a model to read.
+  // Last, as npm takes longer to start than a model to read.
   if (const auto place = npm_root(); place && holds_web_ifc(*place / "web-ifc")) {
     return *place / "web-ifc";
   }
@@ -203,7 +203,8 @@ ImportProgram find_import_program(const Source& source, std::string_view extensi
           " is read by the program soms-import, which is not installed",
       std::string("build soms where Assimp is found (Debian: libassimp-dev), set SOMS_IMPORT to "
                   "the path of the program, ") +
-          (is_ifc ? "install Node.js and web-ifc (npm install --global web-ifc), " : "") + "or convert the model");
+          (is_ifc ? "install Node.js and web-ifc (npm install -g web-ifc), " : "") +
+          "or convert the model");
 }
 
 }  // namespace soms::detail

@@ -28,8 +28,8 @@ struct ImportProgram {
 /// where both are found, and soms-import for all others. Node.js is found by the variable
 /// SOMS_NODE, else by PATH; web-ifc by SOMS_WEB_IFC, else in node_modules beside soms-import, by
 /// NODE_PATH, in node_modules of the current folder, or among the global packages of npm;
-/// soms-import by SOMS_IMPORT, else beside this program or in libexec/soms beside it or the library.
-/// \errors ErrorKind::unsupported: not found, or a variable names nothing that runs.
+/// soms-import by SOMS_IMPORT, else beside this program or in libexec/soms beside it or the
+/// library. \errors ErrorKind::unsupported: not found, or a variable names nothing that runs.
 [[nodiscard]] ImportProgram find_import_program(const Source& source, std::string_view extension);
 
 /// Folders where soms-import may lie, the nearest first, for a program and a library at these
