@@ -108,7 +108,7 @@ Robot random_robot(Rng& rng) {
   return robot;
 }
 
-struct Seen {
+struct SeenCuts {
   int free = 0;
   int contact = 0;
   int inside = 0;
@@ -116,7 +116,7 @@ struct Seen {
 
 /// The same answers but for the points and the cost, which are about other triangles.
 void expect_same_answers(const RobotModel& whole, const RobotModel& parts,
-                         const std::vector<double>& states, Seen& seen) {
+                         const std::vector<double>& states, SeenCuts& seen) {
   const std::vector<RobotAnswer> before = robot_contacts(whole, states, {.distance = true});
   const std::vector<RobotAnswer> after = robot_contacts(parts, states, {.distance = true});
   ASSERT_EQ(before.size(), after.size());
@@ -135,7 +135,7 @@ void expect_same_answers(const RobotModel& whole, const RobotModel& parts,
 
 TEST(CutRobots, AnswerAsWhole) {
   Rng rng(122);
-  Seen seen;
+  SeenCuts seen;
   for (int round = 0; round < 122; ++round) {
     SCOPED_TRACE("robot " + std::to_string(round));
     const Robot robot = random_robot(rng);
@@ -180,7 +180,7 @@ TEST(CutRobots, AnswerAsThePanda) {
       states.push_back(rng.uniform(robot.joints[joint].lower, robot.joints[joint].upper));
     }
   }
-  Seen seen;
+  SeenCuts seen;
   expect_same_answers(before, after, states, seen);
   EXPECT_GT(seen.free, 0);
   EXPECT_GT(seen.contact, 0);
