@@ -170,13 +170,13 @@ std::string models_in_text(const RobotModels& models) {
   const auto with_meshes = static_cast<std::uint64_t>(
       std::count_if(models.robot.links.begin(), models.robot.links.end(),
                     [](const Link& link) { return !link.collisions.empty(); }));
-  std::string text =
-      fmt::format("{}: {}, {} with collision meshes; {} by themselves\n",
-                  printable(models.robot.name.empty() ? models.robot.source : models.robot.name),
-                  counted(models.robot.links.size(), "link"), with_commas(with_meshes),
-                  models.model.kinematics().size() == 1
-                      ? "1 joint moves"
-                      : with_commas(models.model.kinematics().size()) + " joints move");
+  std::string text = fmt::format(
+      "{}: {}, {} with collision meshes; {}\n",
+      printable(models.robot.name.empty() ? models.robot.source : models.robot.name),
+      counted(models.robot.links.size(), "link"), with_commas(with_meshes),
+      models.model.kinematics().size() == 1
+          ? "1 joint moves by itself"
+          : with_commas(models.model.kinematics().size()) + " joints move by themselves");
   text += fmt::format("{} of links compared, {} not ({})\n",
                       counted(models.model.compared().size(), "pair"),
                       with_commas(models.model.skipped().size()), why_skipped(models));

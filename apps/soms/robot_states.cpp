@@ -29,6 +29,29 @@ std::string state_names(const Robot& robot) {
   return text;
 }
 
+/// Throws where a value of a named state may be meant for another joint than the one it names:
+/// for one of `missing`, which have no column.
+void refuse_misnamed(const Robot& robot, const std::string& home,
+                     const std::vector<std::uint32_t>& missing) {
+  for (const NamedState& state : robot.states) {
+    if (state.name != home || state.unknown.empty()) {
+      continue;
+    }
+    for (const std::uint32_t joint : missing) {
+      const bool is_set = std::any_of(state.values.begin(), state.values.end(),
+                                      [&](const auto& value) { return value.first == joint; });
+      if (!is_set) {
+        throw Error(
+            ErrorKind::usage,
+            fmt::format("--home {}: the state has a value of \"{}\", a joint that the robot "
+                        "does not have, and none of \"{}\"",
+                        home, state.unknown.front(), robot.joints[joint].name),
+            "repair the SRDF file, or give the joint a column");
+      }
+    }
+  }
+}
+
 }  // namespace
 
 std::optional<std::vector<double>> home_values(const RobotModels& models, const std::string& home) {
@@ -69,6 +92,7 @@ RobotStates::RobotStates(const RobotVerbOptions& options, const RobotModels& mod
       strict_(options.reading.strict) {
   if (!options.states.empty()) {
     open(options.states, home_values(models, options.home));
+    refuse_misnamed(models.robot, options.home, reader_->missing());
   }
 }
 

@@ -101,7 +101,10 @@ void bind_links_and_joints(py::module_& module) {
       .field("group", &NamedState::group, "The group of joints, or an empty text.")
       .derived(
           "values", [](const NamedState& s) { return s.values; },
-          "A list of (number of a joint, value).");
+          "A list of (number of a joint, value).")
+      .derived(
+          "unknown", [](const NamedState& s) { return texts_of(s.unknown); },
+          "A list of str: joints that it names and the robot does not have.");
 }
 
 /// The error of one state among many, by its number.

@@ -74,6 +74,7 @@ struct NamedState {
   std::string name;
   std::string group = {};                                     ///< of joints; may be empty
   std::vector<std::pair<std::uint32_t, double>> values = {};  ///< joints and their values
+  std::vector<std::string> unknown = {};  ///< joints that it names and the robot does not have
 
   [[nodiscard]] bool operator==(const NamedState&) const = default;
 };

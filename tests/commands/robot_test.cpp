@@ -280,6 +280,38 @@ TEST(RobotVerb, EndsByTimeWithWhatIsDone) {
   EXPECT_NE(result.err.find("out of time after"), std::string::npos);
 }
 
+TEST(RobotVerb, TakesANamedStateOfJointsThatAreNotThereWhereItNeedsNone) {
+  const std::string folder = test::data("robots/noted").string();
+  const RunResult result =
+      soms_run({"robot", folder + "/floating_srdf.urdf", "--srdf", folder + "/floating.srdf",
+                "--states", "-", "--home", "half_sitting"},
+               "x\n0\n");
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find("; 1 joint moves by itself\n"), std::string::npos) << result.out;
+  EXPECT_NE(result.err.find("values of joints that the robot does not have: 1"), std::string::npos)
+      << result.err;
+}
+
+/// A value that may be meant for a joint of another name is no reason to call that joint 0.
+TEST(RobotVerb, RefusesANamedStateWhoseJointMayBeMisspelled) {
+  const TemporaryFolder folder;
+  const std::string srdf = (folder.path() / "arm.srdf").string();
+  write_text(srdf,
+             "<robot name=\"arm\"><group_state name=\"up\" group=\"all\">"
+             "<joint name=\"Lift\" value=\"0.6\"/><joint name=\"grip\" value=\"0.03\"/>"
+             "<joint name=\"wrist\" value=\"0\"/></group_state></robot>");
+  const auto run = [&](const std::string& states) {
+    return soms_run({"robot", arm_urdf(), "--srdf", srdf, "--states", "-", "--home", "up"}, states);
+  };
+  const RunResult refused = run("turn\n0\n");
+  EXPECT_EQ(refused.status, 2) << refused.err;
+  EXPECT_NE(refused.err.find("a value of \"Lift\", a joint that the robot does not have, and none "
+                             "of \"lift\""),
+            std::string::npos)
+      << refused.err;
+  EXPECT_EQ(run("turn,lift\n0,0.1\n").status, 0);
+}
+
 TEST(RobotVerb, FindsPackagesByRosPackagePath) {
   const TemporaryFolder folder;
   const std::string meshes = (folder.path() / "shapes").string();

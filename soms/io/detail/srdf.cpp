@@ -1,10 +1,12 @@
 #include "soms/io/detail/srdf.h"
 
+#include "soms/io/detail/left_out.h"
 #include "soms/io/detail/urdf_values.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -37,9 +39,11 @@ class SrdfReader {
   [[nodiscard]] std::vector<LinkPair> allowed();
   [[nodiscard]] std::vector<NamedState> states();
   [[nodiscard]] std::string other_name() const;
+  /// What the file says of links and joints that are not there, and so of no answer.
+  [[nodiscard]] std::vector<std::string> notes() const;
 
  private:
-  [[nodiscard]] std::uint32_t link_of(pugi::xml_node element, const char* attribute);
+  [[nodiscard]] std::optional<std::uint32_t> link_of(pugi::xml_node element, const char* attribute);
   [[nodiscard]] std::vector<LinkPair> pairs_of(const char* name);
   void add_value(pugi::xml_node element, NamedState& state);
 
@@ -48,31 +52,32 @@ class SrdfReader {
   std::unordered_map<std::string, std::uint32_t> links_;
   std::unordered_map<std::string, std::uint32_t> joints_;
   std::unordered_set<std::string> virtual_joints_;
+  LeftOut unknown_links_;
+  LeftOut single_links_;
+  LeftOut unknown_joints_;
 };
 
-std::uint32_t SrdfReader::link_of(pugi::xml_node element, const char* attribute) {
-  const std::string name = required_text(document_, element, attribute);
-  const auto found = links_.find(name);
-  if (found == links_.end()) {
-    document_.fail(element,
-                   std::string(attribute) + " of " + named_element(element) + ", " +
-                       in_quotes(name) + ", is a link that the robot does not have",
-                   "give the SRDF file of this robot");
-  }
-  return found->second;
+/// Nothing for a link that the robot does not have.
+std::optional<std::uint32_t> SrdfReader::link_of(pugi::xml_node element, const char* attribute) {
+  const auto found = links_.find(required_text(document_, element, attribute));
+  return found == links_.end() ? std::nullopt : std::optional(found->second);
 }
 
 /// Pairs of links that elements of this name list, sorted.
 std::vector<LinkPair> SrdfReader::pairs_of(const char* name) {
   std::vector<LinkPair> pairs;
   for (const pugi::xml_node element : document_.root().children(name)) {
-    const std::uint32_t a = link_of(element, "link1");
-    const std::uint32_t b = link_of(element, "link2");
-    if (a == b) {
-      document_.fail(element, named_element(element) + " names one link twice", "name two links");
+    const std::optional<std::uint32_t> a = link_of(element, "link1");
+    const std::optional<std::uint32_t> b = link_of(element, "link2");
+    const auto place = [&] { return document_.place_of(element); };
+    if (!a || !b) {
+      unknown_links_.add(place);
+    } else if (*a == *b) {
+      single_links_.add(place);
+    } else {
+      document_.take(sizeof(LinkPair));
+      pairs.push_back({std::min(*a, *b), std::max(*a, *b)});
     }
-    document_.take(sizeof(LinkPair));
-    pairs.push_back({std::min(a, b), std::max(a, b)});
   }
   std::sort(pairs.begin(), pairs.end());
   return pairs;
@@ -83,14 +88,18 @@ std::vector<LinkPair> SrdfReader::allowed() {
   std::unordered_set<std::uint32_t> seen;
   const auto n = static_cast<std::uint32_t>(robot_.links.size());
   for (const pugi::xml_node element : document_.root().children("disable_default_collisions")) {
-    const std::uint32_t link = link_of(element, "link");
-    if (!seen.insert(link).second) {
+    const std::optional<std::uint32_t> link = link_of(element, "link");
+    if (!link) {
+      unknown_links_.add([&] { return document_.place_of(element); });
+      continue;
+    }
+    if (!seen.insert(*link).second) {
       continue;
     }
     document_.take(sizeof(LinkPair) * n);
     for (std::uint32_t other = 0; other < n; ++other) {
-      if (other != link) {
-        by_default.push_back({std::min(link, other), std::max(link, other)});
+      if (other != *link) {
+        by_default.push_back({std::min(*link, other), std::max(*link, other)});
       }
     }
   }
@@ -111,11 +120,13 @@ void SrdfReader::add_value(pugi::xml_node element, NamedState& state) {
   }
   const auto found = joints_.find(name);
   if (found == joints_.end()) {
-    document_.fail(element, named_element(element) + " is a joint that the robot does not have",
-                   "give the SRDF file of this robot");
+    unknown_joints_.add([&] { return document_.place_of(element); });
+    document_.take(sizeof(name) + name.size());
+    state.unknown.push_back(name);
+    return;  // its value may be a list, as that of a floating joint
   }
-  const double value = required_number(document_, element, "value");
   if (robot_.joints[found->second].type != JointType::fixed) {
+    const double value = required_number(document_, element, "value");
     document_.take(sizeof(state.values.front()));
     state.values.emplace_back(found->second, value);
   }
@@ -135,6 +146,14 @@ std::vector<NamedState> SrdfReader::states() {
   return states;
 }
 
+std::vector<std::string> SrdfReader::notes() const {
+  std::vector<std::string> notes;
+  add_note(notes, unknown_links_, "entries of links that the robot does not have");
+  add_note(notes, single_links_, "pairs of a link with itself");
+  add_note(notes, unknown_joints_, "values of joints that the robot does not have");
+  return notes;
+}
+
 /// The name of the robot that the file is of, if that is another one.
 std::string SrdfReader::other_name() const {
   const std::string name = document_.root().attribute("name").value();
@@ -150,6 +169,9 @@ void read_srdf(Source& source, Robot& robot) {
   if (const std::string name = reader.other_name(); !name.empty()) {
     robot.notes.push_back(source.name + ": it is of a robot named " + in_quotes(name) + ", not " +
                           in_quotes(robot.name));
+  }
+  for (const std::string& note : reader.notes()) {
+    robot.notes.push_back(source.name + ": " + note);
   }
   robot.allowed = std::move(allowed);
   robot.states = std::move(states);

@@ -32,6 +32,7 @@ class UrdfReader {
     robot_.tessellation_error = shapes_.error();
     robot_.notes = shapes_.notes();
     add_note(robot_.notes, only_seen_, "links that are drawn and have no collision geometry");
+    add_note(robot_.notes, idle_mimics_, "<mimic> of fixed joints");
     return std::move(robot_);
   }
 
@@ -52,6 +53,7 @@ class UrdfReader {
   std::unordered_map<std::string, std::uint32_t> links_;
   std::unordered_map<std::string, std::uint32_t> joints_;
   LeftOut only_seen_;
+  LeftOut idle_mimics_;
 };
 
 void UrdfReader::read_links() {
@@ -147,6 +149,10 @@ void UrdfReader::read_mimics() {
     const pugi::xml_node element = only_child(document_, joint_elements_[i], "mimic");
     if (!element) {
       continue;
+    }
+    if (robot_.joints[i].type == JointType::fixed) {
+      idle_mimics_.add([&] { return document_.place_of(element); });
+      continue;  // it has no value that could follow another
     }
     const std::string name = required_text(document_, element, "joint");
     const auto found = joints_.find(name);
