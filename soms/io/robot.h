@@ -60,9 +60,8 @@ struct RobotReadOptions {
 /// Adds what an SRDF file says of a robot: Robot::allowed, which are the pairs of
 /// `disable_collisions`, and those of `disable_default_collisions` but for `enable_collisions`; and
 /// Robot::states.
-/// What it says of links and joints that the robot does not have changes no answer: a note counts it,
-/// and NamedState::unknown names such joints.
-/// \errors As `read_robot`.
+/// What it says of links and joints that the robot does not have changes no answer: a note counts
+/// it, and NamedState::unknown names such joints. \errors As `read_robot`.
 void read_semantics(Robot& robot, const std::filesystem::path& path,
                     const RobotReadOptions& options = {}, const Parallel& parallel = {});
 
