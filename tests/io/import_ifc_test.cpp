@@ -232,7 +232,7 @@ TEST_F(FoundIfc, ByWhatNpmSays) {
     }
   }
   move_package("configured");
-  make_program("npm", "[ \"$*\" = 'root --global' ] && echo '" +
+  make_program("npm", "[ \"$*\" = 'root -g' ] && echo '" +
                           (folder_.path() / "configured").string() + "'");
   expect_found("configured");
 }
