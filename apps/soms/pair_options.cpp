@@ -13,7 +13,7 @@ void add_posed_models(CLI::App& app, PairOptions& options) {
   app.add_option("A", options.a, "first model; - is standard input")->required()->type_name("");
   app.add_option("B", options.b, "second model")->required()->type_name("");
   app.add_option("--pose", options.pose_a,
-                 "pose of A: \"x y z [qw qx qy qz]\", or CSV, .npy or .npz, one row per pose; - "
+                 "pose of A: \"x y z [qw qx qy qz]\", or CSV, .npy, .npz, a row per pose; - "
                  "is standard input")
       ->option_text("POSE")
       ->group(kQuestionGroup);

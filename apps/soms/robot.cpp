@@ -337,12 +337,11 @@ Action add_robot(CLI::App& app, Shared& shared) {
   add_robot_questions(app, *options);
   add_model_options(app, options->reading, "--scale", "--up", "the cell");
   app.add_flag("--strict", options->reading.strict,
-               "treat warnings, notes, states outside of joint limits and states that an open body "
-               "leaves undecided as errors (exit status 3)")
+               "make errors of notes, warnings, states out of limits or undecided by an open body")
       ->group("Models");
   app.footer(
       "Exact for the poses that the joints give: surfaces that meet, and links inside of closed\n"
-      "bodies; what may be inside of an open one is undecided. Without --srdf, links that a joint "
+      "bodies. What may be inside of an open one is undecided. Without --srdf, links that a joint\n"
       "connects are not compared. Radians and meters.\n"
       "\nExample:\n"
       "  soms generate sphere --triangles 800 -o ball.off\n"
