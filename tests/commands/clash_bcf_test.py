@@ -204,7 +204,7 @@ def baseline_faults(soms, folder, schemas):
     (folder / "services.obj").write_text(cubes([SERVICES[1], ("Duct", (1, 2, 1), (4, 2.5, 1.4)), ("Drain", (0.1, 1, 1), (2, 1.2, 1.2))]))
     archive = folder / "later.bcf"
     run(soms, *base, "--baseline", folder / "old.json", "-o", archive, "-o", folder / "later.json", "--bcf-version", "3.0")
-    rows = [json.loads(line) for line in (folder / "later.json").read_text().splitlines()][:-1]
+    rows = json.loads((folder / "later.json").read_text())["rows"]
     if sorted(row["status"] for row in rows) != ["active", "new", "resolved", "resolved"]:
         yield f"statuses {[row['status'] for row in rows]}"
     found = {markup.find("Topic").get("Guid"): markup.find("Topic").get("TopicStatus") for _, markup, *_ in topics_of(archive)}
@@ -213,10 +213,16 @@ def baseline_faults(soms, folder, schemas):
         yield f"statuses of topics are {found}, not {wanted}"
     if schemas:
         yield from invalid(schemas, "3.0", archive, folder / "later")
-    odd = json.loads((folder / "old.json").read_text().splitlines()[0])
-    odd.update(place="nowhere", box=[1, 2], key="0123456789abcdef", a=7, group="level\n1", triangle_pairs="\u0001many")
-    last = (folder / "old.json").read_text().splitlines()[-1]
-    (folder / "odd.json").write_text(json.dumps(odd) + "\n" + last + "\n")
+    old = json.loads((folder / "old.json").read_text())
+    odd = {**old["rows"][0], "key": "0123456789abcdef", "group": "level\n1"}
+    for member in ("place", "box", "a", "triangle_pairs"):
+        del odd[member]
+    (folder / "odd.json").write_text(json.dumps({**old, "rows": [odd], "pairs": 1}))
+    for member, value in (("place", "nowhere"), ("box", [1, 2]), ("a", 7), ("triangle_pairs", "\u0001many")):
+        (folder / "wrong.json").write_text(json.dumps({**old, "rows": [{**odd, member: value}], "pairs": 1}))
+        refused = subprocess.run([soms, *base, "--baseline", folder / "wrong.json"], capture_output=True, text=True)
+        if refused.returncode != 3 or f"rows[0], {member}: expected" not in refused.stderr:
+            yield f"{member}: {refused.returncode} {refused.stderr}"
     for version in ("2.1", "3.0"):
         run(soms, *base, "--baseline", folder / "odd.json", "-o", archive, "-o", folder / "odd.html", "--bcf-version", version)
         topics = list(topics_of(archive))
@@ -252,7 +258,7 @@ def building_faults(soms, folder, schemas):
     for version in ("2.1", "3.0"):
         archive = folder / f"building-{version}.bcfzip"
         run(soms, *base, "-o", archive, "--bcf-version", version)
-        rows = [json.loads(line) for line in (folder / "building.json").read_text().splitlines()][:-1]
+        rows = json.loads((folder / "building.json").read_text())["rows"]
         if sum(row["triangle_pairs"] > 0 for row in rows) != 260:
             yield f"{sum(row['triangle_pairs'] > 0 for row in rows)} pairs meet"
         guids = [guid for guid, *_ in topics_of(archive)]
