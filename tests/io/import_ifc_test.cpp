@@ -232,8 +232,8 @@ TEST_F(FoundIfc, ByWhatNpmSays) {
     }
   }
   move_package("configured");
-  make_program("npm", "[ \"$*\" = 'root -g' ] && echo '" +
-                          (folder_.path() / "configured").string() + "'");
+  make_program("npm",
+               "[ \"$*\" = 'root -g' ] && echo '" + (folder_.path() / "configured").string() + "'");
   expect_found("configured");
 }
 
