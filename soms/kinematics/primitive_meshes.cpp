@@ -25,9 +25,23 @@ constexpr std::uint32_t kMostMeridians = 1024;
 constexpr double kRounding = 1e-14;
 
 void check_size(const char* what, double value) {
+  if (!(value >= 0) || !(value <= 0x1p299)) {
+    throw Error(std::isfinite(value) ? ErrorKind::usage : ErrorKind::not_finite,
+                std::string(what) + " is " + shortest(value), "give a number from 0 on");
+  }
+}
+
+void check_error(double value) {
   if (!(value > 0) || !(value <= 0x1p299)) {
     throw Error(std::isfinite(value) ? ErrorKind::usage : ErrorKind::not_finite,
-                std::string(what) + " is " + shortest(value), "give a positive number");
+                "the error of a round shape is " + shortest(value), "give a positive number");
+  }
+}
+
+/// Of a shape without extent along an axis, sums with -0 are 0: its vertices coincide in every bit.
+void join_zeros(Mesh& mesh) {
+  for (Vec3& vertex : mesh.vertices) {
+    vertex = {vertex.x + 0.0, vertex.y + 0.0, vertex.z + 0.0};
   }
 }
 
@@ -123,6 +137,7 @@ PrimitiveMesh box_mesh(const Vec3& size) {
   }
   mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
                     {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  join_zeros(mesh);
   return result;
 }
 
@@ -130,7 +145,7 @@ PrimitiveMesh cylinder_mesh(double radius, double length, double most_error) {
   const PlainArithmetic plain;
   check_size("the radius of a cylinder", radius);
   check_size("the length of a cylinder", length);
-  check_size("the error of a round shape", most_error);
+  check_error(most_error);
   const auto outer = [&](std::uint32_t n) { return radius / std::cos(kPi / n) * (1 + kRounding); };
   std::uint32_t sides = kLeastSides;
   while (outer(sides) - radius > most_error) {
@@ -147,13 +162,16 @@ PrimitiveMesh cylinder_mesh(double radius, double length, double most_error) {
   add_cap(mesh, 0, 2, sides, false);
   join_rings(mesh, 2, 2 + sides, sides);
   add_cap(mesh, 1, 2 + sides, sides, true);
+  if (radius == 0 || length == 0) {
+    join_zeros(mesh);
+  }
   return result;
 }
 
 PrimitiveMesh sphere_mesh(double radius, double most_error) {
   const PlainArithmetic plain;
   check_size("the radius of a sphere", radius);
-  check_size("the error of a round shape", most_error);
+  check_error(most_error);
   std::uint32_t meridians = kLeastSides;
   double outer = radius / inradius(meridians);
   while (outer - radius > most_error) {
@@ -166,7 +184,11 @@ PrimitiveMesh sphere_mesh(double radius, double most_error) {
     meridians = std::min(kMostMeridians, std::max(meridians + 4, (wanted + 3) / 4 * 4));
     outer = radius / inradius(meridians);
   }
-  return {.mesh = uv_sphere(outer, meridians), .error = outer - radius};
+  PrimitiveMesh result{.mesh = uv_sphere(outer, meridians), .error = outer - radius};
+  if (radius == 0) {
+    join_zeros(result.mesh);
+  }
+  return result;
 }
 
 }  // namespace soms

@@ -1,4 +1,5 @@
 // What URDF and SRDF files say that can change no answer is a note, and the robot is the same.
+#include "soms/geometry/closedness.h"
 #include "soms/io/print.h"
 #include "soms/io/robot.h"
 #include "soms/kinematics/print.h"
@@ -8,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -55,6 +58,18 @@ TEST(NotedRobots, AFixedJointThatMimicsIsNoted) {
   expect_note(robot, "<mimic> of fixed joints: 1, in line 7");
   ASSERT_EQ(robot.joints.size(), 3U);
   EXPECT_FALSE(robot.joints[1].mimic);
+}
+
+TEST(NotedRobots, SizesOfZeroAreFlatAndClosed) {
+  for (const char* const file : {"flat_cylinder.urdf", "box_zero.urdf", "sphere_zero.urdf"}) {
+    SCOPED_TRACE(file);
+    const Robot robot = read_robot(noted(file));
+    expect_note(robot, "sizes of 0, which make a shape flat, a segment or a point: 1, in line");
+    const Mesh& mesh = robot.links[0].collisions.at(0);
+    EXPECT_TRUE(closedness(mesh).whole.closed);
+    const Vec3 extent = bounds(mesh).extent();
+    EXPECT_EQ(std::min({extent.x, extent.y, extent.z}), 0);
+  }
 }
 
 TEST(NotedRobots, EntriesOfUnknownLinksAndJointsChangeNothing) {

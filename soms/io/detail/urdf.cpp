@@ -32,6 +32,8 @@ class UrdfReader {
     robot_.tessellation_error = shapes_.error();
     robot_.notes = shapes_.notes();
     add_note(robot_.notes, only_seen_, "links that are drawn and have no collision geometry");
+    add_note(robot_.notes, shapes_.flat(),
+             "sizes of 0, which make a shape flat, a segment or a point");
     add_note(robot_.notes, idle_mimics_, "<mimic> of fixed joints");
     return std::move(robot_);
   }

@@ -21,8 +21,8 @@ std::uint64_t size_of(const Mesh& mesh) {
   return mesh.vertices.size() * sizeof(Vec3) + mesh.triangles.size() * 12 + mesh.faces.size() * 4;
 }
 
-bool is_positive(double value) {
-  return value > 0 && value <= kMaxCoordinate;
+bool is_size(double value) {
+  return value >= 0 && value <= kMaxCoordinate;
 }
 
 }  // namespace
@@ -78,11 +78,14 @@ Mesh UrdfShapes::shape_of(pugi::xml_node geometry) {
 /// A box, cylinder or sphere. Its memory is taken afterwards: the most that one needs is bounded.
 Mesh UrdfShapes::primitive(pugi::xml_node element) {
   const std::string_view name = element.name();
-  const auto positive = [&](const char* attribute) {
+  const auto size_of_attribute = [&](const char* attribute) {
     const double value = required_number(document_, element, attribute);
-    if (!is_positive(value)) {
+    if (!is_size(value)) {
       document_.fail(element, std::string(attribute) + " of " + named_element(element) +
-                                  " is not a positive number up to 2^300");
+                                  " is not a number from 0 to 2^300");
+    }
+    if (value == 0) {
+      flat_.add([&] { return document_.place_of(element); });
     }
     return value;
   };
@@ -91,15 +94,18 @@ Mesh UrdfShapes::primitive(pugi::xml_node element) {
     if (name == "box") {
       static_cast<void>(required_text(document_, element, "size"));
       const Vec3 size = vector_or(document_, element, "size", {});
-      if (!is_positive(size.x) || !is_positive(size.y) || !is_positive(size.z)) {
-        document_.fail(element, "size of <box> is not three positive numbers up to 2^300");
+      if (!is_size(size.x) || !is_size(size.y) || !is_size(size.z)) {
+        document_.fail(element, "size of <box> is not three numbers from 0 to 2^300");
+      }
+      if (size.x == 0 || size.y == 0 || size.z == 0) {
+        flat_.add([&] { return document_.place_of(element); });
       }
       shape = box_mesh(size);
     } else if (name == "cylinder") {
-      const double radius = positive("radius");
-      shape = cylinder_mesh(radius, positive("length"), options_.tessellation_error);
+      const double radius = size_of_attribute("radius");
+      shape = cylinder_mesh(radius, size_of_attribute("length"), options_.tessellation_error);
     } else {
-      shape = sphere_mesh(positive("radius"), options_.tessellation_error);
+      shape = sphere_mesh(size_of_attribute("radius"), options_.tessellation_error);
     }
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::out_of_range && error.kind() != ErrorKind::usage) {

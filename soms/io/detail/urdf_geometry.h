@@ -3,6 +3,7 @@
 #pragma once
 
 #include "soms/geometry/mesh.h"
+#include "soms/io/detail/left_out.h"
 #include "soms/io/detail/urdf_values.h"
 #include "soms/io/robot.h"
 
@@ -26,6 +27,9 @@ class UrdfShapes {
   /// The greatest error of round shapes so far.
   [[nodiscard]] double error() const { return error_; }
 
+  /// Sizes of 0: shapes that are disks, segments or points.
+  [[nodiscard]] const LeftOut& flat() const { return flat_; }
+
   /// What was noted about meshes.
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
@@ -40,6 +44,7 @@ class UrdfShapes {
   const RobotReadOptions& options_;
   std::map<std::filesystem::path, Mesh> files_;
   std::vector<std::string> notes_;
+  LeftOut flat_;
   double error_ = 0;
 };
 
