@@ -96,7 +96,7 @@ bool is_read(const std::string& file) {
 std::string bytes_of(std::uint64_t value, std::size_t count) {
   std::string bytes;
   for (std::size_t i = 0; i < count; ++i) {
-    bytes += static_cast<char>(value >> (8 * i) & 0xff);
+    bytes += i < sizeof(value) ? static_cast<char>(value >> (8 * i) & 0xff) : '\0';
   }
   return bytes;
 }
