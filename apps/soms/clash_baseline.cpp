@@ -23,13 +23,15 @@ void check_schema(const ListedObject& object) {
 }
 
 void check_side(const ListedObject& row, std::string_view which) {
-  if (const std::optional<ListedObject> side = row.object(which)) {
-    for (const char* const member : {"file", "set", "part", "id", "type"}) {
-      static_cast<void>(side->text(member));
-    }
-    static_cast<void>(side->count("index"));
-    side->check_texts("path");
+  const std::optional<ListedObject> side = row.object(which);
+  if (!side || !side->text("file")) {
+    row.fail(fmt::format("{} is no part of a file", which));
   }
+  for (const char* const member : {"set", "part", "id", "type"}) {
+    static_cast<void>(side->text(member));
+  }
+  static_cast<void>(side->count("index"));
+  side->check_texts("path");
 }
 
 /// All members that comparison, pages, archives and CSV files use.
@@ -83,7 +85,11 @@ void check_filters(const ListedObject& end, const std::vector<std::string>& filt
 
 void check_end(const ListedObject& end, std::uint64_t rows,
                const std::vector<std::string>& filters) {
-  if (end.word("coverage", {"complete", "cut"}).value_or("complete") != "complete") {
+  const std::optional<std::string> coverage = end.word("coverage", {"complete", "cut"});
+  if (!coverage) {
+    end.fail("coverage is missing");
+  }
+  if (*coverage != "complete") {
     end.fail(
         "the list was cut by time or Ctrl-C, so what it lacks need not be new; run it to its "
         "end, if need be with --journal");
@@ -105,6 +111,9 @@ ClashBaseline::ClashBaseline(const std::string& file, const std::vector<std::str
   std::uint64_t rows = 0;
   for (const ListedObject& object : read_json_list(kOption, file)) {
     check_schema(object);
+    if (ended) {
+      object.fail("something follows the end of the list");
+    }
     ended = !object.has("key");
     if (ended) {
       check_end(object, std::exchange(rows, 0), filters);

@@ -46,6 +46,12 @@ std::string note_of(const std::string& folder, Strangers strangers) {
   return fmt::format("{}: {} not read", printable(folder), text);
 }
 
+/// A link to what is not there: a model that is missing, and not a file of another kind.
+bool is_broken_link(const fs::directory_entry& entry) {
+  std::error_code unknown;
+  return entry.is_symlink(unknown) && !entry.exists(unknown);
+}
+
 void add_models_in(const fs::path& folder, ModelFiles& models) {
   std::vector<std::string> files;
   Strangers strangers;
@@ -59,7 +65,8 @@ void add_models_in(const fs::path& folder, ModelFiles& models) {
     }
     if (entry->is_directory(unknown)) {
       ++strangers.subfolders;
-    } else if (entry->is_regular_file(unknown) && is_model_of_folder(entry->path())) {
+    } else if ((entry->is_regular_file(unknown) || is_broken_link(*entry)) &&
+               is_model_of_folder(entry->path())) {
       files.push_back(entry->path().string());
     } else {
       strangers.files.push_back(name);

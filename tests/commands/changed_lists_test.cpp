@@ -316,6 +316,36 @@ TEST(ChangedLists, AListByStatusIsNoBaseline) {
   EXPECT_NE(result.err.find("filtered by --status"), std::string::npos) << result.err;
 }
 
+TEST(ChangedLists, WhatAListLacksOrHasTwiceIsAnError) {
+  const FilteredList list;
+  ASSERT_EQ(list.run({"-o", list.old}).status, 0);
+  const Json whole = Json::parse(read_text(list.old));
+  const auto expect_refused = [&](const std::string& text, const std::string& words) {
+    write_text(list.old, text);
+    const RunResult result = list.run({"--baseline", list.old});
+    EXPECT_EQ(result.status, 3) << words;
+    EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
+  };
+  Json changed = whole;
+  changed.erase("coverage");
+  expect_refused(changed.dump(), "coverage is missing");
+  for (const Json& side : {Json(), Json::object()}) {
+    changed = whole;
+    changed["rows"][0]["b"] = side;
+    expect_refused(changed.dump(), "rows[0]: b is no part of a file");
+  }
+  std::string lines;
+  for (const Json& row : whole["rows"]) {
+    lines += row.dump() + "\n";
+  }
+  changed = whole;
+  changed.erase("rows");
+  lines += changed.dump() + "\n";
+  write_text(list.old, lines);
+  EXPECT_EQ(list.run({"--baseline", list.old}).status, 0);
+  expect_refused(lines + lines, "something follows the end of the list");
+}
+
 /// The document that a verb writes to .json, and the lines that it writes to .jsonl and prints.
 void expect_both_forms(std::vector<std::string> words) {
   const TemporaryFolder folder;

@@ -153,5 +153,15 @@ TEST(ReportedFiles, AFolderWithABrokenModelIsRefused) {
   EXPECT_NE(result.err.find("city.json"), std::string::npos) << result.err;
 }
 
+/// A model that is missing is an obstacle that is missing.
+TEST(ReportedFiles, AFolderWithALinkToNoModelIsRefused) {
+  const MacFolder folder;
+  std::filesystem::create_symlink("/nonexistent.obj",
+                                  std::filesystem::path(folder.path()) / "wall.obj");
+  const RunResult result = soms_run({"clash", folder.path()});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_NE(result.err.find("wall.obj"), std::string::npos) << result.err;
+}
+
 }  // namespace
 }  // namespace soms::test
