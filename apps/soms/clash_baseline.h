@@ -30,8 +30,6 @@ class ClashBaseline {
   void compare(const std::set<std::uint64_t>& found,
                const std::function<bool(const Json&)>& looked_at, ClashReport& report) const;
 
-  [[nodiscard]] std::size_t size() const { return rows_.size(); }
-
  private:
   /// Takes a row; false if it is resolved, so that it counts no more.
   bool add(const ListedObject& row);

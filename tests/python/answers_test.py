@@ -170,12 +170,13 @@ class Entries(unittest.TestCase):
                 batch.at(len(poses))
 
     def test_every_batch_has_entries(self):
-        without = {"NearTriangles", "AllHits", "BodyAllHits", "SceneAllHits"}  # rows are of()
+        checked = 0
         for name in soms.__all__:
             of_class = getattr(soms, name)
             if isinstance(of_class, type) and hasattr(of_class, "__len__") and name.endswith("Batch"):
                 self.assertTrue(hasattr(of_class, "at"), name)
-        self.assertTrue(without <= set(soms.__all__))
+                checked += 1
+        self.assertGreater(checked, 12)
 
     def test_a_robot_state_says_that_it_is_free(self):
         _, model = robot_model()
