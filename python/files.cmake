@@ -23,6 +23,7 @@ set(SOMS_PYTHON_FILES
   src/function.cpp
   src/function.h
   src/generated.cpp
+  src/georeferences.cpp
   src/many_bodies.h
   src/meshes.cpp
   src/module.cpp

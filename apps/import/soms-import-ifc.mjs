@@ -78,6 +78,13 @@ class Answer {
     attributes.flat().forEach((text) => this.words(text));
   }
 
+  georeference({ crs, datum, map }) {
+    this.text('g', crs);
+    this.words(datum);
+    this.number(map ? 1 : 0);
+    (map ?? []).forEach((value) => this.double(value));
+  }
+
   end() {
     this.letter('.');
     this.flush();
@@ -159,6 +166,60 @@ function lost(api, model, package_, empty, found) {
     }
   }
   return count === 0 ? '' : `elements with a shape of which web-ifc makes no triangles, not read: ${count}, the first ${first}`;
+}
+
+/** Meters a unit of length; 0 where it is not stated. */
+function metersOf(api, model, reference) {
+  const unit = reference?.value === undefined ? null : api.GetLine(model, reference.value);
+  if (unit?.ConversionFactor) {
+    const factor = api.GetLine(model, unit.ConversionFactor.value);
+    return Number(plain(factor.ValueComponent)) * metersOf(api, model, factor.UnitComponent) || 0;
+  }
+  const prefixes = { EXA: 1e18, PETA: 1e15, TERA: 1e12, GIGA: 1e9, MEGA: 1e6, KILO: 1e3, HECTO: 1e2, DECA: 10, '': 1,
+    DECI: 0.1, CENTI: 0.01, MILLI: 1e-3, MICRO: 1e-6, NANO: 1e-9, PICO: 1e-12, FEMTO: 1e-15, ATTO: 1e-18 };
+  return plain(unit?.Name) === 'METRE' ? prefixes[plain(unit.Prefix)] ?? 0 : 0;
+}
+
+/** A number that a line states, or else another. */
+const stated = (value, otherwise) => (plain(value) !== '' && Number.isFinite(Number(plain(value))) ? Number(plain(value)) : otherwise);
+
+/** What a conversion states, in the order of the answer. */
+function conversionOf(line, unit) {
+  return [stated(line.Eastings ?? line.FirstCoordinate, 0), stated(line.Northings ?? line.SecondCoordinate, 0),
+    stated(line.OrthogonalHeight ?? line.Height, 0), stated(line.XAxisAbscissa, 1), stated(line.XAxisOrdinate, 0),
+    stated(line.Scale, 1), stated(line.FactorX, 1), stated(line.FactorY, 1), stated(line.FactorZ, 1), unit];
+}
+
+/** The properties of the sets of a name; IFC 2x3 has no other place for a map conversion. */
+function propertiesOf(api, model, package_, name) {
+  const found = {};
+  for (const id of linesOf(api, model, [package_.IFCPROPERTYSET])) {
+    const set = api.GetLine(model, id);
+    if (plain(set.Name).toLowerCase() === name) {
+      for (const { value } of set.HasProperties ?? []) {
+        const property = api.GetLine(model, value);
+        found[plain(property.Name)] = property.NominalValue;
+      }
+    }
+  }
+  return found;
+}
+
+/** Where the model says that it lies on the Earth, each different one once. */
+function georeferences(api, model, package_, bytes) {
+  const all = [];
+  for (const id of linesOf(api, model, [package_.IFCCOORDINATEOPERATION])) {
+    const line = api.GetLine(model, id);
+    const crs = line.TargetCRS?.value === undefined ? {} : api.GetLine(model, line.TargetCRS.value);
+    all.push({ crs: plain(crs.Name), datum: plain(crs.VerticalDatum), map: conversionOf(line, metersOf(api, model, crs.MapUnit)) });
+  }
+  if (all.length === 0 && (bytes.includes('ePset_MapConversion') || bytes.includes('ePSet_MapConversion'))) {
+    const line = propertiesOf(api, model, package_, 'epset_mapconversion');
+    const crs = propertiesOf(api, model, package_, 'epset_projectedcrs');
+    const unit = { METRE: 1, METER: 1, M: 1 }[plain(crs.MapUnit).toUpperCase()] ?? 0;
+    all.push({ crs: plain(crs.Name) || plain(line.TargetCRS), datum: plain(crs.VerticalDatum), map: conversionOf(line, unit) });
+  }
+  return [...new Map(all.map((one) => [JSON.stringify(one), one])).values()];
 }
 
 function openPart(api, model, answer, element) {
@@ -251,6 +312,13 @@ async function main() {
   const left = lost(api, model, package_, empty, found);
   if (left !== '') {
     answer.text('n', left);
+  }
+  const [place, ...others] = georeferences(api, model, package_, bytes);
+  if (place) {
+    answer.georeference(place);
+  }
+  if (others.length > 0) {
+    answer.text('n', `further map conversions, which differ from the first, not read: ${others.length}`);
   }
   answer.letter('u');
   answer.double(1);

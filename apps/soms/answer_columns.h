@@ -6,6 +6,7 @@
 #pragma once
 
 #include "soms/base/bracket.h"
+#include "soms/geometry/georeference.h"
 #include "soms/query/contains.h"
 #include "soms/query/distance.h"
 #include "soms/query/overlap.h"
@@ -37,6 +38,13 @@ class AnswerColumns {
   explicit AnswerColumns(const std::string& path) {
     if (!path.empty()) {
       file_.emplace(path);
+    }
+  }
+
+  /// Adds the array "georeference" of one text, as in CSV, if one is stated.
+  void state(const Georeference& georeference) {
+    if (file_ && !georeference.empty()) {
+      file_->text("georeference", describe(georeference));
     }
   }
 

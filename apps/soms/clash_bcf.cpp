@@ -114,6 +114,12 @@ std::string description_of(const Json& row) {
   return text;
 }
 
+/// A further line, if a georeference is stated.
+std::string georeference_line(const Georeference& georeference) {
+  return georeference.empty() ? std::string()
+                              : fmt::format("georeference: {}\n", describe(georeference));
+}
+
 /// Classes, and groups where rows have them.
 std::vector<std::string> labels_of(const Json& row) {
   std::vector<std::string> labels{text_of(row, "class")};
@@ -168,6 +174,7 @@ class BcfWriter {
         clashes_(report),
         painter_(report.models),
         unit_(meters_a_unit(report.models)),
+        georeference_(georeference_line(report.models.georeference)),
         zip_(out, ZipForm::plain) {
     head_.version = options.version;
     head_.date = xml_time(creation_time(report.models));
@@ -235,7 +242,7 @@ class BcfWriter {
                               side_label(clash.row, "a"), side_label(clash.row, "b"));
     topic.status = status_in_bcf(text_of(clash.row, "status"));
     topic.labels = labels_of(clash.row);
-    topic.description = description_of(clash.row);
+    topic.description = description_of(clash.row) + georeference_;
     for (const char* const side : {"a", "b"}) {
       const std::string file = file_name(clash.row, side);
       if (!file.empty() &&
@@ -281,6 +288,7 @@ class BcfWriter {
   ListedClashes clashes_;
   ClashPainter painter_;
   double unit_;
+  std::string georeference_;
   ZipWriter zip_;
   BcfHead head_;
   std::map<std::string, std::size_t> seen_;

@@ -6,6 +6,7 @@
 #include "soms/io/formats.h"
 
 #include "apps/support/console.h"
+#include "apps/support/georeference.h"
 #include "apps/support/part_names.h"
 #include "apps/support/text.h"
 
@@ -249,6 +250,7 @@ ClashModels read_clash_models(const ClashModelOptions& options, Console& console
       meshes.push_back(&mesh);
     }
   }
+  models.georeference = georeference_of(meshes);
   models.notes = notes;
   models.notes.insert(models.notes.end(), notes_against.begin(), notes_against.end());
   for (std::string& note : notes_of(meshes)) {

@@ -38,6 +38,8 @@ struct ClashModels {
   std::vector<FrameWarning> warnings;
   std::vector<std::string> notes;
 
+  Georeference georeference;  ///< of coordinates in answers
+
   [[nodiscard]] const ClashSet& second() const { return two_sets ? b : a; }
 
   /// Pairs of parts that there are.

@@ -5,6 +5,7 @@
 #include "apps/soms/pair_report.h"
 #include "apps/soms/solid_text.h"
 #include "apps/support/console.h"
+#include "apps/support/georeference.h"
 #include "apps/support/json_list.h"
 #include "apps/support/text.h"
 
@@ -114,6 +115,7 @@ Json totals_as_json(const ClashReport& report) {
   if (report.interrupted) {
     json["interrupted"] = true;
   }
+  add_georeference(json, report.models.georeference);
   json["notes"] = report.models.notes;
   json["warnings"] = warnings_json(report.models.warnings);
   return json;
@@ -166,7 +168,7 @@ std::string csv_row(const Json& row, std::string_view status) {
     return row.contains(key) && row[key].is_string() ? row[key].get<std::string>() : std::string();
   };
   const Json none = Json::object();
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(text("class")), status,
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}", csv_field(text("class")), status,
                      csv_field(text("group")), side_fields(row.contains("a") ? row["a"] : none),
                      side_fields(row.contains("b") ? row["b"] : none), csv_field(text("relation")),
                      numbers_of(row, "gap", 2), number_of(row, "depth"),
@@ -346,15 +348,18 @@ void write_clashes_as_json(const ClashReport& report, bool verified, JsonListWri
 }
 
 void write_clashes_as_csv(const ClashReport& report, std::ostream& out) {
+  const GeoreferenceColumn georeference(report.models.georeference);
   out << "class,status,group,file_a,set_a,part_a,id_a,type_a,path_a,file_b,set_b,part_b,id_b,type_"
          "b,"
          "path_b,relation,gap_lower,gap_upper,depth,triangle_pairs,x,y,z,x_min,y_min,z_min,x_max,"
-         "y_max,z_max,key\n";
+         "y_max,z_max,key"
+      << georeference.head() << '\n';
   for (const ClashRow& row : report.rows) {
-    out << csv_row(row_as_json(report, row), status_name(row.status));
+    out << csv_row(row_as_json(report, row), status_name(row.status)) << georeference.field()
+        << '\n';
   }
   for (const Json& row : report.resolved) {
-    out << csv_row(row, kResolved);
+    out << csv_row(row, kResolved) << georeference.field() << '\n';
   }
 }
 

@@ -1,5 +1,6 @@
 #include "apps/soms/clash_page.h"
 
+#include "soms/base/text.h"
 #include "soms/query/overlap.h"
 
 #include "apps/report/placing.h"
@@ -197,6 +198,9 @@ class ClashPageMaker {
       add_models("second set", report_.models.b);
     } else {
       add_models("models", report_.models.a);
+    }
+    if (!report_.models.georeference.empty()) {
+      add_fact("georeference", printable(describe(report_.models.georeference)));
     }
     add_fact("clashes", fmt::format("{}{}{}", report_.complete() ? "" : "at least ",
                                     with_commas(report_.rows.size()), counts_of_classes()));

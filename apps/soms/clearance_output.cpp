@@ -3,6 +3,7 @@
 #include "soms/base/text.h"
 
 #include "apps/soms/near_output.h"
+#include "apps/support/georeference.h"
 #include "apps/support/json_list.h"
 #include "apps/support/length_unit.h"
 #include "apps/support/map_page.h"
@@ -213,6 +214,7 @@ Json totals_of_clearance(const ClearanceReport& report, const NearestNames& name
       json[key] = true;
     }
   }
+  add_georeference(json, report.world.georeference);
   json["notes"] = report.world.notes;
   json["warnings"] = warnings_json(report.world.warnings);
   return json;
@@ -327,6 +329,9 @@ std::vector<std::pair<std::string, std::string>> clearance_figures(const Clearan
       fmt::format("{} {} long, {}, one every {}; {} places queried", chainage_text(report.length()),
                   unit_name(report.unit), counted(answer.stations.size(), "station"),
                   length_with_unit(options.every, report.unit), with_commas(answer.queries)));
+  if (!report.world.georeference.empty()) {
+    figures.emplace_back("georeference", printable(describe(report.world.georeference)));
+  }
   if (!report.ignored.empty()) {
     figures.emplace_back("left out", printable(fmt::format("{}", fmt::join(report.ignored, ", "))));
   }
@@ -382,10 +387,12 @@ void write_clearance_as_json(const ClearanceReport& report, const NearestNames& 
 }
 
 std::string clearance_as_csv(const ClearanceReport& report, const NearestNames& names) {
+  const GeoreferenceColumn georeference(report.world.georeference);
   std::string text =
       "station,chainage,row,x,y,z,lower,upper,verdict,file,part,id,triangle,profile_triangle,"
       "ax,ay,az,bx,by,bz,next_at_least,next_verdict,next_least,next_least_chainage,"
-      "next_least_file,next_least_part,next_least_id,next_least_triangle\n";
+      "next_least_file,next_least_part,next_least_id,next_least_triangle";
+  text.append(georeference.head()).append("\n");
   const Clearance& answer = report.answer;
   const auto point = [](const ClearanceStation& station, const Vec3& p) {
     return station.triangles ? fmt::format("{},{},{}", p.x, p.y, p.z) : std::string(",,");
@@ -402,13 +409,14 @@ std::string clearance_as_csv(const ClearanceReport& report, const NearestNames& 
         point(station, station.point_a), point(station, station.point_b));
     if (k < answer.stretches.size()) {
       const ClearanceStretch& stretch = answer.stretches[k];
-      text += fmt::format(",{},{},{},{},{}\n", shortest(stretch.at_least),
+      text += fmt::format(",{},{},{},{},{}", shortest(stretch.at_least),
                           verdict_name(verdict(stretch, report.options.clearance)),
                           shortest(stretch.least.gap.lower), stretch.least.chainage,
                           names.csv(stretch.least));
     } else {
-      text += ",,,,,,,,\n";
+      text += ",,,,,,,,";
     }
+    text.append(georeference.field()).append("\n");
   }
   return text;
 }

@@ -85,8 +85,9 @@ class ClosestRun : public ProbeRun<PointSource> {
     if (options.with_side) {
       closed_ = closed_body(body_, "leave out --signed", console);
     }
-    csv_.begin(body_.shape.mesh(), lists_, options.with_side);
+    csv_.begin(body_.shape.mesh(), georeference(body_.shape.mesh()), lists_, options.with_side);
     columns_.begin(lists_, options.with_side);
+    columns_.state(georeference(body_.shape.mesh()));
   }
 
  private:

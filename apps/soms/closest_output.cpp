@@ -188,16 +188,15 @@ PointCsv::PointCsv(const std::string& path) {
   }
 }
 
-void PointCsv::begin(const Mesh& mesh, bool lists, bool sides) {
+void PointCsv::begin(const Mesh& mesh, const Georeference& georeference, bool lists, bool sides) {
   if (file_) {
     mesh_ = &mesh;
     parts_ = PartsOf(mesh);
-    file_->stream() << (lists ? "point,lower,upper,coverage,triangle,part,name\n"
+    georeference_ = lists ? GeoreferenceColumn() : GeoreferenceColumn(georeference);
+    file_->stream() << (lists ? "point,lower,upper,coverage,triangle,part,name"
                               : "point,lower,upper,farther,coverage,triangle,part,name,x,y,z,"
                                 "feature")
-                    << (sides   ? ",side\n"
-                        : lists ? ""
-                                : "\n");
+                    << (sides ? ",side" : "") << georeference_.head() << '\n';
   }
 }
 
@@ -219,10 +218,10 @@ void PointCsv::add(std::uint64_t point, const PointAnswer& answer) {
                                                 closest.point.z, name(closest.feature))
                                   : std::string(",,,");
     file_->stream() << fmt::format(
-        "{},{},{},{},{},{},{}{}\n", point, closest.distance.lower,
+        "{},{},{},{},{},{},{}{}{}\n", point, closest.distance.lower,
         closest.farther ? std::string() : fmt::format("{}", closest.distance.upper),
         closest.farther, coverage, triangle_csv_fields(*mesh_, parts_, closest.triangle), place,
-        answer.side ? "," + std::string(name(*answer.side)) : std::string());
+        answer.side ? "," + std::string(name(*answer.side)) : std::string(), georeference_.field());
   }
   if (!file_->stream().good()) {
     file_->check();

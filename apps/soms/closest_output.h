@@ -7,6 +7,7 @@
 #include "soms/query/closest.h"
 #include "soms/query/contains.h"
 
+#include "apps/support/georeference.h"
 #include "apps/support/output.h"
 
 #include <cstdint>
@@ -64,8 +65,9 @@ class PointCsv {
   /// Opens the file, unless `path` is empty. \errors ErrorKind::cannot_write.
   explicit PointCsv(const std::string& path);
 
-  /// Writes the names of the columns, the last one for the sides. The mesh must stay.
-  void begin(const Mesh& mesh, bool lists, bool sides);
+  /// Writes the names of the columns, the last ones for the sides and for what is known of where
+  /// the points lie on the Earth. The mesh must stay.
+  void begin(const Mesh& mesh, const Georeference& georeference, bool lists, bool sides);
 
   /// \errors ErrorKind::cannot_write; ClosedPipe.
   void add(std::uint64_t point, const PointAnswer& answer);
@@ -76,6 +78,7 @@ class PointCsv {
  private:
   std::optional<OutputFile> file_;
   const Mesh* mesh_ = nullptr;
+  GeoreferenceColumn georeference_;
   PartsOf parts_;
 };
 

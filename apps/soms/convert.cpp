@@ -1,6 +1,7 @@
 #include "apps/soms/convert.h"
 
 #include "apps/support/console.h"
+#include "apps/support/georeference.h"
 #include "apps/support/json.h"
 #include "apps/support/text.h"
 
@@ -47,6 +48,7 @@ int run_convert(const ConvertOptions& options, Console& console) {
     Json answer{{"schema", "soms.convert/1"},         {"from", options.input},
                 {"file", options.output.path},        {"format", format_name(format)},
                 {"triangles", mesh.triangles.size()}, {"vertices", mesh.vertices.size()}};
+    add_georeference(answer, mesh.georeference);
     const Mesh* const one = &mesh;
     if (const std::vector<std::string> notes = notes_of({&one, 1}); !notes.empty()) {
       answer["notes"] = notes;

@@ -10,6 +10,7 @@
 #include "apps/soms/info_defects.h"
 #include "apps/soms/info_trees.h"
 #include "apps/support/console.h"
+#include "apps/support/georeference.h"
 #include "apps/support/json.h"
 #include "apps/support/parse.h"
 #include "apps/support/text.h"
@@ -133,6 +134,7 @@ Json to_json(const ModelReport& report) {
           {"bounds", json_box(bounds(mesh))},
           {"meters_per_unit", unit},
           {"up_axis", axis},
+          {"georeference", georeference_json(mesh.georeference)},
           {"memory_bytes", memory},
           {"parts", parts},
           {"notes", mesh.notes},
@@ -183,6 +185,9 @@ std::string describe_model(const ModelReport& report) {
   }
   if (mesh.up != UpAxis::unknown) {
     add_line(text, "up axis", axis_name(mesh.up));
+  }
+  if (!mesh.georeference.empty()) {
+    add_line(text, "georeference ", printable(describe(mesh.georeference)));
   }
   add_line(text, "parts", describe_parts(mesh, report.defects));
   add_line(text, "defects", describe_defects(report.defects));

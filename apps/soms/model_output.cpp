@@ -169,6 +169,9 @@ void note_losses(const Mesh& mesh, const ModelOutput& output, const Console& con
   if (!format.unit_and_axis && mesh.up != UpAxis::unknown) {
     lost.push_back(fmt::format("the up axis ({})", name_of(mesh.up)));
   }
+  if (!format.unit_and_axis && !mesh.georeference.empty()) {
+    lost.push_back(fmt::format("the georeference ({})", printable(describe(mesh.georeference))));
+  }
   const auto named = std::count_if(mesh.parts.begin(), mesh.parts.end(),
                                    [](const Part& part) { return !part.name.empty(); });
   if (!format.names && named > 0) {

@@ -79,9 +79,11 @@ void NearCsv::begin(const PairReport& report, std::string_view values) {
     report_ = &report;
     parts_a_ = PartsOf(report.a);
     parts_b_ = PartsOf(report.b);
+    georeference_ = GeoreferenceColumn(report.georeference);
     file_->stream() << "pose," << values
                     << ",coverage,triangle_a,part_a,name_a,triangle_b,part_b,name_b,x_a,y_a,z_a,"
-                       "x_b,y_b,z_b\n";
+                       "x_b,y_b,z_b"
+                    << georeference_.head() << '\n';
   }
 }
 
@@ -96,10 +98,10 @@ void NearCsv::add(std::uint64_t pose, std::string_view values, const NearPair& p
     return pair.triangles ? fmt::format("{},{},{}", p.x, p.y, p.z) : std::string(",,");
   };
   file_->stream() << fmt::format(
-      "{},{},{},{},{},{}\n", pose, values,
+      "{},{},{},{},{},{}{}\n", pose, values,
       triangle_csv_fields(report_->a, parts_a_, triangle(&TrianglePair::first)),
       triangle_csv_fields(report_->b, parts_b_, triangle(&TrianglePair::second)),
-      point(pair.point_a), point(pair.point_b));
+      point(pair.point_a), point(pair.point_b), georeference_.field());
   if (!file_->stream().good()) {
     file_->check();
   }

@@ -7,6 +7,7 @@
 #include "soms/query/answer.h"
 
 #include "apps/soms/pair_report.h"
+#include "apps/support/georeference.h"
 #include "apps/support/output.h"
 
 #include <cstdint>
@@ -68,6 +69,7 @@ class NearCsv {
  private:
   std::optional<OutputFile> file_;
   const PairReport* report_ = nullptr;
+  GeoreferenceColumn georeference_;
   PartsOf parts_a_;
   PartsOf parts_b_;
 };

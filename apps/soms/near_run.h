@@ -54,6 +54,7 @@ class NearRun : public PoseRun {
       : PoseRun(options, std::move(about), console), question_(std::move(question)), files_(files) {
     files_.csv.begin(report(), Question::kColumns);
     files_.columns.begin(Answer());
+    files_.columns.state(report().georeference);
     if (files_.page) {
       page_.emplace(
           PageModels{report().a, short_name(options.a), report().b, short_name(options.b)},

@@ -2,6 +2,7 @@
 
 #include "soms/base/text.h"
 
+#include "apps/support/georeference.h"
 #include "apps/support/part_names.h"
 
 #include <fmt/format.h>
@@ -18,7 +19,7 @@ std::string fields_of(const Vec3& v) {
 
 std::string row_of(const OverlapReport& report, std::uint64_t pose, const PartPair& pair) {
   return fmt::format(
-      "{},{},{},{},{},{},{},{},{},{},{}\n", pose, part_csv_fields(report.pair.a, pair.a),
+      "{},{},{},{},{},{},{},{},{},{},{}", pose, part_csv_fields(report.pair.a, pair.a),
       csv_field(part_path_label(report.pair.a, pair.a)), part_csv_fields(report.pair.b, pair.b),
       csv_field(part_path_label(report.pair.b, pair.b)), pair.count, pair.first.first,
       pair.first.second, fields_of(pair.box.center()), fields_of(pair.box.lower),
@@ -29,16 +30,18 @@ std::string row_of(const OverlapReport& report, std::uint64_t pose, const PartPa
 
 void write_csv_head(std::ostream& out, const OverlapReport& report) {
   out << (report.by_part ? "pose,part_a,name_a,path_a,part_b,name_b,path_b,count,triangle_a,"
-                           "triangle_b,x,y,z,x_min,y_min,z_min,x_max,y_max,z_max\n"
-                         : "pose,triangle_a,part_a,name_a,triangle_b,part_b,name_b\n");
+                           "triangle_b,x,y,z,x_min,y_min,z_min,x_max,y_max,z_max"
+                         : "pose,triangle_a,part_a,name_a,triangle_b,part_b,name_b")
+      << (report.by_part ? GeoreferenceColumn(report.pair.georeference).head() : "") << '\n';
 }
 
 void write_csv_rows(std::ostream& out, const OverlapReport& report, std::uint64_t pose,
                     const PosedParts& a, const PosedParts& b, const Overlap& answer,
                     std::span<const PartPair> parts) {
   if (report.by_part) {
+    const GeoreferenceColumn georeference(report.pair.georeference);
     for (const PartPair& pair : parts) {
-      out << row_of(report, pose, pair);
+      out << row_of(report, pose, pair) << georeference.field() << '\n';
     }
     return;
   }

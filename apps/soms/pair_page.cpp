@@ -1,5 +1,7 @@
 #include "apps/soms/pair_page.h"
 
+#include "soms/base/text.h"
+
 #include "apps/support/text.h"
 
 #include <fmt/format.h>
@@ -59,6 +61,9 @@ std::vector<report::Fact> facts_of_models(const PageModels& models, const PairRe
   std::vector<report::Fact> facts{
       {"A", fmt::format("{}, {}{}", models.name_a, triangles_in_text(models.a), report.read_a)},
       {"B", fmt::format("{}, {}{}", models.name_b, triangles_in_text(models.b), report.read_b)}};
+  if (!report.georeference.empty()) {
+    facts.push_back({"georeference", printable(describe(report.georeference))});
+  }
   for (const std::string& note : report.notes) {
     facts.push_back({"note", note});
   }

@@ -11,6 +11,13 @@ std::string notes_key(const PairReport& report, std::uint64_t pose) {
   return pose > 0 || report.notes.empty() ? std::string() : ",\"notes\":" + json_text(report.notes);
 }
 
+/// Where the coordinates lie, likewise.
+std::string georeference_key(const PairReport& report, std::uint64_t pose) {
+  return pose > 0 || report.georeference.empty()
+             ? std::string()
+             : ",\"georeference\":" + json_text(georeference_json(report.georeference));
+}
+
 /// About the models with the first pose alone; about boxes with each.
 std::string warnings_key(const PairReport& report, std::uint64_t pose) {
   Json list = pose == 0 ? warnings_json(report.warnings) : Json::array();
@@ -49,7 +56,8 @@ std::string report_keys(const PairReport& report, std::uint64_t pose, bool right
   if (report.timed_out) {
     text += ",\"timed_out\":true";
   }
-  return text + notes_key(report, pose) + warnings_key(report, pose);
+  return text + georeference_key(report, pose) + notes_key(report, pose) +
+         warnings_key(report, pose);
 }
 
 }  // namespace soms::command

@@ -6,6 +6,7 @@
 #include "soms/query/answer.h"
 
 #include "apps/support/frame_warnings.h"
+#include "apps/support/georeference.h"
 
 #include <cstdint>
 #include <string>
@@ -24,7 +25,8 @@ struct PairReport {
   bool timed_out = false;                   ///< --timeout ended the run; there may be more poses
   std::vector<std::string> notes = {};      ///< of the models' files; JSON gives them with pose 0
   std::vector<FrameWarning> warnings = {};  ///< about the models; JSON gives them with pose 0
-  std::string read_a = {};  ///< ", --up y": the options that A was scaled or turned by
+  Georeference georeference = {};  ///< of coordinates in answers; JSON gives it with pose 0
+  std::string read_a = {};         ///< ", --up y": the options that A was scaled or turned by
   std::string read_b = {};
   double gap = 0;                 ///< of the boxes, at the pose that is reported next; 0: they meet
   bool one_box_in_other = false;  ///< the box of one model holds that of the other, likewise
@@ -39,8 +41,9 @@ struct PairReport {
 [[nodiscard]] std::string coverage_keys(Coverage coverage, const Cost& cost,
                                         std::string_view more = {});
 
-/// The keys "verified", "timed_out", "notes" and "warnings" of pose number `pose`, those that
-/// apply, each with a comma before. `right` says whether brute force agrees, where requested.
+/// The keys "verified", "timed_out", "georeference", "notes" and "warnings" of pose number `pose`,
+/// those that apply, each with a comma before. `right` says whether brute force agrees, where
+/// requested.
 [[nodiscard]] std::string report_keys(const PairReport& report, std::uint64_t pose, bool right);
 
 }  // namespace soms::command

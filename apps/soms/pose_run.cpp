@@ -47,6 +47,14 @@ PoseRun::PoseRun(const PairOptions& options, PoseQuestion question, Console& con
               .read_b = stated_options(options.model_b, "--scale-b", "--up-b")} {
   const std::array<const Mesh*, 2> meshes{&report_.a, &report_.b};
   report_.notes = notes_of(meshes);
+  std::vector<const Mesh*> unmoved;
+  if (!options.pose_a) {
+    unmoved.push_back(&report_.a);
+  }
+  if (!options.pose_b) {
+    unmoved.push_back(&report_.b);
+  }
+  report_.georeference = georeference_of(unmoved);
 }
 
 PoseSource PoseRun::source(const std::string& option, const std::optional<std::string>& text,
@@ -62,9 +70,10 @@ Shape PoseRun::load(const std::string& path, const ModelOptions& model) const {
 /// Models are compared by their numbers; where these may mean different things, the reader should
 /// know.
 void PoseRun::begin() {
+  NamedFrame a = named_frame(report_.a, options_.model_a, "--scale", "--up");
+  a.is_posed = options_.pose_a || options_.pose_b;
   report_.warnings =
-      frame_warnings(named_frame(report_.a, options_.model_a, "--scale", "--up"),
-                     named_frame(report_.b, options_.model_b, "--scale-b", "--up-b"));
+      frame_warnings(a, named_frame(report_.b, options_.model_b, "--scale-b", "--up-b"));
   tell_warnings(report_.warnings, options_.model_a.strict, console());
 }
 

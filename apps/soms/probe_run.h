@@ -8,6 +8,7 @@
 #include "apps/soms/pair_report.h"
 #include "apps/soms/probe_options.h"
 #include "apps/support/console.h"
+#include "apps/support/georeference.h"
 #include "apps/support/json.h"
 #include "apps/support/row_run.h"
 #include "apps/support/text.h"
@@ -48,11 +49,17 @@ class ProbeRun : public RowRun {
                console),
         verb_(std::move(question.verb)),
         verified_(options.verify),
+        posed_(options.pose.has_value()),
         rows_(rows, console),
         pose_(stated_pose(options, console)) {}
 
   /// Of the model.
   [[nodiscard]] const Pose& pose() const { return pose_; }
+
+  /// Of coordinates in answers about a mesh: none where a pose moves it.
+  [[nodiscard]] Georeference georeference(const Mesh& mesh) const {
+    return posed_ ? Georeference{} : mesh.georeference;
+  }
 
   /// The rows to answer.
   [[nodiscard]] const std::vector<Row>& block() const { return block_; }
@@ -71,6 +78,8 @@ class ProbeRun : public RowRun {
     if (totals().rows == 0) {
       const std::array<const Mesh*, 1> meshes{&mesh};
       const std::vector<std::string> notes = notes_of(meshes);
+      const Georeference place = georeference(mesh);
+      more += place.empty() ? "" : ",\"georeference\":" + json_text(georeference_json(place));
       more += notes.empty() ? "" : ",\"notes\":" + json_text(notes);
     }
     console().print(fmt::format("{{\"schema\":\"soms.{}/1\",\"{}\":{}{}{}}}\n", verb_, key,
@@ -108,6 +117,7 @@ class ProbeRun : public RowRun {
 
   std::string verb_;
   bool verified_;
+  bool posed_;
   Source rows_;
   Pose pose_;
   std::vector<Row> block_;

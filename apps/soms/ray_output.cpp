@@ -111,11 +111,11 @@ std::string row_in_text(std::uint64_t ray, const RayAnswer& answer, const Mesh& 
 std::string_view columns_of(const RayAnswer& answer) {
   return std::visit(
       Overloaded{[](const ClosestHit&) -> std::string_view {
-                   return "ray,hit,lower,upper,coverage,triangle,part,name,x,y,z,front\n";
+                   return "ray,hit,lower,upper,coverage,triangle,part,name,x,y,z,front";
                  },
-                 [](const AnyHit&) -> std::string_view { return "ray,hit,coverage\n"; },
+                 [](const AnyHit&) -> std::string_view { return "ray,hit,coverage"; },
                  [](const Crossings&) -> std::string_view {
-                   return "ray,crossing,lower,upper,kind,coverage,triangle,part,name\n";
+                   return "ray,crossing,lower,upper,kind,coverage,triangle,part,name";
                  }},
       answer);
 }
@@ -192,9 +192,11 @@ RayCsv::RayCsv(const std::string& path) {
   }
 }
 
-void RayCsv::begin(const Mesh& mesh, const RayAnswer& like) {
+void RayCsv::begin(const Mesh& mesh, const Georeference& georeference, const RayAnswer& like) {
   if (file_) {
-    file_->stream() << columns_of(like);
+    const bool points = std::holds_alternative<ClosestHit>(like);
+    georeference_ = points ? GeoreferenceColumn(georeference) : GeoreferenceColumn();
+    file_->stream() << columns_of(like) << georeference_.head() << '\n';
     mesh_ = &mesh;
     parts_ = PartsOf(mesh);
   }
@@ -215,11 +217,12 @@ std::string RayCsv::rows_of(std::uint64_t ray, const RayAnswer& answer) const {
   return std::visit(
       Overloaded{[&](const ClosestHit& first) {
                    return fmt::format(
-                       "{},{},{},{},{},{},{}\n", ray, hit(), first.t.lower, first.t.upper,
+                       "{},{},{},{},{},{},{}{}\n", ray, hit(), first.t.lower, first.t.upper,
                        name(first.coverage), triangle_csv_fields(*mesh_, parts_, first.triangle),
                        first.triangle ? fmt::format("{},{},{},{}", first.point.x, first.point.y,
                                                     first.point.z, first.front)
-                                      : std::string(",,,"));
+                                      : std::string(",,,"),
+                       georeference_.field());
                  },
                  [&](const AnyHit& any) {
                    return fmt::format("{},{},{}\n", ray, hit(), name(any.coverage));

@@ -6,6 +6,7 @@
 #include "soms/geometry/parts_of.h"
 #include "soms/query/ray.h"
 
+#include "apps/support/georeference.h"
 #include "apps/support/output.h"
 
 #include <cstddef>
@@ -71,8 +72,9 @@ class RayCsv {
   /// Opens the file, unless `path` is empty. \errors ErrorKind::cannot_write.
   explicit RayCsv(const std::string& path);
 
-  /// Writes the names of the columns of answers like this one. The mesh must stay.
-  void begin(const Mesh& mesh, const RayAnswer& like);
+  /// Writes the names of the columns of answers like this one; with points, one for what is known
+  /// of where they lie on the Earth. The mesh must stay.
+  void begin(const Mesh& mesh, const Georeference& georeference, const RayAnswer& like);
 
   /// \errors ErrorKind::cannot_write; ClosedPipe.
   void add(std::uint64_t ray, const RayAnswer& answer);
@@ -85,6 +87,7 @@ class RayCsv {
 
   std::optional<OutputFile> file_;
   const Mesh* mesh_ = nullptr;
+  GeoreferenceColumn georeference_;
   PartsOf parts_;
 };
 

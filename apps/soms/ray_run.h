@@ -51,8 +51,9 @@ class RayRun : public ProbeRun<Source> {
     const RayAnswer like = options.all   ? RayAnswer(Crossings())
                            : options.any ? RayAnswer(AnyHit())
                                          : RayAnswer(ClosestHit());
-    files_.csv.begin(mesh(), like);
+    files_.csv.begin(mesh(), this->georeference(mesh()), like);
     files_.columns.begin(like);
+    files_.columns.state(this->georeference(mesh()));
   }
 
  private:

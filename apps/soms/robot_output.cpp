@@ -3,6 +3,7 @@
 #include "soms/base/text.h"
 
 #include "apps/soms/pair_report.h"
+#include "apps/support/georeference.h"
 #include "apps/support/text.h"
 
 #include <fmt/format.h>
@@ -346,6 +347,11 @@ Json totals_as_json(const RobotReport& report) {
       json[key] = true;
     }
   }
+  std::vector<const Mesh*> cell;
+  for (const Mesh& mesh : models.cell) {
+    cell.push_back(&mesh);
+  }
+  add_georeference(json, georeference_of(cell));
   json["notes"] = models.notes;
   json["warnings"] = warnings_json(models.warnings);
   if (const auto warning = open_warning(report)) {

@@ -3,6 +3,7 @@
 #include "soms/base/text.h"
 
 #include "apps/soms/simulate_near_report.h"
+#include "apps/support/georeference.h"
 
 #include <fmt/format.h>
 
@@ -79,8 +80,9 @@ void write_events(std::ostream& out, const World& world, const Outcome& outcome,
   }
   const CityParts parts(world);
   const bool with_near = options.clearance > 0;
+  const GeoreferenceColumn georeference(world.georeference);
   out << "event,mover,model,touched,part,begin,end,frames,contacts,most_pairs,most_frame,x,y,z"
-      << (with_near ? kNearColumns : "") << '\n';
+      << (with_near ? kNearColumns : "") << georeference.head() << '\n';
   for (std::size_t k = 0; k < events.size(); ++k) {
     const ContactSpan& event = events[k];
     out << "contact," << event.a.body.id << ',' << model_field(world, event.a.body.id) << ',';
@@ -93,7 +95,7 @@ void write_events(std::ostream& out, const World& world, const Outcome& outcome,
     out << fmt::format(",{},{},{},{},{},{},{},{},{}", event.begin, event.end, event.steps,
                        counts[k], event.most_pairs, event.most_step, event.place.x, event.place.y,
                        event.place.z)
-        << (with_near ? kNearFieldsOfContact : "") << '\n';
+        << (with_near ? kNearFieldsOfContact : "") << georeference.field() << '\n';
   }
   if (with_near) {
     write_near_events(out, world, outcome);

@@ -2,6 +2,7 @@
 
 #include "soms/base/text.h"
 
+#include "apps/support/georeference.h"
 #include "apps/support/text.h"
 
 #include <fmt/format.h>
@@ -94,6 +95,7 @@ void add_near_json(Json& json, const World& world, const Outcome& outcome,
 
 void write_near_events(std::ostream& out, const World& world, const Outcome& outcome) {
   const CityParts parts(world);
+  const GeoreferenceColumn georeference(world.georeference);
   for (const NearEvent& event : outcome.near.events()) {
     out << "near," << event.mover << ',' << csv_field(model_name(world, event.mover)) << ',';
     if (event.between_movers()) {
@@ -106,12 +108,13 @@ void write_near_events(std::ostream& out, const World& world, const Outcome& out
                        event.end - event.begin + 1, event.distance.lower, event.distance.upper,
                        event.nearest, event.i, event.j);
     if (event.touches()) {
-      out << ",,,,,,\n";
+      out << ",,,,,,";
     } else {
       const Vec3& a = event.point_a;
       const Vec3& b = event.point_b;
-      out << fmt::format(",{},{},{},{},{},{}\n", a.x, a.y, a.z, b.x, b.y, b.z);
+      out << fmt::format(",{},{},{},{},{},{}", a.x, a.y, a.z, b.x, b.y, b.z);
     }
+    out << georeference.field() << '\n';
   }
 }
 

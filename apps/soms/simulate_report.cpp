@@ -4,6 +4,7 @@
 
 #include "apps/soms/simulate_events.h"
 #include "apps/soms/simulate_near_report.h"
+#include "apps/support/georeference.h"
 #include "apps/support/json.h"
 #include "apps/support/models.h"
 #include "apps/support/route_notes.h"
@@ -118,6 +119,9 @@ Figures figures_of(const World& world, const Outcome& outcome, const SimulateOpt
   Figures figures;
   figures.emplace_back("city",
                        fmt::format("{}, {}", world.title, counted(world.triangles, "triangle")));
+  if (!world.georeference.empty()) {
+    figures.emplace_back("georeference", printable(describe(world.georeference)));
+  }
   figures.emplace_back(
       "built in", fmt::format("{:.0f} ms, after {:.0f} ms to {} it", world.build_ms, world.read_ms,
                               options.world.cities.empty() ? "make" : "read"));
@@ -214,6 +218,7 @@ std::string json_of(const World& world, const Outcome& outcome, const SimulateOp
                                     {"contacts", touched.contacts},
                                     {"mover_frames", touched.frames}});
   }
+  add_georeference(json, world.georeference);
   if (!world.notes.empty()) {
     json["notes"] = world.notes;
   }

@@ -9,6 +9,8 @@ set(SOMS_SUPPORT_FILES
   exit_status.h
   frame_warnings.cpp
   frame_warnings.h
+  georeference.cpp
+  georeference.h
   height_grid.cpp
   height_grid.h
   interrupts.cpp

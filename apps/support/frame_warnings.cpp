@@ -4,12 +4,14 @@
 
 #include "apps/support/console.h"
 #include "apps/support/models.h"
+#include "apps/support/stated_options.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace soms::command {
 
@@ -130,6 +132,45 @@ std::string unit_remedy(const NamedFrame& known, const NamedFrame& other) {
       in_millimeters ? "meters" : "millimeters");
 }
 
+/// Where the origin of `b` lies in the map from that of `a`, if they differ in nothing else.
+std::string offset_words(const NamedFrame& a, const NamedFrame& b) {
+  const auto& from = a.frame.georeference.map_conversion;
+  const auto& to = b.frame.georeference.map_conversion;
+  if (!from || !to || !(from->unit > 0)) {
+    return {};
+  }
+  MapConversion moved = *from;
+  moved.eastings = to->eastings;
+  moved.northings = to->northings;
+  moved.height = to->height;
+  Georeference other = a.frame.georeference;
+  other.map_conversion = moved;
+  if (other != b.frame.georeference) {
+    return {};
+  }
+  return fmt::format(
+      "the origin of {} lies {:.9g} m east, {:.9g} m north and {:.9g} m up from that "
+      "of {}; ",
+      b.file, (to->eastings - from->eastings) * from->unit,
+      (to->northings - from->northings) * from->unit, (to->height - from->height) * from->unit,
+      a.file);
+}
+
+/// Georeferences are compared as they are stated, and nothing is moved by them.
+std::string georeference_remedy(const NamedFrame& a, const NamedFrame& b) {
+  const NamedFrame& settled = a.frame.georeference.empty() ? a : b;
+  const NamedFrame& known = a.frame.georeference.empty() ? b : a;
+  std::string text = offset_words(a, b) +
+                     "soms does not move models by it: bring both into one "
+                     "frame first";
+  if (!settled.crs_option.empty() && !settled.is_shared && settled.frame.georeference.empty() &&
+      !known.frame.georeference.map_conversion) {
+    text += fmt::format(", or give {} {} if {} is in it", settled.crs_option,
+                        printable(known.frame.georeference.crs), settled.file);
+  }
+  return text;
+}
+
 std::string remedy_of(FrameDoubt doubt, const NamedFrame& a, const NamedFrame& b) {
   switch (doubt) {
     case FrameDoubt::axes_differ:
@@ -140,15 +181,25 @@ std::string remedy_of(FrameDoubt doubt, const NamedFrame& a, const NamedFrame& b
       return a.in_meters ? meters_remedy(a, b) : units_remedy(a, b);
     case FrameDoubt::unit_unknown:
       return a.frame.unit > 0 ? unit_remedy(a, b) : unit_remedy(b, a);
+    case FrameDoubt::georeferences_differ:
+    case FrameDoubt::georeference_unknown:
+      return georeference_remedy(a, b);
     case FrameDoubt::boxes_apart:
       break;
   }
   return kLookFor;
 }
 
+bool is_about_georeferences(FrameDoubt doubt) {
+  return doubt == FrameDoubt::georeferences_differ || doubt == FrameDoubt::georeference_unknown;
+}
+
 /// What soms made has no unit and axis that a file could lack, nor one that the caller's word about
-/// a file would contradict.
-bool is_settled_by_built_in(FrameDoubt doubt, const NamedFrame& a, const NamedFrame& b) {
+/// a file would contradict. What it made or a pose places lies where that says.
+bool is_settled(FrameDoubt doubt, const NamedFrame& a, const NamedFrame& b) {
+  if (is_about_georeferences(doubt)) {
+    return a.built_in || b.built_in || a.is_posed || b.is_posed;
+  }
   const bool stated = a.frame.unit_is_stated || b.frame.unit_is_stated;
   return (a.built_in || b.built_in) &&
          (doubt == FrameDoubt::axis_unknown || doubt == FrameDoubt::unit_unknown ||
@@ -179,13 +230,33 @@ std::vector<FrameWarning> shared_warnings(NamedFrame a, NamedFrame b) {
   return frame_warnings(a, b);
 }
 
-bool is_about_axes(const FrameWarning& warning) {
-  return warning.doubt == FrameDoubt::axes_differ || warning.doubt == FrameDoubt::axis_unknown;
+bool is_about_axes(FrameDoubt doubt) {
+  return doubt == FrameDoubt::axes_differ || doubt == FrameDoubt::axis_unknown;
 }
 
-void append_if(std::vector<FrameWarning>& all, const std::vector<FrameWarning>& found, bool axes) {
+bool is_about_units(FrameDoubt doubt) {
+  return doubt == FrameDoubt::units_differ || doubt == FrameDoubt::unit_unknown;
+}
+
+void append_if(std::vector<FrameWarning>& all, const std::vector<FrameWarning>& found,
+               bool (*is_about)(FrameDoubt)) {
   std::copy_if(found.begin(), found.end(), std::back_inserter(all),
-               [axes](const FrameWarning& warning) { return is_about_axes(warning) == axes; });
+               [is_about](const FrameWarning& warning) { return is_about(warning.doubt); });
+}
+
+/// Warnings about where on the Earth models lie that no pose places.
+void append_georeferences(std::vector<FrameWarning>& all, std::vector<NamedFrame> models) {
+  std::erase_if(models, [](const NamedFrame& model) { return model.is_posed || model.built_in; });
+  if (models.empty()) {
+    return;
+  }
+  const NamedFrame& known =
+      first_that(models, [](const NamedFrame& model) { return !model.frame.georeference.empty(); });
+  for (const NamedFrame& model : models) {
+    if (&model != &known) {
+      append_if(all, frame_warnings(known, model), is_about_georeferences);
+    }
+  }
 }
 
 }  // namespace
@@ -195,17 +266,19 @@ NamedFrame named_frame(const Mesh& mesh, const ModelOptions& options,
   NamedFrame model{.file = printable(mesh.source),
                    .frame = frame_of(mesh),
                    .scale_option = scale_option,
-                   .up_option = up_option};
+                   .up_option = up_option,
+                   .crs_option = crs_option(up_option)};
   model.frame.unit_is_stated = options.scale_is_given;
   model.frame.scale = options.scale;
   model.frame.up_is_stated = options.up != UpAxis::unknown;
+  model.frame.georeference_is_stated = !options.crs.empty();
   return model;
 }
 
 std::vector<FrameWarning> frame_warnings(const NamedFrame& a, const NamedFrame& b) {
   std::vector<FrameWarning> warnings;
   for (const FrameDoubt doubt : compare_frames(a.frame, b.frame)) {
-    if (!is_settled_by_built_in(doubt, a, b)) {
+    if (!is_settled(doubt, a, b)) {
       warnings.push_back(
           {doubt, explain(doubt, a.frame, a.file, b.frame, b.file), remedy_of(doubt, a, b)});
     }
@@ -220,24 +293,27 @@ std::vector<FrameWarning> world_warnings(const std::vector<NamedFrame>& city,
   const NamedFrame& of_unit = first_that(city, knows_unit);
   for (const NamedFrame& model : city) {
     if (&model != &of_axis) {
-      append_if(warnings, shared_warnings(of_axis, model), true);
+      append_if(warnings, shared_warnings(of_axis, model), is_about_axes);
     }
     if (&model != &of_unit) {
-      append_if(warnings, shared_warnings(of_unit, model), false);
+      append_if(warnings, shared_warnings(of_unit, model), is_about_units);
     }
   }
   for (const NamedFrame& model : movers) {
-    append_if(warnings, frame_warnings(of_axis, model), true);
-    append_if(warnings, frame_warnings(of_unit, model), false);
+    append_if(warnings, frame_warnings(of_axis, model), is_about_axes);
+    append_if(warnings, frame_warnings(of_unit, model), is_about_units);
   }
   if (!knows_unit(of_unit) && !movers.empty()) {
     const NamedFrame& of_movers = first_that(movers, knows_unit);
     for (const NamedFrame& model : movers) {
       if (knows_unit(of_movers) && knows_unit(model)) {
-        append_if(warnings, shared_warnings(of_movers, model), false);
+        append_if(warnings, shared_warnings(of_movers, model), is_about_units);
       }
     }
   }
+  std::vector<NamedFrame> all = city;
+  all.insert(all.end(), movers.begin(), movers.end());
+  append_georeferences(warnings, std::move(all));
   return warnings;
 }
 

@@ -20,8 +20,10 @@ struct NamedFrame {
   CoordinateFrame frame;
   std::string scale_option = {};  ///< "--scale-b"
   std::string up_option = {};     ///< "--up-b"
+  std::string crs_option = {};    ///< "--crs-b"; empty where there is none
   bool built_in = false;  ///< made by soms in meters, z up; what declares nothing is taken for such
   bool is_shared = false;  ///< its options go to other files, too
+  bool is_posed = false;   ///< poses place it, wherever on the Earth its file does
   bool in_meters = false;  ///< of a world, whose lengths are taken for meters
 };
 
@@ -42,9 +44,8 @@ struct FrameWarning {
 [[nodiscard]] std::vector<FrameWarning> frame_warnings(const NamedFrame& a, const NamedFrame& b);
 
 /// Warnings about the models of a world: files of the city among themselves, movers against the
-/// city. Each is compared with the first one that declares what is compared: where none differs
-/// from it, none do.
-/// \pre `city` is not empty.
+/// city; georeferences of all that no pose places. Each is compared with the first one that
+/// declares what is compared: where none differs from it, none do. \pre `city` is not empty.
 [[nodiscard]] std::vector<FrameWarning> world_warnings(const std::vector<NamedFrame>& city,
                                                        const std::vector<NamedFrame>& movers);
 

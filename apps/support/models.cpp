@@ -1,6 +1,7 @@
 #include "apps/support/models.h"
 
 #include "soms/base/error.h"
+#include "soms/io/crs.h"
 #include "soms/io/read_mesh.h"
 #include "soms/thesis/traversals.h"
 #include "soms/tree/rule/rules.h"
@@ -103,6 +104,19 @@ void add_model_options(CLI::App& app, ModelOptions& options, const std::string& 
                      {{"x", UpAxis::x}, {"y", UpAxis::y}, {"z", UpAxis::z}},
                      "up axis of " + whose + ", rotated to z")
       ->group(group);
+  if (const std::string crs_name = crs_option(up_name); !crs_name.empty()) {
+    app.add_option(
+           crs_name, options.crs,
+           "coordinate reference system of " + whose + ", such as EPSG:25833; recorded only")
+        ->option_text("NAME")
+        ->check(CLI::Validator(
+            [](std::string& text) {
+              return soms::crs_name(text).empty() ? std::string("the name is empty")
+                                                  : std::string();
+            },
+            ""))
+        ->group(group);
+  }
 }
 
 void add_city_options(CLI::App& app, ModelOptions& options, const std::string& suffix,
@@ -228,6 +242,52 @@ Mesh read_standard_input(const ReadOptions& options, const Parallel& parallel) {
   }
 }
 
+/// What the file says and the command line contradicts: a note, or an error where notes are.
+void note_axis(Mesh& mesh, const ModelOptions& options, const std::string& path) {
+  if (options.up != UpAxis::unknown && mesh.up != UpAxis::unknown && mesh.up != options.up) {
+    const std::string note = fmt::format(
+        "the file declares that {} is up, but the command line says that {} is, and is "
+        "followed",
+        axis_letter(mesh.up), axis_letter(options.up));
+    if (options.strict) {
+      throw Error(ErrorKind::bad_file, path + ": " + note,
+                  fmt::format("name {} if that axis points up; if the file is wrong, correct it "
+                              "first: soms convert {} OUT.glb --up {}",
+                              axis_letter(mesh.up), path, axis_letter(options.up)));
+    }
+    mesh.notes.push_back(note);
+  }
+}
+
+/// The same of georeferences.
+void note_georeference(Mesh& mesh, const ModelOptions& options, const std::string& path) {
+  const Georeference stated{.crs = crs_name(options.crs)};
+  if (options.crs.empty() || mesh.georeference.empty() || mesh.georeference == stated) {
+    return;
+  }
+  const std::string note =
+      fmt::format("the file declares {}, but the command line says {}, and is followed",
+                  printable(describe(mesh.georeference)), printable(stated.crs));
+  if (options.strict) {
+    throw Error(ErrorKind::bad_file, path + ": " + note,
+                fmt::format("leave --crs out if the file is right; if it is wrong, correct it "
+                            "first: soms convert {} OUT.glb --crs {}",
+                            path, printable(stated.crs)));
+  }
+  mesh.notes.push_back(note);
+}
+
+/// Follows the command line; a system of one unit gives it to a mesh that has none.
+void state_georeference(Mesh& mesh, const ModelOptions& options) {
+  if (options.crs.empty()) {
+    return;
+  }
+  mesh.georeference = {.crs = crs_name(options.crs)};
+  if (!(mesh.unit > 0)) {
+    mesh.unit = crs_axes(mesh.georeference.crs).unit;
+  }
+}
+
 }  // namespace
 
 Mesh read_model(const std::string& path, const ModelOptions& options, const Console& console) {
@@ -246,29 +306,19 @@ Mesh read_model(const std::string& path, const ModelOptions& options, const Cons
       throw in_words_of_options(error, path, options, console.shared());
     }
   });
-  if (options.up != UpAxis::unknown && mesh.up != UpAxis::unknown && mesh.up != options.up) {
-    const std::string note = fmt::format(
-        "the file declares that {} is up, but the command line says that {} is, and is "
-        "followed",
-        axis_letter(mesh.up), axis_letter(options.up));
-    if (options.strict) {
-      throw Error(ErrorKind::bad_file, path + ": " + note,
-                  fmt::format("name {} if that axis points up; if the file is wrong, correct it "
-                              "first: soms convert {} OUT.glb --up {}",
-                              axis_letter(mesh.up), path, axis_letter(options.up)));
-    }
-    mesh.notes.push_back(note);
-  }
+  note_axis(mesh, options, path);
+  note_georeference(mesh, options, path);
   if (!options.lists_notes) {
     const Mesh* const one = &mesh;
     for (const std::string& note : notes_of({&one, 1})) {
       console.note(note);
     }
   }
-  if (options.scale == 1 && options.up == UpAxis::unknown) {
-    return mesh;
+  if (options.scale != 1 || options.up != UpAxis::unknown) {
+    mesh = transformed(std::move(mesh), options.scale, options.up);
   }
-  return transformed(std::move(mesh), options.scale, options.up);
+  state_georeference(mesh, options);
+  return mesh;
 }
 
 std::vector<std::string> notes_of(std::span<const Mesh* const> meshes) {

@@ -23,6 +23,7 @@ class Console;
 struct ModelOptions {
   double scale = 1;
   UpAxis up = UpAxis::unknown;  ///< turned from this axis to z; unknown: not turned
+  std::string crs = {};         ///< of the scaled and turned coordinates; empty: as the file says
   bool scale_is_given = false;  ///< `scale`, 1 too, is the user's word about the unit
   bool strict = false;          ///< notes about what the file lacks or has too much are errors
   bool allow_empty = false;
@@ -32,7 +33,8 @@ struct ModelOptions {
   bool surfaces = false;                     ///< as ReadOptions
 };
 
-/// Adds options named `scale_name` and `up_name` ("--scale", "--up").
+/// Adds options named `scale_name` and `up_name` ("--scale", "--up"); beside "--up" and "--up-b" of
+/// models that stay where they are, --crs with the same suffix.
 void add_model_options(CLI::App& app, ModelOptions& options, const std::string& scale_name,
                        const std::string& up_name, const std::string& whose);
 

@@ -63,6 +63,9 @@ class NpzFile {
   [[nodiscard]] NpzColumn& names(const std::string& name,
                                  std::initializer_list<std::string_view> words);
 
+  /// Adds an array of one text.
+  void text(const std::string& name, const std::string& text) { words_.push_back({name, {text}}); }
+
   /// Writes all columns and makes the file appear. \errors ErrorKind::cannot_write; ClosedPipe.
   void finish();
 

@@ -4,10 +4,17 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+
 namespace soms::command {
 
 char axis_letter(UpAxis axis) {
   return axis == UpAxis::x ? 'x' : axis == UpAxis::y ? 'y' : 'z';
+}
+
+std::string crs_option(const std::string& up_name) {
+  constexpr std::string_view kUp = "--up";
+  return up_name.starts_with(kUp) ? "--crs" + up_name.substr(kUp.size()) : std::string();
 }
 
 std::string stated_options(const ModelOptions& options, const std::string& scale_name,
@@ -18,6 +25,9 @@ std::string stated_options(const ModelOptions& options, const std::string& scale
   }
   if (options.up != UpAxis::unknown) {
     text += fmt::format(", {} {}", up_name, axis_letter(options.up));
+  }
+  if (!options.crs.empty()) {
+    text += fmt::format(", {} {}", crs_option(up_name), options.crs);
   }
   return text;
 }

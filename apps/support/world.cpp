@@ -4,6 +4,7 @@
 #include "soms/generate/city.h"
 #include "soms/generate/shapes.h"
 
+#include "apps/support/georeference.h"
 #include "apps/support/models.h"
 #include "apps/support/mover_routes.h"
 #include "apps/support/route_notes.h"
@@ -56,6 +57,7 @@ struct Role {
   std::string scale_option;
   std::string up_option;
   bool is_shared;         ///< the options go to several files
+  bool is_mover = false;  ///< on a route, not where its file places it
   bool guess_up = false;  ///< turn a model whose file names no axis as it looks
 };
 
@@ -125,6 +127,7 @@ Upright read_upright(const std::string& path, const Role& role, Console& console
   note_unit(model.mesh, role, console);
   model.frame = named_frame(model.mesh, options, role.scale_option, role.up_option);
   model.frame.is_shared = role.is_shared;
+  model.frame.is_posed = role.is_mover;
   model.frame.in_meters = true;
   return model;
 }
@@ -167,7 +170,8 @@ std::vector<Model> load_models(const WorldOptions& options, std::vector<NamedFra
                               .up = changes.up};
     }
   }
-  const Role role{options.mover_model, "--mover-scale", "--mover-up", options.movers.size() > 1};
+  const Role role{options.mover_model, "--mover-scale", "--mover-up", options.movers.size() > 1,
+                  true};
   for (const std::string& path : options.movers) {
     Upright read = read_upright(path, role, console);
     note_size(read.mesh, role, console);
@@ -233,7 +237,8 @@ std::optional<City> load_city(World& world, const WorldOptions& options,
     return city;
   }
   const bool shared = options.cities.size() > 1;
-  const Role role{options.city_model, "--scale", "--up", shared, options.guess_up && !shared};
+  const Role role{options.city_model,         "--scale", "--up", shared, false,
+                  options.guess_up && !shared};
   for (const std::string& path : options.cities) {
     const auto start = Clock::now();
     Upright model = read_upright(path, role, console);
@@ -347,6 +352,7 @@ World load_world(const WorldOptions& options, Console& console) {
   for (const Body& body : world.city) {
     meshes.push_back(&body.shape.mesh());
   }
+  world.georeference = georeference_of(meshes);
   for (const Model& model : world.models) {
     meshes.push_back(&model.shape.mesh());
   }

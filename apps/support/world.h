@@ -74,6 +74,7 @@ struct World {
   std::uint64_t requested = 0;              ///< movers requested; fewer routes if there was no room
   std::vector<std::string> notes = {};      ///< what reading the files noted, "FILE: NOTE"
   std::vector<FrameWarning> warnings = {};  ///< where numbers of city and movers may not agree
+  Georeference georeference = {};           ///< of the city, so of all coordinates
   MoverFilter filter = {};                  ///< movers that are not tested against each other
 };
 

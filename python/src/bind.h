@@ -7,6 +7,7 @@
 namespace soms::python {
 
 void bind_poses(pybind11::module_& module);
+void bind_georeferences(pybind11::module_& module);
 void bind_meshes(pybind11::module_& module);
 void bind_shapes(pybind11::module_& module);
 void bind_files(pybind11::module_& module);

@@ -24,12 +24,14 @@ namespace {
 using MeshClass = py::class_<Mesh, std::shared_ptr<Mesh>>;
 
 constexpr const char* kMeshDoc =
-    R"(Mesh(vertices, triangles, parts=(), *, unit=0.0, up='unknown', source='', notes=(), file_faces=())
+    R"(Mesh(vertices, triangles, parts=(), *, unit=0.0, up='unknown', source='', notes=(), file_faces=(),
+     georeference=Georeference())
 
 A triangle mesh as it is given: nothing is welded, moved or dropped. It does not change.
 
 vertices: (n, 3) floats. triangles: (m, 3) integers from 0 on. parts: Part, each a run of triangles.
-unit: meters a unit, 0 if unknown. up: 'unknown', 'x', 'y' or 'z'.
+unit: meters a unit, 0 if unknown. up: 'unknown', 'x', 'y' or 'z'. georeference: where on the Earth
+the numbers lie.
 
 The arrays are copied. Raises Error of kind usage (shapes, types), out_of_range (an index below 0 or
 beyond the vertices, a coordinate beyond 2^300), not_finite (a corner), bad_file (parts).)";
@@ -37,7 +39,7 @@ beyond the vertices, a coordinate beyond 2^300), not_finite (a corner), bad_file
 std::shared_ptr<Mesh> make_mesh(const py::object& vertices, const py::object& triangles,
                                 std::vector<Part> parts, double unit, const py::object& up,
                                 Text source, std::vector<Text> notes,
-                                std::vector<std::uint32_t> file_faces) {
+                                std::vector<std::uint32_t> file_faces, Georeference georeference) {
   if (!(unit >= 0 && std::isfinite(unit))) {
     throw usage("unit: " + std::to_string(unit), "give meters a unit, or 0 if they are unknown");
   }
@@ -48,6 +50,7 @@ std::shared_ptr<Mesh> make_mesh(const py::object& vertices, const py::object& tr
   mesh->source = std::move(source.bytes);
   mesh->notes = bytes_of_texts(std::move(notes));
   mesh->faces = std::move(file_faces);
+  mesh->georeference = std::move(georeference);
   check(*mesh);
   return mesh;
 }
@@ -190,6 +193,8 @@ void bind_columns(MeshClass& mesh) {
   mesh.def_property_readonly(
       "up", [](const Mesh& m) { return member(m.up); }, "UpAxis that the file states.");
   mesh.def_readonly("unit", &Mesh::unit, "Meters a unit if the file says so, else 0.");
+  mesh.def_readonly("georeference", &Mesh::georeference,
+                    "Georeference: where on the Earth the numbers lie, if the file says so.");
   mesh.def_property_readonly(
       "source", [](const Mesh& m) { return Text{m.source}; },
       "The path of the file, or what made the mesh.");
@@ -287,7 +292,8 @@ void bind_meshes(py::module_& module) {
   mesh.def(py::init(&make_mesh), py::arg("vertices"), py::arg("triangles"),
            py::arg("parts") = std::vector<Part>(), py::kw_only(), py::arg("unit") = 0.0,
            py::arg("up") = "unknown", py::arg("source") = "", py::arg("notes") = py::tuple(),
-           py::arg("file_faces") = std::vector<std::uint32_t>());
+           py::arg("file_faces") = std::vector<std::uint32_t>(),
+           py::arg("georeference") = Georeference());
   bind_columns(mesh);
   bind_facts(mesh);
   mesh.def(py::pickle(
@@ -295,12 +301,12 @@ void bind_meshes(py::module_& module) {
         const Mesh& m = self.cast<const Mesh&>();
         return py::make_tuple(self.attr("vertices"), self.attr("triangles"), m.parts, m.unit,
                               self.attr("up").attr("name"), Text{m.source}, texts_of(m.notes),
-                              m.faces);
+                              m.faces, m.georeference);
       },
       [](const py::tuple& s) {
         return make_mesh(s[0], s[1], s[2].cast<std::vector<Part>>(), s[3].cast<double>(), s[4],
                          s[5].cast<Text>(), s[6].cast<std::vector<Text>>(),
-                         s[7].cast<std::vector<std::uint32_t>>());
+                         s[7].cast<std::vector<std::uint32_t>>(), s[8].cast<Georeference>());
       }));
 }
 

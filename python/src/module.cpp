@@ -14,6 +14,7 @@ PYBIND11_MODULE(_soms, module) {
   load_enums();
   prepare_calls();
   bind_poses(module);
+  bind_georeferences(module);
   bind_meshes(module);
   bind_shapes(module);
   bind_files(module);

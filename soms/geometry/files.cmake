@@ -6,6 +6,7 @@ set(SOMS_HEADERS
   crossing_segment.h
   defects.h
   frames.h
+  georeference.h
   mesh.h
   midpoint.h
   orientation.h
@@ -54,6 +55,7 @@ set(SOMS_SOURCES
   detail/point_feature.cpp
   detail/point_to_triangle.cpp
   frames.cpp
+  georeference.cpp
   mesh.cpp
   midpoint.cpp
   orientation.cpp

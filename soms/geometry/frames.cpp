@@ -42,15 +42,47 @@ bool units_are_in_doubt(const CoordinateFrame& a, const CoordinateFrame& b) {
                                   : !a.unit_is_stated && !b.unit_is_stated && a.unit != b.unit;
 }
 
+bool georeference_is_in_doubt(const CoordinateFrame& a, const CoordinateFrame& b) {
+  const bool stated = a.georeference_is_stated || b.georeference_is_stated;
+  const bool both = !a.georeference.empty() && !b.georeference.empty();
+  return a.georeference != b.georeference && (both || !stated);
+}
+
+/// What differs of two georeferences, or all that one states.
+struct GeoreferenceWords {
+  std::string what;
+  std::string a;
+  std::string b;
+};
+
+GeoreferenceWords georeference_words(const Georeference& a, const Georeference& b) {
+  const auto name = [](const std::string& text) { return text.empty() ? "unknown" : text; };
+  const auto place = [](const Georeference& whole) {
+    return whole.map_conversion ? describe({.map_conversion = whole.map_conversion}) : "unknown";
+  };
+  if (a.empty() || b.empty()) {
+    return {"the georeference", a.empty() ? "unknown" : describe(a),
+            b.empty() ? "unknown" : describe(b)};
+  }
+  if (a.crs != b.crs) {
+    return {"the coordinate reference system", name(a.crs), name(b.crs)};
+  }
+  if (a.vertical_datum != b.vertical_datum) {
+    return {"the vertical datum", name(a.vertical_datum), name(b.vertical_datum)};
+  }
+  return {"the map conversion", place(a), place(b)};
+}
+
 }  // namespace
 
 CoordinateFrame frame_of(const Mesh& mesh) {
-  return {.unit = mesh.unit, .up = mesh.up};
+  return {.unit = mesh.unit, .up = mesh.up, .georeference = mesh.georeference};
 }
 
 std::string_view name(FrameDoubt doubt) {
-  constexpr std::array<std::string_view, 5> kNames{"axes_differ", "axis_unknown", "units_differ",
-                                                   "unit_unknown", "boxes_apart"};
+  constexpr std::array<std::string_view, 7> kNames{
+      "axes_differ",          "axis_unknown",         "units_differ", "unit_unknown",
+      "georeferences_differ", "georeference_unknown", "boxes_apart"};
   return kNames.at(static_cast<std::size_t>(doubt));
 }
 
@@ -73,11 +105,23 @@ std::vector<FrameDoubt> compare_frames(const CoordinateFrame& a, const Coordinat
     const bool both = a.unit > 0 && b.unit > 0;
     doubts.push_back(both ? FrameDoubt::units_differ : FrameDoubt::unit_unknown);
   }
+  if (georeference_is_in_doubt(a, b)) {
+    const bool both = !a.georeference.empty() && !b.georeference.empty();
+    doubts.push_back(both ? FrameDoubt::georeferences_differ : FrameDoubt::georeference_unknown);
+  }
   return doubts;
 }
 
 std::string explain(FrameDoubt doubt, const CoordinateFrame& a, const std::string& name_a,
                     const CoordinateFrame& b, const std::string& name_b) {
+  if (doubt == FrameDoubt::georeferences_differ || doubt == FrameDoubt::georeference_unknown) {
+    // What is known comes first.
+    if (a.georeference.empty()) {
+      return explain(doubt, b, name_b, a, name_a);
+    }
+    const GeoreferenceWords words = georeference_words(a.georeference, b.georeference);
+    return words.what + " is " + words.a + " in " + name_a + ", and " + words.b + " in " + name_b;
+  }
   const bool axes = doubt == FrameDoubt::axes_differ || doubt == FrameDoubt::axis_unknown;
   const auto known = [&](const CoordinateFrame& frame) {
     return axes ? frame.up != UpAxis::unknown : frame.unit > 0;

@@ -19,6 +19,8 @@ struct CoordinateFrame {
   bool unit_is_stated = false;  ///< the caller answers for the unit, which two files may contradict
   bool up_is_stated = false;    ///< the caller answers for `up`, which a file may contradict
   double scale = 1;  ///< the caller multiplied the coordinates by it; `unit` is that of the product
+  Georeference georeference = {};       ///< of the coordinates as they stand now
+  bool georeference_is_stated = false;  ///< the caller answers for it
 
   [[nodiscard]] bool operator==(const CoordinateFrame&) const = default;
 };
@@ -28,11 +30,13 @@ struct CoordinateFrame {
 
 /// Why "no overlap" may not mean "free": the numbers of the two bodies may not mean the same.
 enum class FrameDoubt {
-  axes_differ,   ///< the up axes of both are known, and differ
-  axis_unknown,  ///< one declares its up axis, of the other none is known
-  units_differ,  ///< both declare a unit, and not the same
-  unit_unknown,  ///< one declares a unit, the other does not
-  boxes_apart,   ///< `far_apart` holds
+  axes_differ,           ///< the up axes of both are known, and differ
+  axis_unknown,          ///< one declares its up axis, of the other none is known
+  units_differ,          ///< both declare a unit, and not the same
+  unit_unknown,          ///< one declares a unit, the other does not
+  georeferences_differ,  ///< both say where on the Earth they lie, and not in the same way
+  georeference_unknown,  ///< one says where on the Earth it lies, the other does not
+  boxes_apart,           ///< `far_apart` holds
 };
 
 /// Name of a doubt, in snake_case.
@@ -41,12 +45,15 @@ enum class FrameDoubt {
 /// True if two units, in meters, are the same but for the rounding of a float.
 [[nodiscard]] bool same_unit(double a, double b);
 
-/// Doubts about what two models declare, axes before units; none where neither declares anything.
+/// Doubts about what two models declare, axes before units, georeferences last; none where neither
+/// declares anything.
 /// Axes that are known and differ are always a doubt. An axis that is unknown is none where the
 /// other is stated by the caller, who has looked at both; an unknown unit is none where either is
 /// stated. Units that are known and not `same_unit` are a doubt unless the caller states the unit
 /// of either and left its numbers alone (`scale` 1): a scale that does not fit contradicts the
-/// files. Symmetric.
+/// files. Georeferences that are not the same are a doubt, and so is one beside none, unless the
+/// caller states the one that there is. Whoever places the second model by a pose takes its
+/// georeference out of its frame first. Symmetric.
 [[nodiscard]] std::vector<FrameDoubt> compare_frames(const CoordinateFrame& a,
                                                      const CoordinateFrame& b);
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace soms {
 
@@ -211,6 +212,9 @@ Mesh transformed(Mesh mesh, double scale, UpAxis up) {
       mesh.unit = 0;  // unknown: no double holds it
     }
   }
+  mesh.georeference = up == UpAxis::x || up == UpAxis::y
+                          ? Georeference{}
+                          : scaled(std::move(mesh.georeference), scale);
   return mesh;
 }
 

@@ -4,6 +4,7 @@
 
 #include "soms/base/box.h"
 #include "soms/base/vector.h"
+#include "soms/geometry/georeference.h"
 
 #include <array>
 #include <cstdint>
@@ -55,6 +56,7 @@ struct Mesh {
   std::vector<std::uint32_t> faces;  ///< face of the file for each triangle; empty means identity
   double unit = 0;                   ///< meters a unit when the file says so, else 0
   UpAxis up = UpAxis::unknown;
+  Georeference georeference = {};  ///< where on the Earth the numbers lie, if the file says so
   std::string source;              ///< path of the file, or what generated it
   std::vector<std::string> notes;  ///< what the file holds that was not read or applied
 
@@ -88,7 +90,8 @@ void check(const Mesh& mesh);
 }
 
 /// Appends `other`, keeping its parts and faces; a mesh without parts becomes one part named by its
-/// source. Triangle i of `other` becomes triangle `mesh.triangles.size() + i`.
+/// source. Triangle i of `other` becomes triangle `mesh.triangles.size() + i`. Unit, up axis and
+/// georeference stay those of `mesh`.
 /// \errors ErrorKind::out_of_range when the sum exceeds `kMaxPrimitives`.
 void append(Mesh& mesh, const Mesh& other);
 
@@ -98,6 +101,7 @@ void append(Mesh& mesh, const Mesh& other);
 /// A mesh with every vertex multiplied by `scale`, and turned from `up` to z up as COLLADA does it
 /// (y up: (x, y, z) becomes (x, -z, y); x up: it becomes (-y, -z, x); `unknown` and `z` do
 /// not turn). Turning permutes and negates, without rounding; the result states z up after x, y, z.
+/// A georeference is `scaled` with the vertices, and is gone from a mesh that was turned.
 /// \errors ErrorKind::usage unless `scale` is finite and positive.
 [[nodiscard]] Mesh transformed(Mesh mesh, double scale, UpAxis up);
 

@@ -7,6 +7,7 @@
 #include "soms/geometry/crossing_segment.h"
 #include "soms/geometry/defects.h"
 #include "soms/geometry/frames.h"
+#include "soms/geometry/georeference.h"
 #include "soms/geometry/mesh.h"
 #include "soms/geometry/midpoint.h"
 #include "soms/geometry/orientation.h"
@@ -207,7 +208,35 @@ std::ostream& operator<<(std::ostream& out, const CoordinateFrame& value) {
                     .add("up", value.up)
                     .add("unit_is_stated", value.unit_is_stated)
                     .add("up_is_stated", value.up_is_stated)
-                    .add("scale", value.scale);
+                    .add("scale", value.scale)
+                    .add("georeference", value.georeference)
+                    .add("georeference_is_stated", value.georeference_is_stated);
+}
+
+std::ostream& operator<<(std::ostream& out, const Georeference& value) {
+  PrintedFields fields("Georeference");
+  if (!value.crs.empty()) {
+    fields.add("crs", quoted_text(value.crs));
+  }
+  if (!value.vertical_datum.empty()) {
+    fields.add("vertical_datum", quoted_text(value.vertical_datum));
+  }
+  if (value.map_conversion) {
+    fields.add("map_conversion", *value.map_conversion);
+  }
+  return out << fields;
+}
+
+std::ostream& operator<<(std::ostream& out, const MapConversion& value) {
+  return out << PrintedFields("MapConversion")
+                    .add("eastings", value.eastings)
+                    .add("northings", value.northings)
+                    .add("height", value.height)
+                    .add("abscissa", value.abscissa)
+                    .add("ordinate", value.ordinate)
+                    .add("scale", value.scale)
+                    .add("factors", value.factors)
+                    .add("unit", value.unit);
 }
 
 std::ostream& operator<<(std::ostream& out, FrameDoubt value) {

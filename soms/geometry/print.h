@@ -22,6 +22,8 @@ struct DefectPlaces;
 struct Defects;
 struct EdgeCounts;
 struct EdgePlace;
+struct Georeference;
+struct MapConversion;
 struct Mesh;
 struct Part;
 struct PartClosedness;
@@ -58,6 +60,8 @@ std::ostream& operator<<(std::ostream& out, Sign value);
 std::ostream& operator<<(std::ostream& out, Projection value);
 std::ostream& operator<<(std::ostream& out, Midpoint value);
 std::ostream& operator<<(std::ostream& out, const CoordinateFrame& value);
+std::ostream& operator<<(std::ostream& out, const Georeference& value);
+std::ostream& operator<<(std::ostream& out, const MapConversion& value);
 std::ostream& operator<<(std::ostream& out, FrameDoubt value);
 
 }  // namespace soms

@@ -1,4 +1,5 @@
 set(SOMS_HEADERS
+  crs.h
   formats.h
   new_file.h
   poses.h
@@ -10,6 +11,7 @@ set(SOMS_HEADERS
   write_mesh.h
 )
 set(SOMS_SOURCES
+  crs.cpp
   detail/affine.cpp
   detail/b3dm.cpp
   detail/base64.cpp
@@ -22,6 +24,7 @@ set(SOMS_SOURCES
   detail/collada_scene.cpp
   detail/collada_transform.cpp
   detail/csv_cells.cpp
+  detail/epsg_units.cpp
   detail/feature.cpp
   detail/file.cpp
   detail/format.cpp
@@ -33,6 +36,7 @@ set(SOMS_SOURCES
   detail/gltf_buffers.cpp
   detail/gltf_corners.cpp
   detail/gltf_features.cpp
+  detail/gltf_frame.cpp
   detail/gltf_meshes.cpp
   detail/gltf_metadata.cpp
   detail/gltf_scene.cpp

@@ -1,6 +1,7 @@
 #include "soms/io/print.h"
 
 #include "soms/base/print_fields.h"
+#include "soms/io/crs.h"
 #include "soms/io/formats.h"
 #include "soms/io/read_mesh.h"
 #include "soms/io/robot.h"
@@ -13,6 +14,10 @@ std::ostream& operator<<(std::ostream& out, const Column& value) {
   return out << PrintedFields("Column")
                     .add("name", value.name)
                     .add("may_be_infinite", value.may_be_infinite);
+}
+
+std::ostream& operator<<(std::ostream& out, const CrsAxes& value) {
+  return out << PrintedFields("CrsAxes").add("unit", value.unit).add("angles", value.angles);
 }
 
 std::ostream& operator<<(std::ostream& out, const ReadOptions& value) {

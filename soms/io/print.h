@@ -8,6 +8,7 @@ namespace soms {
 
 enum class MeshFormat;
 struct Column;
+struct CrsAxes;
 struct ReadOptions;
 struct ReadableFormat;
 struct RobotReadOptions;
@@ -16,6 +17,7 @@ struct WritableFormat;
 
 /// One line, as in soms/base/print.h.
 std::ostream& operator<<(std::ostream& out, const Column& value);
+std::ostream& operator<<(std::ostream& out, const CrsAxes& value);
 std::ostream& operator<<(std::ostream& out, const ReadOptions& value);
 std::ostream& operator<<(std::ostream& out, const ReadableFormat& value);
 std::ostream& operator<<(std::ostream& out, const RobotReadOptions& value);

@@ -47,6 +47,73 @@ TEST(Frames, R117WhatTheCallerStatesIsNotDoubted) {
   EXPECT_EQ(both_orders(stated(kObj, true, true), kGltf), Doubts{FrameDoubt::axes_differ});
 }
 
+CoordinateFrame placed(const Georeference& georeference, bool stated = false) {
+  return {.georeference = georeference, .georeference_is_stated = stated};
+}
+
+TEST(Frames, R117GeoreferencesAreDoubtedWhereTheyDifferOrOneIsUnknown) {
+  const Georeference city{.crs = "EPSG:7415"};
+  const Georeference site{.crs = "EPSG:7415", .map_conversion = MapConversion{.eastings = 8e4}};
+  const Georeference datum{.crs = "EPSG:7415", .vertical_datum = "NAP"};
+  const Doubts differ{FrameDoubt::georeferences_differ};
+  const Doubts unknown{FrameDoubt::georeference_unknown};
+  for (const Georeference& one : {city, site, datum}) {
+    EXPECT_EQ(both_orders(placed(one), placed(one)), Doubts{});
+    EXPECT_EQ(both_orders(placed(one), placed({})), unknown);
+    EXPECT_EQ(both_orders(placed(one, true), placed({})), Doubts{}) << "the caller has seen both";
+  }
+  EXPECT_EQ(both_orders(placed({}), placed({})), Doubts{});
+  EXPECT_EQ(both_orders(placed(city), placed(site)), differ);
+  EXPECT_EQ(both_orders(placed(city), placed(datum)), differ);
+  EXPECT_EQ(both_orders(placed(city, true), placed({.crs = "EPSG:28992"})), differ);
+  MapConversion turned = *site.map_conversion;
+  turned.abscissa = 0.6;
+  turned.ordinate = 0.8;
+  EXPECT_EQ(both_orders(placed(site), placed({.crs = "EPSG:7415", .map_conversion = turned})),
+            differ);
+  EXPECT_EQ(both_orders({.unit = 1, .up = UpAxis::z, .georeference = city}, kGltf),
+            (Doubts{FrameDoubt::axes_differ, FrameDoubt::georeference_unknown}));
+}
+
+TEST(Frames, GeoreferencesAreExplainedByWhatDiffers) {
+  const auto words = [](const Georeference& a, const Georeference& b) {
+    const CoordinateFrame one = placed(a);
+    const CoordinateFrame other = placed(b);
+    return explain(compare_frames(one, other).at(0), one, "a", other, "b");
+  };
+  const Georeference city{.crs = "EPSG:7415"};
+  const Georeference site{.crs = "EPSG:7415",
+                          .map_conversion = MapConversion{.eastings = 311988, .unit = 1}};
+  EXPECT_EQ(words({}, site),
+            "the georeference is EPSG:7415; origin at east 311988, north 0, height 0 in b, and "
+            "unknown in a");
+  EXPECT_EQ(words(city, {.crs = "EPSG:28992"}),
+            "the coordinate reference system is EPSG:7415 in a, and EPSG:28992 in b");
+  EXPECT_EQ(words(city, {.vertical_datum = "NAP"}),
+            "the coordinate reference system is EPSG:7415 in a, and unknown in b");
+  EXPECT_EQ(words(city, {.crs = "EPSG:7415", .vertical_datum = "NAP"}),
+            "the vertical datum is unknown in a, and NAP in b");
+  EXPECT_EQ(words(site, city),
+            "the map conversion is origin at east 311988, north 0, height 0 in a, and unknown in "
+            "b");
+  EXPECT_EQ(describe({.map_conversion = MapConversion{1, 2, 3, 0.6, 0.8, 4, {5, 6, 7}, 0.3048}}),
+            "origin at east 1, north 2, height 3; x toward (0.6, 0.8); scale 4; factors (5, 6, 7); "
+            "map units of 0.3048 m");
+  EXPECT_EQ(describe({}), "none");
+}
+
+TEST(Frames, AGeoreferenceFollowsTheScaleAndIsGoneFromATurnedMesh) {
+  Mesh mesh{.vertices = {{1, 2, 3}}, .georeference = {.crs = "EPSG:7415"}};
+  EXPECT_EQ(transformed(mesh, 1, UpAxis::z).georeference, mesh.georeference);
+  EXPECT_EQ(transformed(mesh, 4, UpAxis::z).georeference.map_conversion,
+            MapConversion{.scale = 0.25});
+  mesh.georeference.map_conversion = MapConversion{.eastings = 7, .scale = 3};
+  EXPECT_EQ(transformed(mesh, 2, UpAxis::unknown).georeference.map_conversion,
+            (MapConversion{.eastings = 7, .scale = 1.5}));
+  EXPECT_TRUE(transformed(mesh, 1, UpAxis::y).georeference.empty());
+  EXPECT_TRUE(transformed(Mesh{}, 2, UpAxis::z).georeference.empty());
+}
+
 TEST(Frames, UnitsThatDifferByTheRoundingOfAFloatAreTheSame) {
   EXPECT_EQ(both_orders({.unit = 0.001}, {.unit = double{0.1F} / 100}), Doubts{});
   EXPECT_TRUE(same_unit(0.3048, 0.3048));

@@ -206,6 +206,46 @@ TEST(CityJson, PlacesTemplates) {
   EXPECT_NEAR(volume, 8, 1e-9);
 }
 
+/// A cube whose metadata state this reference system, as JSON.
+Mesh city_in(const std::string& system) {
+  return read_city(
+      city(object("a", solid()), kCube, R"(,"metadata":{"referenceSystem":)" + system + "}"));
+}
+
+TEST(CityJson, StatesItsReferenceSystemAndTheUnitOfThat) {
+  const Mesh meters = city_in(R"("https://www.opengis.net/def/crs/EPSG/0/7415")");
+  EXPECT_EQ(meters.georeference, (Georeference{.crs = "EPSG:7415"}));
+  EXPECT_EQ(meters.unit, 1);
+  EXPECT_TRUE(meters.notes.empty());
+  EXPECT_DOUBLE_EQ(city_in(R"("urn:ogc:def:crs:EPSG::2263")").unit, 1200.0 / 3937);
+  const Mesh unknown = city_in(R"("local")");
+  EXPECT_EQ(unknown.georeference, (Georeference{.crs = "local"}));
+  EXPECT_EQ(unknown.unit, 0);
+  EXPECT_TRUE(city_in("null").georeference.empty());
+  const Mesh angles = city_in(R"("https://www.opengis.net/def/crs/EPSG/0/4979")");
+  EXPECT_EQ(angles.unit, 0);
+  ASSERT_EQ(angles.notes.size(), 1U);
+  EXPECT_EQ(angles.notes[0],
+            "longitude and latitude are angles (EPSG:4979), so lengths and distances have no "
+            "meaning");
+  const Mesh number = city_in("7415");
+  EXPECT_TRUE(number.georeference.empty());
+  EXPECT_EQ(number.notes, std::vector<std::string>{"a reference system that is no text, not read"});
+}
+
+TEST(CityJson, StatesTheReferenceSystemOfASequence) {
+  const std::string head =
+      R"({"type":"CityJSON","version":"2.0","transform":{"scale":[1,1,1],"translate":[0,0,0]},)"
+      R"("metadata":{"referenceSystem":"urn:ogc:def:crs:EPSG::28992"},"CityObjects":{},)"
+      R"("vertices":[]})";
+  const Mesh mesh =
+      read_city(head + "\n" + R"({"type":"CityJSONFeature","id":"a","CityObjects":{)" +
+                    object("a", solid()) + R"(},"vertices":[)" + kCube + "]}",
+                "a.city.jsonl");
+  EXPECT_EQ(mesh.georeference.crs, "EPSG:28992");
+  EXPECT_EQ(mesh.unit, 1);
+}
+
 TEST(CityJson, ReadsSequencesLineByLine) {
   const std::string head =
       R"({"type":"CityJSON","version":"2.0","transform":{"scale":[2,2,2],"translate":[1,0,0]},)"

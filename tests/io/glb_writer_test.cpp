@@ -96,6 +96,32 @@ TEST(GlbWriter, KeepsUnitAndAxis) {
   }
 }
 
+TEST(GlbWriter, KeepsTheGeoreference) {
+  Rng rng(5);
+  Mesh mesh = random_mesh(rng, 3, 1, 1);
+  mesh.unit = 1;
+  for (const UpAxis up : {UpAxis::y, UpAxis::z}) {
+    mesh.up = up;
+    for (const Georeference& georeference :
+         {Georeference{}, Georeference{.crs = "EPSG:7415"},
+          Georeference{.crs = "a \"b\"", .vertical_datum = "NAP"},
+          Georeference{.map_conversion = MapConversion{}},
+          Georeference{.crs = "EPSG:25833",
+          .map_conversion = MapConversion{.eastings = 311988.1,
+                            .northings = -5996148.2,
+                            .height = 10.3,
+                            .abscissa = 0.6,
+                            .ordinate = -0.8,
+                            .scale = 1e-3,
+                            .factors = {0.9996, 1.0004, 1},
+                            .unit = 0.3048}}}) {
+      mesh.georeference = georeference;
+      EXPECT_EQ(read_glb_back(mesh).georeference, georeference);
+      EXPECT_EQ(read_glb_back(mesh).up, up);
+    }
+  }
+}
+
 TEST(GlbWriter, KeepsLargeIndices) {
   Rng rng(3);
   const Mesh mesh = random_mesh(rng, 65'536, 1000, 1);

@@ -140,6 +140,39 @@ TEST(Import, TakesUnitAndAxis) {
   EXPECT_EQ(mesh.up, UpAxis::x);
 }
 
+/// The record of a georeference with these numbers of a map conversion.
+std::string georeference(const std::string& crs, const std::string& datum,
+                         const std::vector<double>& map) {
+  std::string bytes = text('g', crs) + bytes_of(datum.size(), 4) + datum;
+  bytes += bytes_of(map.empty() ? 0 : 1, 4);
+  for (const double number : map) {
+    bytes += bytes_of(number);
+  }
+  return bytes;
+}
+
+Mesh imported_in(const std::string& place) {
+  return ImportedBy(kWrite, kMagic + place + kCorners + face({0, 1, 2}) + ".").read();
+}
+
+TEST(Import, TakesAGeoreference) {
+  EXPECT_TRUE(imported_in("").georeference.empty());
+  EXPECT_EQ(imported_in(georeference("epsg:25833", "DHHN2016", {})).georeference,
+            (Georeference{.crs = "EPSG:25833", .vertical_datum = "DHHN2016"}));
+  const Georeference whole =
+      imported_in(georeference("EPSG:2263", "", {1, 2, 3, 0.6, 0.8, 5, 6, 7, 8, 0})).georeference;
+  EXPECT_EQ(whole.map_conversion, (MapConversion{1, 2, 3, 0.6, 0.8, 5, {6, 7, 8}, 1200.0 / 3937}))
+      << "the unit of the system, as none is stated";
+  EXPECT_EQ(imported_in(georeference("EPSG:2263", "", {0, 0, 0, 1, 0, 1, 1, 1, 1, 0.3048}))
+                .georeference.map_conversion->unit,
+            0.3048);
+  const ImportedBy cut(kWrite, kMagic + georeference("EPSG:2263", "", {1, 2, 3}));
+  cut.expect_refused(ErrorKind::bad_file, "it is cut off");
+  const ImportedBy infinite(kWrite,
+                            kMagic + georeference("", "", {1, 2, 3, 4, 5, 6, 7, 8, HUGE_VAL, 0}));
+  infinite.expect_refused(ErrorKind::bad_file, "not finite");
+}
+
 TEST(Import, GivesTheModelAndItsExtensionAndNothingElse) {
   // The script fails unless all is as it should be: one argument, the model, no more open files.
   const ImportedBy imported(R"sh([ "$*" = .lwo ] || exit 10

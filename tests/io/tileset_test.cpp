@@ -286,7 +286,10 @@ TEST(Tileset, SaysThatNoAxisIsUpInEarthCenteredCoordinates) {
   const Vec3 at = on_earth(0.1, 0.8, 50);
   const std::string there = moved(std::to_string(at.x), std::to_string(at.y), std::to_string(at.z));
   EXPECT_EQ(read_tiles(tile_of("c.glb", there)).up, UpAxis::unknown);
-  EXPECT_EQ(read_tiles(tile_of("c.glb", moved("100000", "400000", "0"))).up, UpAxis::z);
+  EXPECT_EQ(read_tiles(tile_of("c.glb", there)).georeference.crs, "EPSG:4978");
+  const Mesh local = read_tiles(tile_of("c.glb", moved("100000", "400000", "0")));
+  EXPECT_EQ(local.up, UpAxis::z);
+  EXPECT_TRUE(local.georeference.empty());
   EXPECT_EQ(
       read_tiles(
           R"({"geometricError":1,"content":{"uri":"c.glb"},"boundingVolume":{"region":[0,0,1,1,0,9]}})")

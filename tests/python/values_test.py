@@ -77,6 +77,25 @@ class Meshes(unittest.TestCase):
         self.assertEqual((mesh.unit, mesh.up, mesh.source), (0.001, soms.UpAxis.y, "here"))
         self.assertEqual(tetrahedron().part_of([0]).tolist(), [-1])
 
+    def test_georeferences(self):
+        self.assertFalse(tetrahedron().georeference)
+        conversion = soms.MapConversion(eastings=311988.0, northings=5996148.0, height=10.0,
+                                        abscissa=0.6, ordinate=0.8, factors=(1, 1, 2), unit=1.0)
+        place = soms.Georeference("EPSG:25833", "DHHN2016", conversion)
+        mesh = soms.Mesh(TETRAHEDRON, FACES, georeference=place)
+        self.assertTrue(mesh.georeference)
+        self.assertEqual(mesh.georeference, place)
+        self.assertNotEqual(mesh, tetrahedron())
+        self.assertEqual((place.crs, place.vertical_datum), ("EPSG:25833", "DHHN2016"))
+        self.assertEqual((conversion.eastings, conversion.northings, conversion.height),
+                         (311988.0, 5996148.0, 10.0))
+        self.assertEqual((conversion.abscissa, conversion.ordinate, conversion.scale),
+                         (0.6, 0.8, 1.0))
+        self.assertEqual((conversion.factors, conversion.unit), ((1.0, 1.0, 2.0), 1.0))
+        self.assertEqual(mesh.transformed(2.0).georeference.map_conversion.scale, 0.5)
+        self.assertIsNone(soms.Georeference("EPSG:7415").map_conversion)
+        self.assertTrue(str(place).startswith("EPSG:25833; vertical datum DHHN2016; origin at"))
+
     def test_bounds_hash_and_transformed(self):
         mesh = tetrahedron()
         self.assertEqual(mesh.bounds.tolist(), [[0, 0, 0], [1, 1, 1]])
@@ -88,10 +107,13 @@ class Meshes(unittest.TestCase):
     def test_pickling_and_copies(self):
         parts = [soms.Part("all", 0, 4)]
         mesh = soms.Mesh(TETRAHEDRON, FACES, parts, unit=1.0, up="z", source="x", notes=["n"],
-                         file_faces=[5, 6, 7, 8])
+                         file_faces=[5, 6, 7, 8],
+                         georeference=soms.Georeference("c", "d", soms.MapConversion(scale=3.0)))
         shape = soms.Shape(mesh, rule="sah", layout="compact", per_leaf=2)
         body = soms.Body(shape, [1, 2, 3], "name")
-        for value in (mesh, shape, body, body.pose, parts[0], soms.ClosedBody(body)):
+        place = mesh.georeference
+        for value in (mesh, shape, body, body.pose, parts[0], soms.ClosedBody(body), place,
+                      place.map_conversion):
             self.assertEqual(pickle.loads(pickle.dumps(value)), value)
             self.assertEqual(copy.deepcopy(value), value)
             self.assertTrue(repr(value).startswith(type(value).__name__), repr(value))

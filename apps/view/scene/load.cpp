@@ -22,6 +22,7 @@ SceneContent content_of(command::World world) {
   content.city = std::move(world.city);
   content.notes = std::move(world.notes);
   content.warnings = std::move(world.warnings);
+  content.georeference = std::move(world.georeference);
   for (command::MoverRoute& mover_route : world.routes) {
     const command::Model& model = world.models[mover_route.model];
     const auto shared = std::make_shared<const command::MoverRoute>(std::move(mover_route));

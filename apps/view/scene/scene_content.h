@@ -36,6 +36,7 @@ struct SceneContent {
   std::uint64_t frames = 600;      ///< in which contacts are searched for, if anything moves
   std::vector<std::string> notes;  ///< what the reader should know of how it was made
   std::vector<command::FrameWarning> warnings = {};  ///< where the models' numbers may not agree
+  Georeference georeference = {};                    ///< of the city, so of all coordinates
   /// Frames that are played: poses of the movers in their order, and contacts. Null: none.
   std::shared_ptr<Replay> recording = nullptr;
 };

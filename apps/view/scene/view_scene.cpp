@@ -53,6 +53,7 @@ struct ViewScene::State {
   double unit = 0;  ///< of lengths, in meters; 0: not known
   std::vector<std::string> notes;
   std::vector<command::FrameWarning> warnings;
+  Georeference georeference;
   Parallel parallel;
   Scene scene;
   std::vector<EnvironmentId> city;
@@ -174,6 +175,7 @@ ViewScene::ViewScene(SceneContent content, const Parallel& parallel)
   s.title = std::move(content.title);
   s.notes = std::move(content.notes);
   s.warnings = std::move(content.warnings);
+  s.georeference = std::move(content.georeference);
   s.parallel.threads = parallel.threads;
   s.parallel.stop = parallel.stop;
   s.unit = command::common_unit(content.city);
@@ -207,6 +209,10 @@ double ViewScene::unit() const {
 
 const std::vector<std::string>& ViewScene::notes() const {
   return state_->notes;
+}
+
+const Georeference& ViewScene::georeference() const {
+  return state_->georeference;
 }
 
 const std::vector<command::FrameWarning>& ViewScene::warnings() const {

@@ -94,6 +94,9 @@ class ViewScene {
 
   [[nodiscard]] const std::string& title() const;
 
+  /// Where on the Earth the coordinates lie, if a file of the city says so.
+  [[nodiscard]] const Georeference& georeference() const;
+
   /// Meters a unit of all numbers, where the parts of the city declare the same; else 0.
   [[nodiscard]] double unit() const;
   [[nodiscard]] const std::vector<std::string>& notes() const;

@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 
 #include "apps/support/console.h"
+#include "apps/support/georeference.h"
 #include "apps/support/json.h"
 #include "apps/support/output.h"
 #include "apps/support/parse.h"
@@ -249,6 +250,7 @@ void report(const RenderOptions& options, ViewScene& scene, const GlRenderer& re
     answer["gap"] = gap_json(*gap);
   }
   add_gaps(answer, scene);
+  command::add_georeference(answer, scene.georeference());
   if (!scene.notes().empty()) {
     answer["notes"] = scene.notes();
   }

@@ -2,6 +2,7 @@
 
 #include "soms/base/error.h"
 
+#include "apps/support/georeference.h"
 #include "apps/support/json.h"
 #include "apps/support/length_unit.h"
 #include "apps/support/text.h"
@@ -67,6 +68,7 @@ void say(const RenderOptions& options, const ViewScene& scene, const std::string
   answer["movers"] = scene.movers();
   answer["device"] = "rays";
   answer.update(facts);
+  command::add_georeference(answer, scene.georeference());
   if (!scene.notes().empty()) {
     answer["notes"] = scene.notes();
   }

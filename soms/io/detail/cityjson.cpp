@@ -1,6 +1,7 @@
 #include "soms/io/detail/cityjson.h"
 
 #include "soms/base/arithmetic.h"
+#include "soms/io/crs.h"
 #include "soms/io/detail/cityjson_geometry.h"
 #include "soms/io/detail/text.h"
 
@@ -63,6 +64,9 @@ class CityReader {
  public:
   explicit CityReader(Source& source) : source_(source), builder_(source) {}
 
+  /// The reference system of all documents.
+  void read_reference_system(const JsonValue& root);
+
   void add(const JsonValue& root, const CityTransform& transform);
 
   [[nodiscard]] Mesh finish();
@@ -78,6 +82,7 @@ class CityReader {
   Source& source_;
   MeshBuilder builder_;
   CityLeftOut left_out_;
+  std::string crs_;
   std::unordered_set<std::string_view> opened_;  ///< objects of the document
 };
 
@@ -137,6 +142,20 @@ void CityReader::add_tree(std::string_view key, const JsonValue& object, const O
   }
 }
 
+void CityReader::read_reference_system(const JsonValue& root) {
+  const std::optional<JsonValue> metadata = root.find("metadata");
+  const std::optional<JsonValue> system =
+      metadata && metadata->is_object() ? metadata->find("referenceSystem") : std::nullopt;
+  if (!system || system->is_null()) {
+    return;
+  }
+  if (!system->is_text()) {
+    builder_.note("a reference system that is no text, not read");
+    return;
+  }
+  crs_ = crs_name(system->text());
+}
+
 void CityReader::add(const JsonValue& root, const CityTransform& transform) {
   const JsonValue stated = root.at("CityObjects");
   CityGeometries geometries(source_, root, transform, builder_, left_out_);
@@ -167,8 +186,15 @@ Mesh CityReader::finish() {
   builder_.note(left_out_.without,
                 "objects without a geometry of the level of detail that is requested, not read");
   builder_.note(left_out_.not_areas, "points and lines, not read");
+  const CrsAxes axes = crs_axes(crs_);
+  if (axes.angles) {
+    builder_.note("longitude and latitude are angles (" + crs_ +
+                  "), so lengths and distances have no meaning");
+  }
   Mesh mesh = builder_.finish();
   mesh.up = UpAxis::z;
+  mesh.unit = axes.unit;
+  mesh.georeference.crs = crs_;
   return mesh;
 }
 
@@ -212,6 +238,7 @@ Mesh read_sequence(Source& source) {
     if (first) {
       check_cityjson_version(document.root());
       transform = city_transform(document.root());
+      reader.read_reference_system(document.root());
     }
     first = false;
     reader.add(document.root(), transform);
@@ -236,6 +263,7 @@ Mesh read_cityjson(Source& source) {
   const JsonDocument document(source, source.bytes, 0, false);
   check_cityjson_version(document.root());
   CityReader reader(source);
+  reader.read_reference_system(document.root());
   reader.add(document.root(), city_transform(document.root()));
   return reader.finish();
 }

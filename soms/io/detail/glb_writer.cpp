@@ -5,6 +5,7 @@
 #include "soms/base/portable.h"
 #include "soms/geometry/part_runs.h"
 #include "soms/io/detail/gltf.h"
+#include "soms/io/detail/gltf_frame.h"
 #include "soms/io/detail/json_document.h"
 
 #include <algorithm>
@@ -121,7 +122,6 @@ class GlbWriter {
   std::uint32_t add_node(const Node& node, std::uint32_t parent);
   [[nodiscard]] std::array<float, 3> position(std::uint32_t vertex) const;
   [[nodiscard]] std::string json(std::uint64_t index_size) const;
-  void add_own_extras(std::string& text) const;
   void add_nodes(std::string& text) const;
   void add_accessors(std::string& text) const;
   void put_positions();
@@ -301,32 +301,9 @@ void GlbWriter::add_accessors(std::string& text) const {
   }
 }
 
-/// Unit and axis where they are not glTF's or not known, for soms to read back; numbers stay as
-/// they are.
-void GlbWriter::add_own_extras(std::string& text) const {
-  const bool other_axis = mesh_.up != UpAxis::y;
-  const bool other_unit = mesh_.unit != 1;
-  if (!other_axis && !other_unit) {
-    return;
-  }
-  text += ",\"extras\":{\"soms\":{";
-  if (other_unit) {
-    std::array<char, 32> digits{};
-    const double unit = mesh_.unit > 0 ? mesh_.unit : 0;
-    char* const end = write_shortest(digits.data(), digits.data() + digits.size(), unit);
-    text.append("\"unit\":").append(digits.data(), end).append(other_axis ? "," : "");
-  }
-  if (other_axis) {
-    text += mesh_.up == UpAxis::x   ? "\"up\":\"x\""
-            : mesh_.up == UpAxis::z ? "\"up\":\"z\""
-                                    : "\"up\":\"unknown\"";
-  }
-  text += "}}";
-}
-
 std::string GlbWriter::json(std::uint64_t index_size) const {
   std::string text = "{\"asset\":{\"version\":\"2.0\",\"generator\":\"soms\"";
-  add_own_extras(text);
+  text += gltf_frame_extras(mesh_);
   text += "},\"scene\":0";
   if (runs_.empty()) {
     return text + ",\"scenes\":[{}]}";

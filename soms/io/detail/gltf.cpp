@@ -6,6 +6,7 @@
 #include "soms/io/detail/gltf_buffers.h"
 #include "soms/io/detail/gltf_corners.h"
 #include "soms/io/detail/gltf_features.h"
+#include "soms/io/detail/gltf_frame.h"
 #include "soms/io/detail/gltf_meshes.h"
 #include "soms/io/detail/gltf_scene.h"
 #include "soms/io/detail/json_document.h"
@@ -95,33 +96,6 @@ Affine frame_of(const JsonValue& root, const GltfTile& tile) {
     frame = frame * Affine{{1, 0, 0, x, 0, 1, 0, y, 0, 0, 1, z}};
   }
   return tile.turned ? frame * Affine{{1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0}} : frame;
-}
-
-/// glTF means meters, y up. A file that soms wrote of a mesh with another unit or axis says so, or
-/// that they are not known: a unit of 0, and `unknown`.
-void set_unit_and_up(const JsonValue& root, Mesh& mesh) {
-  mesh.unit = 1;
-  mesh.up = UpAxis::y;
-  const std::optional<JsonValue> extras = root.at("asset").find("extras");
-  const std::optional<JsonValue> own =
-      extras && extras->is_object() ? extras->find("soms") : std::nullopt;
-  const bool said = own && own->is_object();
-  const std::optional<JsonValue> unit = said ? own->find("unit") : std::nullopt;
-  const std::optional<JsonValue> up = said ? own->find("up") : std::nullopt;
-  if (unit) {
-    mesh.unit = unit->number();
-    if (!(mesh.unit >= 0)) {
-      unit->fail("the unit must be 0 or more");
-    }
-  }
-  if (up) {
-    const std::string_view axis = up->text();
-    if (axis != "x" && axis != "y" && axis != "z" && axis != "unknown") {
-      up->fail("the up axis must be x, y, z or unknown");
-    }
-    constexpr std::array kAxes{UpAxis::x, UpAxis::y, UpAxis::z};
-    mesh.up = axis.size() == 1 ? kAxes[static_cast<std::size_t>(axis[0] - 'x')] : UpAxis::unknown;
-  }
 }
 
 class GltfReader {
@@ -353,7 +327,7 @@ Mesh GltfReader::read() {
     mesh.parts.clear();
   }
   if (tile_ == nullptr) {
-    set_unit_and_up(root_, mesh);
+    read_gltf_frame(root_, mesh);
   }
   return mesh;
 }

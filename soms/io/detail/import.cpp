@@ -2,6 +2,7 @@
 
 #include "soms/base/portable.h"
 #include "soms/geometry/counts.h"
+#include "soms/io/crs.h"
 #include "soms/io/detail/file_extension.h"
 #include "soms/io/detail/import_child.h"
 #include "soms/io/detail/little_endian.h"
@@ -43,6 +44,8 @@ constexpr std::string_view kMagic = "soms-import 1\n";
 ///   n  length, text (u32)        a note
 ///   u  1 double                  meters a unit
 ///   a  x, y or z                 the axis that is up
+///   g  reference system, vertical datum, 0 or 1 (u32), then for 1 the 10 doubles of a
+///      MapConversion, in its order
 ///   .                            the end
 class ImportReader {
  public:
@@ -60,6 +63,7 @@ class ImportReader {
   void read_face();
   void read_unit();
   void read_axis();
+  void read_georeference();
 
   std::string_view take_text() { return take(take_number()); }
 
@@ -74,6 +78,7 @@ class ImportReader {
   std::vector<std::uint32_t> corners_;
   double unit_ = 0;
   UpAxis up_ = UpAxis::unknown;
+  Georeference georeference_;
 };
 
 void ImportReader::fail(const std::string& what) const {
@@ -149,6 +154,26 @@ void ImportReader::read_axis() {
   up_ = std::array{UpAxis::x, UpAxis::y, UpAxis::z}[axis];
 }
 
+void ImportReader::read_georeference() {
+  georeference_ = {.crs = crs_name(take_text())};
+  georeference_.vertical_datum = take_text();
+  if (take_number() == 0) {
+    return;
+  }
+  MapConversion& map = georeference_.map_conversion.emplace();
+  for (double* const value :
+       {&map.eastings, &map.northings, &map.height, &map.abscissa, &map.ordinate, &map.scale,
+        &map.factors.x, &map.factors.y, &map.factors.z, &map.unit}) {
+    *value = take_double();
+    if (!std::isfinite(*value)) {
+      fail("a number of the map conversion is not finite");
+    }
+  }
+  if (map.unit <= 0) {
+    map.unit = crs_axes(georeference_.crs).unit;
+  }
+}
+
 void ImportReader::describe() {
   if (open_parts_ == 0) {
     fail("a part is described that has not begun");
@@ -181,6 +206,7 @@ Mesh ImportReader::finish() {
   Mesh mesh = builder_.finish();
   mesh.unit = unit_;
   mesh.up = up_;
+  mesh.georeference = std::move(georeference_);
   return mesh;
 }
 
@@ -223,12 +249,25 @@ Mesh ImportReader::read() {
       case 'a':
         read_axis();
         break;
+      case 'g':
+        read_georeference();
+        break;
       case '.':
         return finish();
       default:
         fail("it has a record of unknown kind");
     }
   }
+}
+
+/// True of an IFC file that has a line for it, or a set of properties.
+bool states_map_conversion(std::string_view bytes) {
+  constexpr std::array<std::string_view, 4> kWords{"IFCMAPCONVERSION", "IFCRIGIDOPERATION",
+                                                   "ePset_MapConversion", "ePSet_MapConversion"};
+  return bytes.starts_with("ISO-10303-21") &&
+         std::any_of(kWords.begin(), kWords.end(), [bytes](std::string_view word) {
+           return bytes.find(word) != std::string_view::npos;
+         });
 }
 
 }  // namespace
@@ -243,7 +282,11 @@ bool is_imported(std::string_view extension) {
 
 Mesh read_import(Source& source) {
   const std::string answer = run_import(source, extension_of(source.name));
-  return ImportReader(source, answer).read();
+  Mesh mesh = ImportReader(source, answer).read();
+  if (mesh.georeference.empty() && states_map_conversion(source.bytes)) {
+    mesh.notes.emplace_back("the file states a map conversion, which Assimp does not read");
+  }
+  return mesh;
 }
 
 }  // namespace soms::detail

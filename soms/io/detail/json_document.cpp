@@ -244,6 +244,10 @@ bool JsonValue::is_null() const {
   return known(value_).is_null();
 }
 
+bool JsonValue::is_text() const {
+  return known(value_).is_string();
+}
+
 std::optional<JsonValue> JsonValue::find(std::string_view key) const {
   const json& value = known(value_);
   if (!value.is_object()) {

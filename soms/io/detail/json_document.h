@@ -31,6 +31,8 @@ class JsonValue {
 
   [[nodiscard]] bool is_null() const;
 
+  [[nodiscard]] bool is_text() const;
+
   /// The member of an object, if it has it. \errors ErrorKind::bad_file: no object.
   [[nodiscard]] std::optional<JsonValue> find(std::string_view key) const;
 

@@ -130,6 +130,11 @@ Mesh read_tile_content(Source& source, const TileFrame& frame,
   return mesh ? std::move(*mesh) : Mesh{};
 }
 
+void state_earth_centered(Mesh& mesh) {
+  mesh.up = UpAxis::unknown;
+  mesh.georeference = {.crs = "EPSG:4978"};
+}
+
 void finish_tiles(Source& source, Mesh& mesh) {
   if (mesh.triangles.empty() && !source.allow_empty) {
     source.fail(ErrorKind::empty_mesh,
@@ -145,7 +150,9 @@ void finish_tiles(Source& source, Mesh& mesh) {
     const Box box = bounds(mesh);
     constexpr double kNear = 100'000;
     const double height = geodetic_place((box.lower + box.upper) * 0.5).height;
-    mesh.up = std::abs(height) <= kNear ? UpAxis::unknown : UpAxis::z;
+    if (std::abs(height) <= kNear) {
+      state_earth_centered(mesh);
+    }
   }
 }
 

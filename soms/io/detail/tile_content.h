@@ -48,8 +48,12 @@ struct TileFrame {
 /// are Earth-centered. \errors As `read_mesh`.
 [[nodiscard]] Mesh read_tile(Source& source);
 
+/// States that coordinates are Earth-centered (EPSG:4978): no axis is up.
+void state_earth_centered(Mesh& mesh);
+
 /// States unit and axis of a mesh of tiles: meters; no axis is up where the middle of the mesh lies
-/// within 100 km of the surface of the Earth, z elsewhere. \errors ErrorKind::empty_mesh.
+/// within 100 km of the surface of the Earth, which is Earth-centered, and z elsewhere. \errors
+/// ErrorKind::empty_mesh.
 void finish_tiles(Source& source, Mesh& mesh);
 
 }  // namespace soms::detail

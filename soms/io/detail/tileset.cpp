@@ -184,7 +184,9 @@ Mesh TilesetReader::read() {
   add_notes(mesh);
   finish_tiles(source_, mesh);
   // Regions are places on the Earth: so are the coordinates beside them.
-  mesh.up = has_regions_ ? UpAxis::unknown : mesh.up;
+  if (has_regions_) {
+    state_earth_centered(mesh);
+  }
   return mesh;
 }
 
