@@ -14,14 +14,16 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 TARGET = ROOT / "soms" / "io" / "detail" / "epsg_units.cpp"
 DATABASE = "/usr/share/proj/proj.db"
 RUNS_A_LINE = 5
+# The database has decimals that are not the nearest double.
+EXACT = {"US survey foot": 1200 / 3937}
 
 
 def units_of_systems(database):
     """Units of the axes of each horizontal, geocentric, vertical and compound system by code."""
     units = {}
-    for authority, code, factor, kind in database.execute(
-            "select auth_name, code, conv_factor, type from unit_of_measure"):
-        units[authority, code] = (kind, factor)
+    for authority, code, name, factor, kind in database.execute(
+            "select auth_name, code, name, conv_factor, type from unit_of_measure"):
+        units[authority, code] = (kind, EXACT.get(name, factor))
     axes = {}
     for authority, code, unit_authority, unit in database.execute(
             "select coordinate_system_auth_name, coordinate_system_code, uom_auth_name, uom_code "

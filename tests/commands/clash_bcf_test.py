@@ -235,7 +235,7 @@ def baseline_faults(soms, folder, schemas):
 def ifc_faults(soms, folder):
     """An id that is an IFC GUID is one; another names the part for the tool that knows it."""
     guid = "3vB2YO$MX4xv5uCqZZG05x"
-    city = {"type": "CityJSON", "version": "2.0", "transform": {"scale": [1, 1, 1], "translate": [0, 0, 0]}, "CityObjects": {}, "vertices": []}
+    city = {"type": "CityJSON", "version": "2.0", "metadata": {"referenceSystem": "urn:ogc:def:crs:EPSG::7415"}, "transform": {"scale": [1, 1, 1], "translate": [0, 0, 0]}, "CityObjects": {}, "vertices": []}
     for name, low in ((guid, 0), ("tree-7", 0.5)):
         first = len(city["vertices"])
         city["vertices"] += [[int(10 * (low + (k & 1))), int(10 * (low + (k >> 1 & 1))), int(10 * (low + (k >> 2)))] for k in range(8)]
@@ -250,6 +250,8 @@ def ifc_faults(soms, folder):
     parts = {part.get("IfcGuid"): part.findtext("AuthoringToolId") for part in topics[0][2].iter("Component")}
     if parts != {guid: None, None: "tree-7"}:
         yield f"components are {parts}"
+    if "georeference: EPSG:7415" not in topics[0][1].find("Topic").find("Description").text:
+        yield "the topic does not say where on the Earth it lies"
 
 
 def building_faults(soms, folder, schemas):

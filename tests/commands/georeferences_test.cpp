@@ -70,25 +70,28 @@ TEST(Georeferences, R117AModelWithoutOneIsWarnedOfBesideOneThatHasIt) {
 
 TEST(Georeferences, R117EveryOutputWithCoordinatesHasIt) {
   const CityFolder folder(kSystem);
+  const std::string csv = folder.file("out.csv");
   const auto csv_of = [&](std::vector<std::string> words) {
-    words.insert(words.end(), {"--csv", folder.file("out.csv")});
+    const bool by_ending = words[0] == "clash" || words[0] == "clearance";
+    words.insert(words.end(), {by_ending ? "-o" : "--csv", csv});
     const RunResult result = soms_run(words);
     EXPECT_LE(result.status, 1) << words[0] << ": " << result.err;
-    return read_text(folder.file("out.csv"));
+    return read_text(csv);
   };
   write_text(folder.file("points.csv"), "x,y,z\n85001,447001,9\n");
-  write_text(folder.file("rays.csv"), "x,y,z,dx,dy,dz\n85001,447001.5,9,0,0,-1\n");
+  write_text(folder.file("rays.csv"), "ox,oy,oz,dx,dy,dz\n85001,447001.5,9,0,0,-1\n");
   write_text(folder.file("path.csv"), "x,y,z\n85009,447001,1\n85009,447009,1\n");
   const std::string points = folder.file("points.csv");
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"distance", folder.city(), folder.city()},
         std::vector<std::string>{"within", folder.city(), folder.city(), "--clearance", "1"},
-        std::vector<std::string>{"overlap", folder.city(), folder.city(), "--by-part"},
+        std::vector<std::string>{"overlap", folder.city(), folder.city(), "--by", "part"},
         std::vector<std::string>{"closest", folder.city(), "--points", points},
         std::vector<std::string>{"ray", folder.city(), "--rays", folder.file("rays.csv")},
         std::vector<std::string>{"clash", folder.city(), "--against", folder.ply(), "--crs-b",
                                  kShort},
-        std::vector<std::string>{"clearance", folder.city(), "--path", folder.file("path.csv")}}) {
+        std::vector<std::string>{"clearance", folder.city(), "--path", folder.file("path.csv"),
+                                 "--profile", folder.ply()}}) {
     const std::string text = csv_of(words);
     EXPECT_NE(text.find(",georeference\n"), std::string::npos) << words[0] << ": " << text;
     EXPECT_NE(text.find(",EPSG:7415\n"), std::string::npos) << words[0] << ": " << text;
@@ -98,7 +101,8 @@ TEST(Georeferences, R117EveryOutputWithCoordinatesHasIt) {
         std::vector<std::string>{"closest", folder.city(), "--points", points},
         std::vector<std::string>{"ray", folder.city(), "--rays", folder.file("rays.csv")},
         std::vector<std::string>{"clash", folder.city()},
-        std::vector<std::string>{"clearance", folder.city(), "--path", folder.file("path.csv")},
+        std::vector<std::string>{"clearance", folder.city(), "--path", folder.file("path.csv"),
+                                 "--profile", folder.ply()},
         std::vector<std::string>{"simulate", folder.city(), "--frames", "1", "--count", "1"},
         std::vector<std::string>{"convert", folder.city(), folder.file("b.glb")}}) {
     std::vector<std::string> json = words;
@@ -115,7 +119,7 @@ TEST(Georeferences, R117EveryOutputWithCoordinatesHasIt) {
             std::string::npos);
 }
 
-TEST(Georeferences, R117PagesAndTopicsHaveIt) {
+TEST(Georeferences, R117PagesHaveIt) {
   const CityFolder folder(kSystem);
   const std::string page = folder.file("page.html");
   for (const std::vector<std::string>& words :
@@ -124,7 +128,7 @@ TEST(Georeferences, R117PagesAndTopicsHaveIt) {
         std::vector<std::string>{"clash", folder.city()},
         std::vector<std::string>{"simulate", folder.city(), "--frames", "1", "--count", "1"}}) {
     std::vector<std::string> report = words;
-    report.insert(report.end(), {"--report", page});
+    report.insert(report.end(), {words[0] == "clash" ? "-o" : "--report", page});
     ASSERT_EQ(soms_run(report).status, 0) << words[0];
     EXPECT_NE(read_text(page).find(kShort), std::string::npos) << words[0];
   }
