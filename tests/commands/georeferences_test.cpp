@@ -72,8 +72,8 @@ TEST(Georeferences, R117EveryOutputWithCoordinatesHasIt) {
   const CityFolder folder(kSystem);
   const std::string csv = folder.file("out.csv");
   const auto csv_of = [&](std::vector<std::string> words) {
-    const bool by_ending = words[0] == "clash" || words[0] == "clearance";
-    words.insert(words.end(), {by_ending ? "-o" : "--csv", csv});
+    const bool is_list = words[0] == "clash" || words[0] == "clearance";
+    words.insert(words.end(), {is_list ? "-o" : "--csv", csv});
     const RunResult result = soms_run(words);
     EXPECT_LE(result.status, 1) << words[0] << ": " << result.err;
     return read_text(csv);
