@@ -101,7 +101,9 @@ coordinates of crs; without it they are such coordinates. False if nothing is st
       "__eq__", [](const Georeference& a, const Georeference& b) { return a == b; },
       py::is_operator());
   place.attr("__hash__") = py::none();
-  place.def("__str__", [](const Georeference& g) { return Text{describe(g)}; });
+  place.def(
+      "__str__", [](const Georeference& g) { return Text{describe(g)}; },
+      "In words, as the command has them.");
   place.def("__repr__", &printed<Georeference>);
   place.def(py::pickle(
       [](const Georeference& g) {

@@ -18,6 +18,54 @@ def conversion_of(eastings):
             "scale": 1.0, "factors": [1.0, 1.0, 1.0], "unit": 1.0}
 
 
+SYSTEM = "#10=IFCPROJECTEDCRS('EPSG:25833',$,$,$,$,$,$);"
+CONVERSION = "#11=IFCMAPCONVERSION(#3,#10,311988.0,5996148.,10.,1.,0.,$);"
+FOOT = """#30=IFCSIUNIT(*,.LENGTHUNIT.,$,.METRE.);
+#31=IFCMEASUREWITHUNIT(IFCLENGTHMEASURE(0.3048),#30);
+#32=IFCDIMENSIONALEXPONENTS(1,0,0,0,0,0,0);
+#33=IFCCONVERSIONBASEDUNIT(#32,.LENGTHUNIT.,'FOOT',#31);
+#10=IFCPROJECTEDCRS('EPSG:25833','d','g','DHHN2016','p','z',#33);"""
+SETS = """#10=IFCPROPERTYSET('3vB2YO$MX4xv5uCqZZG0aa',$,'ePset_MapConversion',$,(#40,#41,#42,#43,#44,#45));
+#40=IFCPROPERTYSINGLEVALUE('Eastings',$,IFCLENGTHMEASURE(311988.),$);
+#41=IFCPROPERTYSINGLEVALUE('Northings',$,IFCLENGTHMEASURE(5996148.),$);
+#42=IFCPROPERTYSINGLEVALUE('OrthogonalHeight',$,IFCLENGTHMEASURE(10.),$);
+#43=IFCPROPERTYSINGLEVALUE('XAxisAbscissa',$,IFCREAL(0.6),$);
+#44=IFCPROPERTYSINGLEVALUE('XAxisOrdinate',$,IFCREAL(0.8),$);
+#45=IFCPROPERTYSINGLEVALUE('Scale',$,IFCREAL(0.001),$);
+#11=IFCPROPERTYSET('3vB2YO$MX4xv5uCqZZG0ab',$,'ePset_ProjectedCRS',$,(#46,#47));
+#46=IFCPROPERTYSINGLEVALUE('Name',$,IFCLABEL('EPSG:25833'),$);
+#47=IFCPROPERTYSINGLEVALUE('VerticalDatum',$,IFCIDENTIFIER('DHHN92'),$);"""
+
+
+def forms_faults(run):
+    """Other ways to state a place: a map unit, factors of axes, a rigid operation, property sets of IFC 2x3."""
+    text = (MODELS / "fedA.ifc").read_text()
+    wall = "IFCWALL('0000000000000000000002',$,'A311988',$,$,#14,#18,$"
+    forms = {
+        "unit": (text.replace(SYSTEM, FOOT).replace("10.,1.,0.,$", "10.,0.6,0.8,0.001"),
+                 "DHHN2016", {"abscissa": 0.6, "ordinate": 0.8, "scale": 0.001, "unit": 0.3048}),
+        "factors": (text.replace("'IFC4'", "'IFC4X3_ADD2'").replace(
+            CONVERSION, "#11=IFCMAPCONVERSIONSCALED(#3,#10,311988.0,5996148.,10.,1.,0.,2.,0.9996,1.0004,1.);"),
+                    None, {"scale": 2.0, "factors": [0.9996, 1.0004, 1.0]}),
+        "rigid": (text.replace("'IFC4'", "'IFC4X3_ADD2'").replace(
+            CONVERSION, "#11=IFCRIGIDOPERATION(#3,#10,IFCLENGTHMEASURE(311988.),IFCLENGTHMEASURE(5996148.),10.);"), None, {}),
+        "sets": (text.replace("'IFC4'", "'IFC2X3'").replace(SYSTEM + "\n" + CONVERSION, SETS).replace(wall + ",$", wall),
+                 "DHHN92", {"abscissa": 0.6, "ordinate": 0.8, "scale": 0.001}),
+        "two": (text.replace(CONVERSION, CONVERSION + "\n#50=IFCMAPCONVERSION(#3,#10,5.,6.,7.,1.,0.,$);"), None, {}),
+    }
+    for name, (model, datum, more) in forms.items():
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / f"{name}.ifc"
+            path.write_text(model)
+            answer = json.loads(run("info", path, "--json", "--no-trees").stdout)
+        wanted = {"crs": "EPSG:25833", "vertical_datum": datum, "map_conversion": {**conversion_of(311988.0), **more}}
+        if answer["georeference"] != wanted:
+            yield f"{name}: {answer['georeference']}, not {wanted}"
+        said = any("further map conversions, which differ from the first, not read: 1" in note for note in answer["notes"])
+        if said != (name == "two"):
+            yield f"{name}: {answer['notes']}"
+
+
 def georeference_faults(run):
     """R117: one wall in three frames of a map. Each model says where it lies, and differences are warned of."""
     faults = []
@@ -66,6 +114,7 @@ def main():
         if LOST not in text:
             faults.append(f"lost_void.ifc: {' '.join(words)} does not say: {LOST}")
     faults += georeference_faults(run)
+    faults += forms_faults(run)
     print("\n".join(faults) or "holes are no bodies, and what they take whole is counted")
     return 1 if faults else 0
 
