@@ -7,9 +7,9 @@
 
 #include <algorithm>
 #include <array>
-#include <compare>
 #include <cstddef>
 #include <iterator>
+#include <tuple>
 #include <utility>
 
 namespace soms {
@@ -23,7 +23,12 @@ struct EdgeOfPart {
   std::uint32_t part;
   std::array<std::uint32_t, 2> ends;
 
-  [[nodiscard]] auto operator<=>(const EdgeOfPart&) const = default;
+  [[nodiscard]] bool operator==(const EdgeOfPart&) const = default;
+
+  // By hand, as older standard libraries have no <=> of arrays.
+  [[nodiscard]] bool operator<(const EdgeOfPart& other) const {
+    return std::tie(part, ends) < std::tie(other.part, other.ends);
+  }
 };
 
 std::vector<EdgeOfPart> sorted_edges(const Mesh& mesh, const std::vector<std::uint32_t>& joined,
