@@ -6,7 +6,7 @@ set(other_queries "/(parity|ray|reference|solid|winding)/|/print|/query/(closest
 signed_closest|solid|winding|within)\\.cpp|/detail/(closed_surface|closed_unions|connected_parts|exact_ray|odd_edges|part_groups|point_goal|point_query|\
 point_traversal|ray_plane)\\.cpp|/(bodies_of|closedness|defects|refit|statistics)\\.cpp")
 soms_web_library(soms_tiny TINY base geometry tree query)
-add_executable(soms_live bridge/answer.cpp bridge/crossings.cpp bridge/failure.cpp bridge/meshes.cpp bridge/pairs.cpp
+add_executable(soms_live bridge/answer.cpp bridge/crossings.cpp bridge/failure.cpp bridge/fast_alone.cpp bridge/meshes.cpp bridge/pairs.cpp
   bridge/simd128_alone.cpp)
 set_target_properties(soms_live PROPERTIES OUTPUT_NAME live SUFFIX .wasm)
 target_compile_options(soms_live PRIVATE -Oz)

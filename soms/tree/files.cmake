@@ -20,6 +20,7 @@ set(SOMS_HEADERS
   visits.h
 )
 set(SOMS_SOURCES
+  build/build.cpp
   build/detail/by_morton.cpp
   build/detail/by_reference.cpp
   build/detail/cells.cpp
@@ -27,7 +28,7 @@ set(SOMS_SOURCES
   build/detail/morton.cpp
   build/detail/subtrees.cpp
   build/detail/reference.cpp
-  build/top_down.cpp
+  build/detail/top_down.cpp
   build_options.cpp
   check.cpp
   layout/min_max_grid.cpp

@@ -1,8 +1,5 @@
-#include "soms/base/arithmetic.h"
-#include "soms/base/error.h"
-#include "soms/tree/build.h"
-#include "soms/tree/build/detail/by_morton.h"
-#include "soms/tree/build/detail/by_reference.h"
+#include "soms/tree/build/detail/top_down.h"
+
 #include "soms/tree/build/detail/divide.h"
 #include "soms/tree/layout/detail/refit_layout.h"
 #include "soms/tree/layout/pages.h"
@@ -12,14 +9,9 @@
 #include <bit>
 #include <utility>
 
-namespace soms {
+namespace soms::detail {
 
 namespace {
-
-using detail::child_of;
-using detail::PartNode;
-using detail::Subtrees;
-using detail::within;
 
 /// Triangles that one chunk of the first pass prepares.
 constexpr std::size_t kPrepareChunk = 16384;
@@ -52,7 +44,7 @@ class Builder {
     }
   }
 
-  detail::Division divide(const Node& node, const Box& inner) {
+  Division divide(const Node& node, const Box& inner) {
     return divider_.divide(std::span(primitives_).subspan(node.first, node.count), inner,
                            node.depth);
   }
@@ -67,7 +59,7 @@ class Builder {
     std::vector<std::uint32_t> wave{0};
     while (!wave.empty()) {
       std::erase_if(wave, [&](std::uint32_t i) { return make_subtree(i); });
-      std::vector<detail::Division> divisions(wave.size());
+      std::vector<Division> divisions(wave.size());
       for_each_chunk(wave.size(), 1, Parallel{parallel_.threads, parallel_.stop, {}},
                      [&](std::size_t k, std::size_t) {
                        divisions[k] = divide(subtrees_.upper[wave[k]].node, inner_of_[wave[k]]);
@@ -82,7 +74,7 @@ class Builder {
 
   /// True if upper node `i` is small enough to be built whole by one thread.
   bool make_subtree(std::uint32_t i) {
-    if (subtrees_.upper[i].node.count > detail::kSubtreeTriangles) {
+    if (subtrees_.upper[i].node.count > kSubtreeTriangles) {
       return false;
     }
     begin_subtree(i);
@@ -94,7 +86,7 @@ class Builder {
     subtrees_.nodes.emplace_back();
   }
 
-  void attach(std::uint32_t i, const detail::Division& division, std::vector<std::uint32_t>& next) {
+  void attach(std::uint32_t i, const Division& division, std::vector<std::uint32_t>& next) {
     if (!division.divided) {
       begin_subtree(i);  // of one node
       return;
@@ -141,7 +133,7 @@ class Builder {
       const auto [node, inner, right_of] = pending.back();
       pending.pop_back();
       const auto i = static_cast<std::uint32_t>(nodes.size());
-      const detail::Division division = divide(node, inner);
+      const Division division = divide(node, inner);
       nodes.push_back({node.first, node.count, 0, division.undividable});
       if (division.divided) {
         const std::uint32_t count = division.left_count;
@@ -157,69 +149,24 @@ class Builder {
     const auto run = std::span(primitives_).subspan(root.first, root.count);
     std::transform(run.begin(), run.end(), subtrees_.ids.begin() + root.first,
                    [](const Primitive& p) { return p.id; });
-    detail::order_leaves(nodes, subtrees_.ids);
+    order_leaves(nodes, subtrees_.ids);
     return nodes;
   }
 
   const Mesh& mesh_;
   const Parallel& parallel_;
-  detail::Divider divider_;
+  Divider divider_;
   layout::Pages<Primitive> primitives_;
   Box inner_;                  ///< bounds of all midpoints
   std::vector<Box> inner_of_;  ///< the same for each upper node
   Subtrees subtrees_;
 };
 
-Subtrees grow(const Mesh& mesh, const RuleEntry& rule, const BuildOptions& options,
-              const Parallel& parallel) {
-  if (rule.rule == Rule::quick) {
-    return detail::grow_by_morton(mesh, options, parallel);
-  }
-  return rule.own_builder ? detail::grow_by_reference(mesh, options, parallel)
-                          : Builder(mesh, rule, options, parallel).run();
-}
-
-Tree build_checked(const Mesh& mesh, const RuleEntry& rule, const BuildOptions& options,
-                   const Parallel& parallel) {
-  const PlainArithmetic plain;
-  check_stop(parallel);
-  if (mesh.triangles.empty()) {
-    return {};
-  }
-  Subtrees subtrees = grow(mesh, rule, options, within(parallel, 0, 0.9));
-  Tree tree = detail::join(std::move(subtrees), mesh, within(parallel, 0.9, 1));
-  if (parallel.progress) {
-    parallel.progress(1);
-  }
-  return tree;
-}
-
 }  // namespace
 
-Tree build(const Mesh& mesh, const BuildOptions& options, const Parallel& parallel) {
-  check(options);
-  return build_checked(mesh, entry(options.rule), options, parallel);
+Subtrees grow_top_down(const Mesh& mesh, const RuleEntry& rule, const BuildOptions& options,
+                       const Parallel& parallel) {
+  return Builder(mesh, rule, options, parallel).run();
 }
 
-Tree build_by(const Mesh& mesh, RuleFunction rule, BuildOptions options, const Parallel& parallel) {
-  if (rule == nullptr) {
-    throw Error(ErrorKind::usage, "build_by: no rule", "give a function");
-  }
-  options.rule = Rule::soms;  // which uses every option, as a rule of one's own does
-  check(options);
-  return build_checked(mesh, {.split = rule, .needs_outer = true, .needs_order = true}, options,
-                       parallel);
-}
-
-WideTree build_wide(const Mesh& mesh, const BuildOptions& options, const Parallel& parallel) {
-  const PlainArithmetic plain;
-  check(options);
-  check_stop(parallel);
-  if (mesh.triangles.empty()) {
-    return {};
-  }
-  Subtrees subtrees = grow(mesh, entry(options.rule), options, within(parallel, 0, 0.6));
-  return {detail::parts_of(subtrees), mesh, within(parallel, 0.6, 1)};
-}
-
-}  // namespace soms
+}  // namespace soms::detail
