@@ -32,6 +32,10 @@ void check_pose(const ChunkContent& content, const Pose& pose) {
     }
     throw content.fault("an invalid pose: " + error.place());
   }
+  if (!(std::max({std::abs(pose.m[3]), std::abs(pose.m[7]), std::abs(pose.m[11])}) <=
+        kMaxCoordinate)) {
+    throw content.fault("an invalid pose: its shift exceeds 2^300");
+  }
 }
 
 double read_positive(ChunkContent& content, const char* what) {
