@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <exception>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <string>
@@ -127,13 +128,19 @@ class TilesToChange {
     if (rng.below(6) == 0) {
       bytes = damaged(bytes, rng);
     }
-    write_content(folder_.path() / name, bytes);
+    write(name, bytes);
     SCOPED_TRACE(name + ": " + bytes.substr(0, 2000));
     judge(name, outcomes);
-    write_content(folder_.path() / name, files_.at(name));
+    write(name, files_.at(name));
   }
 
  private:
+  /// Into a new file: some systems write one that is cut to disk at once.
+  void write(const std::string& name, const std::string& bytes) const {
+    std::filesystem::remove(folder_.path() / name);
+    write_content(folder_.path() / name, bytes);
+  }
+
   [[nodiscard]] Mesh read() const { return read_mesh(folder_.path() / "tileset.json"); }
 
   void judge(const std::string& changed, TileOutcomes& outcomes) const {
