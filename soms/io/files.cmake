@@ -1,4 +1,5 @@
 set(SOMS_HEADERS
+  encoding.h
   formats.h
   new_file.h
   poses.h
@@ -75,6 +76,7 @@ set(SOMS_SOURCES
   detail/urdf_geometry.cpp
   detail/urdf_values.cpp
   detail/xml_document.cpp
+  encoding.cpp
   formats.cpp
   new_file.cpp
   poses.cpp
