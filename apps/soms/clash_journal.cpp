@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 #include "soms/base/hash.h"
 #include "soms/geometry/mesh.h"
+#include "soms/io/encoding.h"
 
 #include "apps/soms/clash_rows.h"
 #include "apps/support/json.h"
@@ -179,6 +180,7 @@ void ClashJournal::read(std::ifstream& in, const std::string& head, const ClashM
                 "give a file that can be read, or one that does not exist yet");
   }
   if (line != head) {
+    refuse_utf16(line, "--journal " + file_);
     const Json found = Json::parse(line, nullptr, false);
     const bool is_journal =
         found.is_object() && found.contains("schema") && found["schema"] == kJournalSchema;

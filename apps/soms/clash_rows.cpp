@@ -1,6 +1,7 @@
 #include "apps/soms/clash_rows.h"
 
 #include "soms/base/error.h"
+#include "soms/io/encoding.h"
 
 #include "apps/soms/clash_sets.h"
 #include "apps/support/text.h"
@@ -102,6 +103,9 @@ IgnoredPairs::IgnoredPairs(const std::string& file) {
   std::ifstream in = opened(file, "--ignore-pairs");
   std::string line;
   for (std::size_t number = 1; std::getline(in, line); ++number) {
+    if (number == 1) {
+      refuse_utf16(line, "--ignore-pairs " + file);
+    }
     constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
     if (number == 1 && line.starts_with(kByteOrderMark)) {
       line.erase(0, kByteOrderMark.size());

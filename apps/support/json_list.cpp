@@ -1,6 +1,7 @@
 #include "apps/support/json_list.h"
 
 #include "soms/base/error.h"
+#include "soms/io/encoding.h"
 
 #include "apps/support/output.h"
 #include "apps/support/parse.h"
@@ -37,6 +38,7 @@ std::string whole_file(const std::string& option, const std::string& file) {
     throw Error(ErrorKind::cannot_open, option + " " + file + ": cannot be read",
                 "give a file that exists and can be read");
   }
+  refuse_utf16(text, option + " " + file);
   constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
   if (text.starts_with(kByteOrderMark)) {
     text.erase(0, kByteOrderMark.size());

@@ -1,6 +1,7 @@
 #include "apps/support/mover_routes.h"
 
 #include "soms/base/error.h"
+#include "soms/base/pose.h"
 #include "soms/base/random.h"
 #include "soms/io/poses.h"
 #include "soms/scene/scene.h"
@@ -194,6 +195,14 @@ struct RouteRows {
   bool points = false;  ///< without rotations
 };
 
+/// Beyond it, the length of a route would be infinite, and its mover would stay where it is.
+void check_place(const PoseReader& reader, const Vec3& place) {
+  if (!(std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z)}) <= kMaxCoordinate)) {
+    throw reader.fault(Error(ErrorKind::out_of_range, "a coordinate exceeds 2^300",
+                             "use coordinates of magnitude at most 2^300"));
+  }
+}
+
 /// A file is opened once: a pipe has no second time.
 RouteRows read_route(const std::string& path, const Parallel& parallel) {
   constexpr std::size_t kRowsPerLook = 4096;
@@ -208,6 +217,7 @@ RouteRows read_route(const std::string& path, const Parallel& parallel) {
   PoseReader reader(path, parallel);
   std::vector<Pose> rows;
   while (const auto pose = reader.next()) {
+    check_place(reader, pose->shift());
     rows.push_back(*pose);
     if (rows.size() % kRowsPerLook == 0) {
       check_stop(parallel);

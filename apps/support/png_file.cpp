@@ -1,7 +1,8 @@
 #include "apps/support/png_file.h"
 
+#include "soms/base/crc32.h"
+
 #include "apps/support/deflate.h"
-#include "apps/support/zip_file.h"
 
 #include <string_view>
 

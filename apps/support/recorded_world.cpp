@@ -37,14 +37,13 @@ std::filesystem::path find_file(const std::string& source, const std::filesystem
   }
   std::error_code ignored;
   if (source.empty() || source == "-" || std::filesystem::exists(given, ignored)) {
-    throw Error(
-        ErrorKind::bad_file,
-        fmt::format("the recording refers to the model \"{}\", which is not a file", source),
-        "record it again with models from files");
+    throw Error(ErrorKind::bad_file,
+                fmt::format("it refers to the model \"{}\", which is not a file", source),
+                "record it again with models from files");
   }
   throw Error(ErrorKind::cannot_open,
-              fmt::format("{}: the recorded model {} is neither at that path nor at {}",
-                          recording.string(), source, (folder / given.filename()).string()),
+              fmt::format("the recorded model {} is neither at that path nor at {}", source,
+                          (folder / given.filename()).string()),
               "put the file beside the recording");
 }
 
@@ -66,16 +65,14 @@ MoverKind mover_named(const RecordedMesh& recorded) {
       return kind;
     }
   }
-  throw Error(ErrorKind::bad_file,
-              fmt::format("the recording names an unknown mover: {}", recorded.source),
+  throw Error(ErrorKind::bad_file, fmt::format("an unknown mover: {}", recorded.source),
               "movers are car, person and drone");
 }
 
 /// The city of a recording, once it is plain that it can be the one that was recorded.
 Mesh make_city(const RecordedMesh& recorded, const Parallel& parallel) {
   const auto refuse = [](const std::string& fault) {
-    throw Error(ErrorKind::bad_file, "the recording describes an invalid city: " + fault,
-                "record again");
+    throw Error(ErrorKind::bad_file, "an invalid city: " + fault, "record again");
   };
   if (recorded.city_triangles != recorded.triangles) {
     refuse(fmt::format("{}, made of {}", counted(recorded.triangles, "triangle"),
@@ -113,8 +110,8 @@ Mesh find_mesh(const RecordedMesh& recorded, const std::filesystem::path& record
 }
 
 /// The mesh that was recorded, to the last bit of its corners.
-Shape find_shape(const RecordedMesh& recorded, const std::filesystem::path& recording,
-                 const WorldOptions& how, Console& console) {
+Shape find_same_shape(const RecordedMesh& recorded, const std::filesystem::path& recording,
+                      const WorldOptions& how, Console& console) {
   Mesh mesh = find_mesh(recorded, recording, how.city_model.strict, console);
   const RecordedMesh found = with_mesh(recorded, mesh);
   if (found != recorded) {
@@ -128,6 +125,21 @@ Shape find_shape(const RecordedMesh& recorded, const std::filesystem::path& reco
   const bool needs_trees = how.traversal.traversal != Traversal::fast;
   return build_shape(std::move(mesh),
                      {.build = how.build, .keep_tree = how.keep_trees || needs_trees}, console);
+}
+
+/// The same; its errors name the recording, and the mesh in it, as "model 1", first.
+Shape find_shape(const RecordedMesh& recorded, const std::string& place,
+                 const std::filesystem::path& recording, const WorldOptions& how,
+                 Console& console) {
+  try {
+    return find_same_shape(recorded, recording, how, console);
+  } catch (const Error& error) {
+    if (error.kind() == ErrorKind::cancelled) {
+      throw;
+    }
+    throw Error(error.kind(), fmt::format("{}, {}: {}", recording.string(), place, error.place()),
+                error.remedy());
+  }
 }
 
 }  // namespace
@@ -156,13 +168,16 @@ World load_recorded_world(const RecordingHead& head, const std::filesystem::path
   World world;
   world.title = head.title;
   for (const RecordedBody& body : head.environment) {
-    add_to_city(world,
-                Body(find_shape(body.mesh, recording, how, console), body.pose, body.mesh.name),
-                body.mesh);
+    const std::string place = fmt::format("environment {}", world.city.size());
+    add_to_city(
+        world,
+        Body(find_shape(body.mesh, place, recording, how, console), body.pose, body.mesh.name),
+        body.mesh);
   }
   for (const RecordedMesh& mesh : head.models) {
+    const std::string place = fmt::format("model {}", world.models.size());
     world.models.push_back(
-        make_model(find_shape(mesh, recording, how, console), mesh.name, kind_named(mesh)));
+        make_model(find_shape(mesh, place, recording, how, console), mesh.name, kind_named(mesh)));
     world.models.back().origin = mesh;
   }
   for (const std::uint32_t model : head.movers) {

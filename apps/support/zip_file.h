@@ -12,17 +12,6 @@
 
 namespace soms::command {
 
-/// The checksum of ZIP and PNG (CRC-32), of bytes that come in pieces.
-class Crc32 {
- public:
-  void add(std::string_view bytes);
-
-  [[nodiscard]] std::uint32_t value() const { return ~state_; }
-
- private:
-  std::uint32_t state_ = 0xffffffffU;
-};
-
 /// How an archive writes sizes and places.
 enum class ZipForm : unsigned char {
   wide,   ///< in 64 bits throughout: a member may have any size

@@ -4,6 +4,7 @@ set(SOMS_HEADERS
   box.h
   bracket.h
   common_box.h
+  crc32.h
   decimal.h
   error.h
   hash.h
@@ -23,6 +24,7 @@ set(SOMS_HEADERS
 )
 set(SOMS_SOURCES
   arithmetic.cpp
+  crc32.cpp
   detail/decimal.cpp
   error.cpp
   idle_option.cpp

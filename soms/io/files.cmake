@@ -1,5 +1,6 @@
 set(SOMS_HEADERS
   crs.h
+  encoding.h
   formats.h
   new_file.h
   poses.h
@@ -79,6 +80,7 @@ set(SOMS_SOURCES
   detail/urdf_geometry.cpp
   detail/urdf_values.cpp
   detail/xml_document.cpp
+  encoding.cpp
   formats.cpp
   new_file.cpp
   poses.cpp

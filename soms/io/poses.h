@@ -36,6 +36,9 @@ class PoseReader {
   /// As `RowReader::ready`.
   [[nodiscard]] bool ready() { return rows_.ready(); }
 
+  /// As `RowReader::fault`, of the pose that `next` gave last.
+  [[nodiscard]] Error fault(const Error& error) const { return rows_.fault(error); }
+
   /// True if the header is x, y and z alone: rows are shifts without rotations.
   [[nodiscard]] bool shifts_only() const { return rows_.columns().size() == 3; }
 

@@ -5,6 +5,7 @@
 #include "soms/io/detail/file.h"
 #include "soms/io/detail/left_out.h"
 #include "soms/io/detail/source.h"
+#include "soms/io/encoding.h"
 #ifdef SOMS_USE_PUGIXML
 #include "soms/io/detail/srdf.h"
 #include "soms/io/detail/urdf.h"
@@ -65,7 +66,7 @@ detail::Source source_of(std::string_view bytes, const std::string& name,
                         .folder = std::move(folder),
                         .budget = detail::Budget(limit),
                         .parallel = parallel};
-  detail::refuse_utf16(bytes, name);
+  refuse_utf16(bytes, name);
   detail::skip_byte_order_mark(source);
   return source;
 }

@@ -4,6 +4,7 @@
 #include "soms/base/portable.h"
 #include "soms/base/text.h"
 #include "soms/scene/detail/recording_format.h"
+#include "soms/scene/detail/recording_reader.h"
 
 #include <algorithm>
 #include <cmath>
@@ -115,19 +116,53 @@ void put_gap(std::string& bytes, std::uint32_t first, std::uint32_t second, cons
   }
 }
 
+void check_poses(std::span<const Pose> poses, std::uint64_t frame) {
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    try {
+      detail::check_recordable(poses[k]);
+    } catch (const Error& error) {
+      throw Error(error.kind(),
+                  "recording: frame " + std::to_string(frame) + ", mover " + std::to_string(k) +
+                      ": " + error.place(),
+                  error.remedy());
+    }
+  }
+}
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw Error(ErrorKind::usage, "recording: " + what, "give a valid value");
+}
+
+bool positive(double value) {
+  return std::isfinite(value) && value > 0;
+}
+
+void check_mesh(const RecordedMesh& mesh) {
+  if (!positive(mesh.scale)) {
+    refuse("a scale is not positive");
+  }
+  if (!std::isfinite(mesh.city_size)) {
+    refuse("the size of a city is not finite");
+  }
+  if (mesh.triangles > kMaxPrimitives) {
+    refuse("a mesh of " + std::to_string(mesh.triangles) + " triangles");
+  }
+}
+
 void check(const RecordingHead& head) {
-  const auto refuse = [](const char* what) {
-    throw Error(ErrorKind::usage, std::string("recording: ") + what, "give a valid value");
-  };
-  const auto positive = [](double value) { return std::isfinite(value) && value > 0; };
   if (!positive(head.frames_a_second)) {
     refuse("the frame rate is not positive");
   }
-  const auto scaled = [&](const RecordedMesh& mesh) { return positive(mesh.scale); };
-  if (!std::all_of(head.models.begin(), head.models.end(), scaled) ||
-      !std::all_of(head.environment.begin(), head.environment.end(),
-                   [&](const RecordedBody& body) { return scaled(body.mesh); })) {
-    refuse("a scale is not positive");
+  for (const RecordedMesh& mesh : head.models) {
+    check_mesh(mesh);
+  }
+  for (const RecordedBody& body : head.environment) {
+    check_mesh(body.mesh);
+    try {
+      detail::check_recordable(body.pose);
+    } catch (const Error& error) {
+      refuse("a body of the environment: " + error.place());
+    }
   }
   if (!std::isfinite(head.clearance) || head.clearance < 0) {
     refuse("the clearance is not a length of 0 or more");
@@ -167,6 +202,7 @@ void RecordingWriter::add(std::span<const Pose> poses, const StepReport& report)
                     std::to_string(before_.size()) + " movers",
                 "give the pose of each mover");
   }
+  check_poses(poses, end_.frames);
   if (report.scope != StepScope::every_pair) {
     throw Error(ErrorKind::usage,
                 "recording: the report of a step with StepScope::first_contact lacks contacts",

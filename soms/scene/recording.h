@@ -96,7 +96,8 @@ class RecordingWriter {
  public:
   /// Writes the head. `out` must live as long as the writer.
   /// \errors ErrorKind::usage for a mover of no model, and for numbers that no recording can have
-  ///         (a scale or frame rate that is not positive, a clearance below 0); cannot_write.
+  ///         (a scale or frame rate that is not positive, a clearance below 0, a pose of the
+  ///         environment that is none); cannot_write.
   RecordingWriter(std::ostream& out, RecordingHead head);
 
   /// Adds the next frame.
@@ -104,7 +105,8 @@ class RecordingWriter {
   /// \errors  ErrorKind::usage where there are not as many poses as movers, for the report of a
   ///          step with StepScope::first_contact or with another clearance than the head's, and
   ///          where a shape was set in the scene since the frame before (`Scene::set_shape`): a
-  ///          recording holds one mesh for each mover.
+  ///          recording holds one mesh for each mover. not_finite, not_rigid, out_of_range for a
+  ///          pose that no body of a scene can have, which no replay would play.
   ///          cannot_write. Frames before stay good. Where memory runs short, `so_far` tells
   ///          whether the frame was added.
   void add(std::span<const Pose> poses, const StepReport& report);

@@ -52,6 +52,21 @@ TEST(ChangedLists, AJournalWhoseSchemaIsAListIsAnErrorWithItsLine) {
       << result.err;
 }
 
+TEST(ChangedLists, OfUtf16AreErrorsThatSayIt) {
+  const TemporaryFolder folder;
+  const std::string list = (folder.path() / "list").string();
+  for (const std::string& mark : {std::string("\xff\xfe"), std::string("\xfe\xff")}) {
+    for (const char* const option : {"--ignore-pairs", "--baseline", "--journal"}) {
+      write_text(list, mark + std::string("w\0,\0p\0\n\0", 8));
+      const RunResult result = soms_run(
+          {"clash", list_data("two.obj"), "--against", list_data("pipe.obj"), option, list});
+      EXPECT_EQ(result.status, 3) << result.err;
+      EXPECT_NE(result.err.find(option + (" " + list) + ": text in UTF-16"), std::string::npos)
+          << result.err;
+    }
+  }
+}
+
 /// A model of two boxes' shells, in parts, as `clash` holds it.
 command::ClashModels models_of_parts() {
   Mesh mesh;

@@ -70,6 +70,23 @@ std::pair<std::vector<Json>, Json> stations_of(const RunResult& result) {
   return {lines, totals};
 }
 
+TEST(ClearanceVerb, NamesTheRowOfACoordinateThatIsTooLarge) {
+  const Street street;
+  const std::string path = street.file("far.csv");
+  for (const char* const rows :
+       {"x,y,z\n0,0,0\n1e300,0,0\n", "x,y,z,qw,qx,qy,qz\n0,0,0,1,0,0,0\n0,0,-1e91,1,0,0,0\n"}) {
+    write_text(path, rows);
+    for (const RunResult& result :
+         {street.run({}, "van.obj", "far.csv"),
+          soms_run({"simulate", street.file("street.obj"), "--mover", street.file("van.obj"),
+                    "--route", path, "--frames", "1"})}) {
+      EXPECT_EQ(result.status, 3) << result.out;
+      EXPECT_NE(result.err.find(path + ", line 3: a coordinate exceeds 2^300"), std::string::npos)
+          << result.err;
+    }
+  }
+}
+
 TEST(ClearanceVerb, AnswersInTheSchema) {
   const Street street;
   const RunResult result = street.run(

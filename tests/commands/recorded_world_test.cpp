@@ -74,8 +74,8 @@ TEST_F(RecordedWorld, IsFoundBesideTheRecording) {
   std::filesystem::rename(path("car.ply"), path("elsewhere/car.ply"));
   std::filesystem::rename(path("town.ply"), path("elsewhere/town.ply"));
   const std::string gone = fault(head, "run.somsrec");
-  EXPECT_NE(gone.find(path("run.somsrec") + ": the recorded model " + path("town.ply") +
-                      " is neither at that path nor at " + path("town.ply")),
+  EXPECT_NE(gone.find(path("run.somsrec") + ", environment 0: the recorded model " +
+                      path("town.ply") + " is neither at that path nor at " + path("town.ply")),
             std::string::npos)
       << gone;
   EXPECT_EQ(recording_head(load(head, "elsewhere/run.somsrec"), 7), head);

@@ -202,6 +202,18 @@ TEST(NpyPoses, AreShiftsQuaternionsOrMatrices) {
                  ErrorKind::not_rigid, "row 0");
 }
 
+/// CRC-32, bit by bit.
+std::uint32_t checksum_of(const std::string& bytes) {
+  std::uint32_t state = 0xffffffffU;
+  for (const char c : bytes) {
+    state ^= static_cast<unsigned char>(c);
+    for (int bit = 0; bit < 8; ++bit) {
+      state = (state >> 1) ^ ((state & 1U) != 0 ? 0xedb88320U : 0U);
+    }
+  }
+  return ~state;
+}
+
 /// A file of an archive, and how it is stored.
 struct Stored {
   std::string name;
@@ -219,8 +231,9 @@ std::string npz(const std::vector<Stored>& files, bool wide = false) {
     const std::string extra =
         wide ? bytes_of(1, 2) + bytes_of(24, 2) + sizes + bytes_of(bytes.size(), 8) : "";
     const std::uint64_t size = wide ? 0xffffffffU : content.size();
-    const std::string shared = bytes_of(0, 2) + bytes_of(method, 2) + bytes_of(0, 8) +
-                               bytes_of(size, 4) + bytes_of(size, 4) + bytes_of(name.size(), 2);
+    const std::string shared = bytes_of(0, 2) + bytes_of(method, 2) + bytes_of(0, 4) +
+                               bytes_of(checksum_of(content), 4) + bytes_of(size, 4) +
+                               bytes_of(size, 4) + bytes_of(name.size(), 2);
     directory += "PK\x01\x02" + bytes_of(45, 2) + bytes_of(45, 2) + shared +
                  bytes_of(extra.size(), 2) + bytes_of(0, 10) +
                  bytes_of(wide ? 0xffffffffU : bytes.size(), 4) + name + extra;
@@ -272,6 +285,31 @@ TEST(NpzArray, SaysWhatIsWrong) {
   const std::string whole = npz({{"a.npy", array_of_two()}});
   expect_refused_array(whole.substr(0, whole.size() / 2), ErrorKind::bad_file,
                        "cut off or damaged");
+}
+
+TEST(NpzArray, IsRefusedWhereAMemberIsDamaged) {
+  for (const bool wide : {false, true}) {
+    const std::string whole =
+        npz({{"things.npy", array_of_two()}, {"note.txt", "words of somebody"}}, wide);
+    for (const auto& [content, member] : {std::pair(array_of_two(), "things.npy"),
+                                          {std::string("words of somebody"), "note.txt"}}) {
+      const std::size_t begin = whole.find(content);
+      for (std::size_t at = begin; at < begin + content.size(); ++at) {
+        std::string changed = whole;
+        changed[at] = static_cast<char>(changed[at] ^ 4);
+        expect_refused_array(changed, ErrorKind::bad_file,
+                             "\"" + std::string(member) + "\": its checksum (CRC-32) is wrong");
+      }
+    }
+  }
+}
+
+TEST(NpzArray, IsRefusedWhereANameStandsTwice) {
+  const std::string other = npy_start(npy_text("<f8", "(1, 3)")) + numbers({7.0, 8.0, 9.0});
+  for (const std::string& second : {other, array_of_two()}) {
+    expect_refused_array(npz({{"things.npy", array_of_two()}, {"things.npy", second}}),
+                         ErrorKind::bad_file, "\"things.npy\": two members have this name");
+  }
 }
 
 TEST(NpzArray, ThatIsDamagedGivesATypedError) {

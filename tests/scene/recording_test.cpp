@@ -162,9 +162,42 @@ TEST(Recording, RefusesWhatNoRecordingCanHold) {
   head = head_of_one_mover();
   head.models[0].scale = 0;
   EXPECT_TRUE(refuses(head));
+  head = head_of_one_mover();
+  head.models[0].city_size = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(refuses(head));
+  head = head_of_one_mover();
+  head.models[0].triangles = kMaxPrimitives + 1;
+  EXPECT_TRUE(refuses(head));
+  head = head_of_one_mover();
+  head.environment.resize(1);
+  EXPECT_FALSE(refuses(head));
+  head.environment[0].pose.m[5] = -1;
+  EXPECT_TRUE(refuses(head));
   std::ostringstream out;
   RecordingWriter writer(out, head_of_one_mover());
   EXPECT_THROW(writer.add({}, {}), Error);
+}
+
+TEST(Recording, RefusesPosesThatNoReplayPlays) {
+  std::ostringstream out;
+  RecordingWriter writer(out, head_of_one_mover());
+  Pose scaled;
+  scaled.m[0] = 1.001;
+  const auto kind_of = [&](const Pose& pose) {
+    try {
+      writer.add(std::vector<Pose>{pose}, {});
+    } catch (const Error& error) {
+      EXPECT_TRUE(error.place().starts_with("recording: frame 0, mover 0: ")) << error.what();
+      return error.kind();
+    }
+    return ErrorKind::usage;
+  };
+  EXPECT_EQ(kind_of(scaled), ErrorKind::not_rigid);
+  EXPECT_EQ(kind_of(Pose::translation(0, std::nan(""), 0)), ErrorKind::not_finite);
+  EXPECT_EQ(kind_of(Pose::translation(0, 0, -0x1p301)), ErrorKind::out_of_range);
+  writer.add(std::vector<Pose>{Pose::translation(0, 0, 0x1p300)}, {});
+  writer.finish(RecordingEnding::complete);
+  EXPECT_EQ(test::replay_of(out.str()).frames(), 1U);
 }
 
 // A recording holds one mesh for each mover, and all contacts: what it cannot hold is refused, and

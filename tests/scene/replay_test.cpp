@@ -196,6 +196,10 @@ TEST(Replay, TellsContentThatNoSceneGives) {
   detail::put(not_finite, std::uint16_t{8});
   detail::put(not_finite, std::uint64_t{0x7ff8} << 48);
   EXPECT_NE(frame_with(not_finite).find("an invalid pose"), std::string::npos);
+  std::string too_far;
+  detail::put(too_far, std::uint16_t{8});
+  detail::put(too_far, 0x1p301);
+  EXPECT_NE(frame_with(too_far).find("its shift exceeds 2^300"), std::string::npos);
   EXPECT_NE(frame_with("\x01\x10").find("more than twelve"), std::string::npos);
   std::string nobody(4, '\0');
   detail::put(nobody, std::uint64_t{1});

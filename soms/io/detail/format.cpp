@@ -13,6 +13,7 @@
 #include "soms/io/detail/three_ds.h"
 #include "soms/io/detail/tile_content.h"
 #include "soms/io/detail/tileset.h"
+#include "soms/io/encoding.h"
 
 #include <algorithm>
 #include <array>

@@ -2,6 +2,7 @@
 
 #include "soms/base/error.h"
 #include "soms/io/detail/source.h"
+#include "soms/io/encoding.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,11 +1,13 @@
 #include "soms/io/detail/npz_array.h"
 
+#include "soms/base/crc32.h"
 #include "soms/base/error.h"
 #include "soms/io/detail/npy_header.h"
 #include "soms/io/detail/source.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,6 +24,7 @@ struct ZipMember {
   std::string_view name;
   std::uint16_t flags = 0;
   std::uint16_t method = 0;
+  std::uint32_t sum = 0;   ///< of its content that is not packed
   std::uint64_t size = 0;  ///< as it is stored
   std::uint64_t at = 0;    ///< of its own header
 };
@@ -107,6 +110,7 @@ class ZipDirectory {
     ZipMember member{.name = bytes_.substr(at + kEntry, name),
                      .flags = static_cast<std::uint16_t>(number(at + 8, 2)),
                      .method = static_cast<std::uint16_t>(number(at + 10, 2)),
+                     .sum = static_cast<std::uint32_t>(number(at + 16, 4)),
                      .size = number(at + 20, 4),
                      .at = number(at + 42, 4)};
     read_wide(at + kEntry + name, extra, number(at + 24, 4) == kElsewhere, member);
@@ -156,6 +160,32 @@ std::vector<char> bytes_of(LineReader& archive) {
   }
 }
 
+bool is_stored(const ZipMember& member) {
+  return (member.flags & 1U) == 0 && member.method == 0;
+}
+
+/// Refuses an archive of which a member that is stored has changed, or a name stands twice.
+void check_members(const ZipDirectory& directory, const std::vector<ZipMember>& members,
+                   const std::string& name) {
+  std::set<std::string_view> names;
+  for (const ZipMember& member : members) {
+    const std::string place = name + ", " + in_quotes(member.name);
+    if (!names.insert(member.name).second) {
+      throw Error(ErrorKind::bad_file, place + ": two members have this name",
+                  "save the arrays again with numpy.savez");
+    }
+    if (!is_stored(member)) {
+      continue;
+    }
+    Crc32 found;
+    found.add(directory.content(member));
+    if (found.value() != member.sum) {
+      throw Error(ErrorKind::bad_file, place + ": its checksum (CRC-32) is wrong: it is damaged",
+                  "copy the archive again, or save the arrays again with numpy.savez");
+    }
+  }
+}
+
 const ZipMember& chosen(const std::vector<ZipMember>& members, const std::string& name,
                         std::string_view what) {
   std::vector<const ZipMember*> arrays;
@@ -187,9 +217,10 @@ LineReader array_of(LineReader& archive, std::string_view what) {
   const std::vector<char> bytes = bytes_of(archive);
   const ZipDirectory directory({bytes.data(), bytes.size()}, archive.name());
   const std::vector<ZipMember> members = directory.members();
+  check_members(directory, members, archive.name());
   const ZipMember& member = chosen(members, archive.name(), what);
   const std::string name = archive.name() + ", " + in_quotes(member.name);
-  if ((member.flags & 1U) != 0 || member.method != 0) {
+  if (!is_stored(member)) {
     throw Error(ErrorKind::unsupported, name + ": a compressed array",
                 "save it with numpy.savez, which does not compress, or with numpy.save");
   }

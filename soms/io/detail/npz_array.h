@@ -12,7 +12,8 @@ namespace soms::detail {
 inline constexpr std::string_view kZipMagic = "PK\x03\x04";
 
 /// The array of an archive that holds one, or the one that is named as what its rows are. Arrays
-/// must be stored, not compressed, as numpy.savez does it.
+/// must be stored, not compressed, as numpy.savez does it. The checksum of each stored member is
+/// compared, and no name may stand twice.
 class NpzArray {
  public:
   /// Reads the archive whole. `what` is what the rows are: "points".

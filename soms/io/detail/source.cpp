@@ -73,12 +73,6 @@ void skip_byte_order_mark(Source& source) {
   }
 }
 
-void refuse_utf16(std::string_view bytes, const std::string& name) {
-  if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) {
-    throw Error(ErrorKind::unsupported, name + ": text in UTF-16", "save it as ASCII or UTF-8");
-  }
-}
-
 namespace {
 
 /// As std::count, but in steps of which a processor counts many at once.

@@ -93,10 +93,6 @@ inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 /// Passes the mark of UTF-8 before a text, if it has one.
 void skip_byte_order_mark(Source& source);
 
-/// Throws for a text in UTF-16, which its mark shows.
-/// \errors ErrorKind::unsupported.
-void refuse_utf16(std::string_view bytes, const std::string& name);
-
 /// Rows between two calls of `Source::tick`.
 inline constexpr std::size_t kRowsPerTick = 1 << 16;
 

@@ -7,6 +7,7 @@
 #include "soms/io/detail/tile_content.h"
 #include "soms/io/detail/tile_meshes.h"
 #include "soms/io/detail/tile_tree.h"
+#include "soms/io/encoding.h"
 
 #include <algorithm>
 #include <array>

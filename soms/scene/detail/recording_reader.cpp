@@ -25,7 +25,7 @@ Pose read_pose(ChunkContent& content) {
 
 void check_pose(const ChunkContent& content, const Pose& pose) {
   try {
-    check(pose);
+    check_recordable(pose);
   } catch (const Error& error) {
     if (error.kind() == ErrorKind::unsupported) {
       throw;
@@ -250,6 +250,15 @@ bool ChunkContent::is_unaltered() {
   std::array<char, kCheckSize> check{};
   bytes_->read(check.data(), check.size());
   return get<std::uint64_t>(check.data()) == hash_.value();
+}
+
+void check_recordable(const Pose& pose) {
+  check(pose);
+  if (!(std::max({std::abs(pose.m[3]), std::abs(pose.m[7]), std::abs(pose.m[11])}) <=
+        kMaxCoordinate)) {
+    throw Error(ErrorKind::out_of_range, "pose: its shift exceeds 2^300",
+                "use coordinates of magnitude at most 2^300");
+  }
 }
 
 std::uint32_t read_file_head(RecordingBytes& bytes) {

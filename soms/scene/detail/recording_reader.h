@@ -94,6 +94,10 @@ class ChunkContent {
   Fnv1a hash_;
 };
 
+/// Throws for a pose that no body of a scene can have: of the writer and the reader alike.
+/// \errors As `check(Pose)`; ErrorKind::out_of_range for a shift beyond 2^300.
+void check_recordable(const Pose& pose);
+
 /// The first bytes of a file; returns its version. \errors ErrorKind::bad_file, unsupported.
 [[nodiscard]] std::uint32_t read_file_head(RecordingBytes& bytes);
 
