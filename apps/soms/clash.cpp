@@ -36,7 +36,7 @@ ClashOptions library_options(const ClashVerbOptions& options, const ClashModels&
   ClashOptions wanted{.within = options.within, .deadline = console.deadline()};
   if (!options.sets.between.empty()) {
     wanted.wanted = [&](std::uint32_t a, std::uint32_t b) {
-      return are_compared(options.sets, models, a, b);
+      return bodies_are_compared(options.sets, models, a, b);
     };
   }
   return wanted;
@@ -131,6 +131,9 @@ ClashReport report_of(const ClashModels& models, const ClashRun& run,
   std::set<std::uint64_t> found;
   const ClashGroups group_of(options.grouping, models);
   for (const Clash& clash : run.clashes) {
+    if (!is_looked_for(options.sets, models, clash)) {
+      continue;
+    }
     const std::uint64_t key = clash_key(models.a.keys[clash.a], models.second().keys[clash.b]);
     report.rows.push_back({.clash = clash, .key = key, .group = group_of(clash)});
     found.insert(key);

@@ -28,11 +28,18 @@ bool LookedAt::is_left_out(const Json& row) const {
     return found == parts.end() ? std::vector<std::uint32_t>() : found->second;
   };
   const std::string key = text_of(row, "key");
+  // A row of bodies, one of which may be inside the other, was looked for if these were compared.
+  const bool may_be_of_bodies = text_of(row, "class") == clash_name(ClashKind::undecided) &&
+                                text_of(row, "triangle_pairs") == "0";
+  const auto were_compared = [&](std::uint32_t a, std::uint32_t b) {
+    return may_be_of_bodies ? bodies_are_compared(sets_, models_, a, b)
+                            : are_compared(sets_, models_, a, b);
+  };
   // Sides may have been named in the other order.
   for (const auto& [first, second] : {std::pair("a", "b"), std::pair("b", "a")}) {
     for (const std::uint32_t a : sides(of_a_, first)) {
       for (const std::uint32_t b : sides(of_b_, second)) {
-        if (!are_compared(sets_, models_, a, b) &&
+        if (!were_compared(a, b) &&
             key_text(clash_key(models_.a.keys[a], models_.second().keys[b])) == key) {
           return true;
         }

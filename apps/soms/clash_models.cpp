@@ -263,7 +263,10 @@ ClashModels read_clash_models(const ClashModelOptions& options, Console& console
 }
 
 Json clash_side(const ClashSet& set, std::uint32_t number) {
-  const PartBody& part = set.parts[number];
+  return clash_side(set, number, set.parts[number]);
+}
+
+Json clash_side(const ClashSet& set, std::uint32_t number, const PartBody& part) {
   const Mesh& mesh = set.mesh_of(number);
   Json side = {{"file", mesh.source}, {"set", set.sets[number]}};
   side.update(named_side(mesh, part.part));

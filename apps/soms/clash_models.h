@@ -10,7 +10,9 @@
 #include "apps/support/models.h"
 
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -26,6 +28,8 @@ struct ClashSet {
   std::vector<std::uint64_t> keys;  ///< of each part
   std::vector<std::string> labels;  ///< of each part: its path of names
   std::vector<std::string> sets;    ///< of each part: the name of its set
+  /// Of each part that leads an open group (PartBody::together): the sets of all its parts.
+  std::map<std::uint32_t, std::set<std::string>> sets_of_groups;
 
   [[nodiscard]] const Mesh& mesh_of(std::uint32_t part) const { return meshes[mesh[part]]; }
 };
@@ -75,5 +79,8 @@ struct ModelFiles {
 /// A part as a side of a clash: file, name, id, type, path, index, the other parts of its body, and
 /// where it is open.
 [[nodiscard]] Json clash_side(const ClashSet& set, std::uint32_t part);
+
+/// The same of `body`, which the part stands for (`body_in`).
+[[nodiscard]] Json clash_side(const ClashSet& set, std::uint32_t part, const PartBody& body);
 
 }  // namespace soms::command

@@ -7,6 +7,7 @@
 #include "apps/support/console.h"
 #include "apps/support/georeference.h"
 #include "apps/support/json_list.h"
+#include "apps/support/part_names.h"
 #include "apps/support/text.h"
 
 #include <fmt/format.h>
@@ -25,6 +26,14 @@ constexpr std::size_t kRowsInText = 40;  // that a person may want to read
 
 Json json_point(const Vec3& v) {
   return {v.x, v.y, v.z};
+}
+
+/// What the two parts of a clash stand for.
+std::pair<const PartBody&, const PartBody&> bodies_in(const ClashModels& models,
+                                                      const Clash& clash) {
+  const PartBody& a = models.a.parts[clash.a];
+  const PartBody& b = models.second().parts[clash.b];
+  return {body_in(clash, a, b), body_in(clash, b, a)};
 }
 
 /// Parts of a clash that are not closed: "a", "b".
@@ -196,7 +205,6 @@ std::string kinds_in_text(const ClashCounts& counts) {
 
 /// What distinguishes a clash from others of its kind.
 std::string detail_in_text(const ClashReport& report, const Clash& clash) {
-  const ClashSet& b = report.models.second();
   switch (clash.kind) {
     case ClashKind::inside:
       return clash.relation == Relation::a_in_b ? ", the first in the second"
@@ -205,8 +213,8 @@ std::string detail_in_text(const ClashReport& report, const Clash& clash) {
       return fmt::format(", {} apart", readable(clash.gap.lower));
     case ClashKind::undecided: {
       std::string text = clash.triangle_pairs == 0 ? "" : ", surfaces meet";
-      for (const auto& [part, which] : {std::pair{&report.models.a.parts[clash.a], "first"},
-                                        std::pair{&b.parts[clash.b], "second"}}) {
+      const auto [a, b] = bodies_in(report.models, clash);
+      for (const auto& [part, which] : {std::pair{&a, "first"}, std::pair{&b, "second"}}) {
         if (!part->closed && part->odd_edges == 0) {
           text += fmt::format(", parts of the {} close each other in several ways", which);
         } else if (!part->closed) {
@@ -225,12 +233,17 @@ std::string detail_in_text(const ClashReport& report, const Clash& clash) {
   return fmt::format("{}, {} of triangles", deep, counted(clash.triangle_pairs, "pair"));
 }
 
+std::string label_of(const ClashSet& set, std::uint32_t part, const PartBody& body) {
+  return printable(body_label(set.mesh_of(part), body.part, body.joined));
+}
+
 std::string row_in_text(const ClashReport& report, const ClashRow& row) {
   const Clash& clash = row.clash;
   const std::string_view status = status_name(row.status);
+  const auto [a, b] = bodies_in(report.models, clash);
   return fmt::format("  {:<9}  {}{}{} and {} at {}{}\n", clash_name(clash.kind), status,
-                     status.empty() ? "" : "  ", printable(report.models.a.labels[clash.a]),
-                     printable(report.models.second().labels[clash.b]), point_in_text(clash.place),
+                     status.empty() ? "" : "  ", label_of(report.models.a, clash.a, a),
+                     label_of(report.models.second(), clash.b, b), point_in_text(clash.place),
                      detail_in_text(report, clash));
 }
 
@@ -263,9 +276,10 @@ void print_groups(const ClashReport& report, Console& console) {
 
 Json row_as_json(const ClashReport& report, const ClashRow& row) {
   const Clash& clash = row.clash;
+  const auto [a, b] = bodies_in(report.models, clash);
   Json json = {{"schema", "soms.clash/1"},
-               {"a", clash_side(report.models.a, clash.a)},
-               {"b", clash_side(report.models.second(), clash.b)},
+               {"a", clash_side(report.models.a, clash.a, a)},
+               {"b", clash_side(report.models.second(), clash.b, b)},
                {"class", clash_name(clash.kind)},
                {"relation", relation_name(clash.relation)}};
   if (clash.kind == ClashKind::undecided) {

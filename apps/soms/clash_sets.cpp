@@ -11,8 +11,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
 namespace soms::command {
 
@@ -59,6 +61,21 @@ void check_patterns(const ClashSetOptions& options, const ClashModels& models,
               ? "give models that have parts"
               : fmt::format("patterns are case-sensitive; the first part is named \"{}\"",
                             models.a.labels.front()));
+    }
+  }
+}
+
+void name_sets_of_groups(ClashSet& set) {
+  std::map<const PartBody*, std::set<std::string>> names;
+  for (std::uint32_t part = 0; part < set.parts.size(); ++part) {
+    if (const PartBody* const group = set.parts[part].together.body.get()) {
+      names[group].insert(set.sets[part]);
+    }
+  }
+  for (std::uint32_t part = 0; part < set.parts.size() && !names.empty(); ++part) {
+    const PartBody* const group = set.parts[part].together.body.get();
+    if (group != nullptr && set.parts[part].leads()) {
+      set.sets_of_groups[part] = std::move(names[group]);
     }
   }
 }
@@ -123,6 +140,7 @@ void give_sets(const ClashSetOptions& options, ClashModels& models) {
                                   : set_of_file(set->mesh_of(part)));
       names.insert(set->sets.back());
     }
+    name_sets_of_groups(*set);
   }
   check_patterns(options, models, fitting);
   for (const auto& [first, second] : options.between) {
@@ -143,6 +161,42 @@ bool are_compared(const ClashSetOptions& options, const ClashModels& models, std
            return (pair.first == of_a && pair.second == of_b) ||
                   (pair.first == of_b && pair.second == of_a);
          });
+}
+
+bool bodies_are_compared(const ClashSetOptions& options, const ClashModels& models, std::uint32_t a,
+                         std::uint32_t b) {
+  if (are_compared(options, models, a, b)) {
+    return true;
+  }
+  const ClashSet& second = models.second();
+  const auto of_a = models.a.sets_of_groups.find(a);
+  const auto of_b = second.sets_of_groups.find(b);
+  const bool a_is_group = of_a != models.a.sets_of_groups.end();
+  const bool b_is_group = of_b != second.sets_of_groups.end();
+  const PartBody& part_a = models.a.parts[a];
+  const PartBody& part_b = second.parts[b];
+  if ((!a_is_group && !b_is_group) || !part_a.leads() || !part_b.leads() ||
+      part_a.together.body == part_b.together.body) {
+    return false;
+  }
+  const auto has = [](bool is_group, const auto& of, const std::string& own,
+                      const std::string& name) {
+    return is_group ? of->second.contains(name) : own == name;
+  };
+  const auto are = [&](const std::string& first, const std::string& other) {
+    return has(a_is_group, of_a, models.a.sets[a], first) &&
+           has(b_is_group, of_b, second.sets[b], other);
+  };
+  return std::any_of(options.between.begin(), options.between.end(), [&](const auto& pair) {
+    return are(pair.first, pair.second) || are(pair.second, pair.first);
+  });
+}
+
+bool is_looked_for(const ClashSetOptions& options, const ClashModels& models, const Clash& clash) {
+  const PartBody& a = models.a.parts[clash.a];
+  const PartBody& b = models.second().parts[clash.b];
+  return &body_in(clash, a, b) != &a || &body_in(clash, b, a) != &b ||
+         are_compared(options, models, clash.a, clash.b);
 }
 
 bool are_siblings(const ClashModels& models, const Clash& clash) {

@@ -39,6 +39,15 @@ void give_sets(const ClashSetOptions& options, ClashModels& models);
 [[nodiscard]] bool are_compared(const ClashSetOptions& options, const ClashModels& models,
                                 std::uint32_t a, std::uint32_t b);
 
+/// True if `are_compared`, or the bodies that the two lead (`body_in`) have parts that are: an open
+/// group may be of several sets.
+[[nodiscard]] bool bodies_are_compared(const ClashSetOptions& options, const ClashModels& models,
+                                       std::uint32_t a, std::uint32_t b);
+
+/// True of a clash of bodies, and of parts if they are compared.
+[[nodiscard]] bool is_looked_for(const ClashSetOptions& options, const ClashModels& models,
+                                 const Clash& clash);
+
 /// What clashes are grouped by.
 enum class ClashGroup : unsigned char {
   none,

@@ -2,6 +2,7 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
+#include "soms/clash/detail/open_parts.h"
 #include "soms/clash/detail/pair_of_parts.h"
 #include "soms/scene/broad_phase.h"
 #include "soms/scene/detail/widened.h"
@@ -17,18 +18,42 @@ namespace {
 /// Pairs are dealt out to threads in pieces of so many: one may take a microsecond or a second.
 constexpr std::size_t kPairsOfAChunk = 8;
 
-void add_boxes(std::span<const PartBody> parts, double margin, std::vector<Box>& boxes) {
-  for (const PartBody& part : parts) {
-    boxes.push_back(detail::widened(part.box(), margin));
+/// The boxes of parts, which grow by a margin, and how far each reaches: of the first part of an
+/// open group, around all that the group may enclose.
+class Reach {
+ public:
+  void add(std::span<const PartBody> parts, double margin) {
+    for (const PartBody& part : parts) {
+      parts_.push_back(&part);
+      own_.push_back(detail::widened(part.box(), margin));
+      const bool reaches_on = part.together.body && part.leads();
+      boxes_.push_back(reaches_on ? detail::widened(part.together.body->box(), margin)
+                                  : own_.back());
+    }
   }
-}
 
-std::vector<PartNumbers> meeting(const std::vector<Box>& boxes, std::uint32_t first_of_b,
+  [[nodiscard]] const std::vector<Box>& boxes() const { return boxes_; }
+
+  /// Whether two whose boxes meet are to be compared: as parts, or as the bodies that they lead.
+  [[nodiscard]] bool are_compared(std::uint32_t i, std::uint32_t j) const {
+    const PartBody& a = *parts_[i];
+    const PartBody& b = *parts_[j];
+    return (!a.together.body && !b.together.body) || detail::lead_bodies(a, b) ||
+           overlaps(own_[i], own_[j]);
+  }
+
+ private:
+  std::vector<const PartBody*> parts_;
+  std::vector<Box> own_;
+  std::vector<Box> boxes_;
+};
+
+std::vector<PartNumbers> meeting(const Reach& reach, std::uint32_t first_of_b,
                                  BroadPhase& broad_phase, const ClashOptions& options) {
   std::vector<PartNumbers> pairs;
-  for (const auto& [i, j] : broad_phase.find(boxes)) {
+  for (const auto& [i, j] : broad_phase.find(reach.boxes())) {
     const PartNumbers pair{i, j - first_of_b};
-    if (!options.wanted || options.wanted(pair.first, pair.second)) {
+    if (reach.are_compared(i, j) && (!options.wanted || options.wanted(pair.first, pair.second))) {
       pairs.push_back(pair);
     }
   }
@@ -57,31 +82,35 @@ void check(const ClashOptions& options) {
   }
 }
 
+const PartBody& body_in(const Clash& clash, const PartBody& part, const PartBody& other) {
+  const bool of_bodies = clash.kind == ClashKind::undecided && clash.triangle_pairs == 0 &&
+                         detail::lead_bodies(part, other);
+  return of_bodies ? detail::body_led_by(part) : part;
+}
+
 std::vector<PartNumbers> clash_candidates(std::span<const PartBody> a, std::span<const PartBody> b,
                                           const ClashOptions& options) {
   check(options);
   const PlainArithmetic plain;
   const double margin = options.within.value_or(0) / 2;
-  std::vector<Box> boxes;
-  boxes.reserve(a.size() + b.size());
-  add_boxes(a, margin, boxes);
-  add_boxes(b, margin, boxes);
+  Reach reach;
+  reach.add(a, margin);
+  reach.add(b, margin);
   std::vector<std::uint32_t> side(a.size(), 1);
-  side.resize(boxes.size(), 2);
+  side.resize(reach.boxes().size(), 2);
   BroadPhase broad_phase;
   broad_phase.set_filter(std::move(side), {});
-  return meeting(boxes, static_cast<std::uint32_t>(a.size()), broad_phase, options);
+  return meeting(reach, static_cast<std::uint32_t>(a.size()), broad_phase, options);
 }
 
 std::vector<PartNumbers> clash_candidates(std::span<const PartBody> parts,
                                           const ClashOptions& options) {
   check(options);
   const PlainArithmetic plain;
-  std::vector<Box> boxes;
-  boxes.reserve(parts.size());
-  add_boxes(parts, options.within.value_or(0) / 2, boxes);
+  Reach reach;
+  reach.add(parts, options.within.value_or(0) / 2);
   BroadPhase broad_phase;
-  return meeting(boxes, 0, broad_phase, options);
+  return meeting(reach, 0, broad_phase, options);
 }
 
 ClashList clashes_of(std::span<const PartBody> a, std::span<const PartBody> b,

@@ -41,7 +41,7 @@ struct ClashOptions {
   /// Nothing: no pair is near.
   std::optional<double> within = std::nullopt;
   /// Pairs of parts, by their numbers, that are looked at. Empty: all. Must give the same answer
-  /// for the same pair, from any thread.
+  /// for the same pair, from any thread. An open group is looked at with its first part.
   std::function<bool(std::uint32_t a, std::uint32_t b)> wanted = {};
   /// Pairs that are not decided when it passes are left out, and coverage is `cut`.
   std::optional<std::chrono::steady_clock::time_point> deadline = std::nullopt;
@@ -59,7 +59,8 @@ struct Clash {
   /// if its surface is.
   Relation relation = Relation::undecided;
   /// Why it is undecided: `open` where a part is not closed (PartBody::odd_edges), and surfaces
-  /// meet without passing through each other, or the other part may be inside it.
+  /// meet without passing through each other, or the other part may be inside it, or inside what it
+  /// encloses together with others (`body_in`).
   Undecided why = Undecided::none;
   std::uint64_t triangle_pairs = 0;  ///< pairs of triangles that overlap, as `overlap` counts them
   /// Holds the least distance of the surfaces: [0, 0] where they meet, otherwise as `Distance` has
@@ -79,6 +80,13 @@ struct Clash {
   [[nodiscard]] bool operator==(const Clash&) const = default;
 };
 
+/// What `part` stands for in a clash with `other`. An undecided clash of parts whose surfaces do
+/// not meet is of the bodies that the two lead (PartBody::leads), of which one may be inside the
+/// other: its open group, if `other` is of another one or none. In all else a part stands for
+/// itself.
+[[nodiscard]] const PartBody& body_in(const Clash& clash, const PartBody& part,
+                                      const PartBody& other);
+
 /// Answer of `clashes`.
 struct ClashList {
   std::vector<Clash> clashes;  ///< by a, then b
@@ -94,8 +102,9 @@ struct ClashList {
 using PartNumbers = std::pair<std::uint32_t, std::uint32_t>;
 
 /// The pairs of a part of `a` and one of `b` whose boxes share a point, or come within
-/// `options.within`, sorted; all others are clear of each other. Those that `options.wanted`
-/// refuses are left out.
+/// `options.within`, sorted; all others are clear of each other. The box of the first part of an
+/// open group is around the group, too, for other bodies. Pairs that `options.wanted` refuses are
+/// left out.
 /// \errors  As `check(ClashOptions)`; ErrorKind::out_of_range above 2^27 parts.
 /// \cost    O(n + p) for n parts and p pairs, as a rule (BroadPhase).
 [[nodiscard]] std::vector<PartNumbers> clash_candidates(std::span<const PartBody> a,
@@ -123,6 +132,11 @@ using PartNumbers = std::pair<std::uint32_t, std::uint32_t>;
 /// of that fits into its box; and where surfaces do not meet, and no component of either lies
 /// wholly in the box of an open one or goes through its caps, the two are clear. All else is
 /// undecided.
+///
+/// Open parts that hang together (PartBody::together) are compared one by one, and their group as
+/// one open body, too. Where surfaces of the group and of another body do not meet, and neither is
+/// in a closed one, but one may be inside the other, the first part and the other body are
+/// undecided, not near.
 ///
 /// The answer does not depend on threads, trees, layouts or instruction sets, nor on the order of
 /// the parts but for their numbers; with a deadline it may.

@@ -112,8 +112,22 @@ bool are_closed(const PartGroup& group, std::span<const detail::OpenPart> open) 
   return detail::covers_evenly(edges);
 }
 
-/// Puts pieces that are one body together, in the place of the first.
-void join(const Mesh& mesh, OpenParts open_parts, std::vector<Piece>& pieces) {
+/// All triangles of some parts, named by the first. `piece_of` finds the piece of a part.
+template <class Find>
+Piece united(const PartGroup& group, const Find& piece_of) {
+  Piece whole{.part = {.part = group.parts.front()}, .may_close = group.closed};
+  whole.part.joined.assign(group.parts.begin() + 1, group.parts.end());
+  for (const std::uint32_t part : group.parts) {
+    const std::vector<TriangleId>& more = piece_of(part).part.triangles;
+    whole.part.triangles.insert(whole.part.triangles.end(), more.begin(), more.end());
+  }
+  std::sort(whole.part.triangles.begin(), whole.part.triangles.end());
+  return whole;
+}
+
+/// Puts pieces that are one body together, in the place of the first. Returns what others, which
+/// stay as they are, are together.
+std::vector<Piece> join(const Mesh& mesh, OpenParts open_parts, std::vector<Piece>& pieces) {
   std::vector<detail::OpenPart> open;
   for (const Piece& piece : pieces) {
     if (std::vector<detail::Segment> edges = open_edges(piece); !edges.empty()) {
@@ -121,35 +135,32 @@ void join(const Mesh& mesh, OpenParts open_parts, std::vector<Piece>& pieces) {
     }
   }
   if (open.size() < 2) {
-    return;
+    return {};
   }
   const auto piece_of = [&](std::uint32_t part) -> Piece& {
     return *std::lower_bound(
         pieces.begin(), pieces.end(), part,
         [](const Piece& piece, std::uint32_t number) { return piece.part.part < number; });
   };
+  std::vector<Piece> unions;
   std::vector<std::uint32_t> gone;
   for (const PartGroup& group : detail::groups_of_open(mesh, open)) {
-    if (group.parts.size() < 2 ||
-        (!group.closed && open_parts == OpenParts::alone && !are_closed(group, open))) {
+    if (group.parts.size() < 2) {
       continue;
     }
-    Piece& first = piece_of(group.parts.front());
-    std::vector<TriangleId>& triangles = first.part.triangles;
-    for (const std::uint32_t part : std::span(group.parts).subspan(1)) {
-      const std::vector<TriangleId>& more = piece_of(part).part.triangles;
-      triangles.insert(triangles.end(), more.begin(), more.end());
-      first.part.joined.push_back(part);
-      gone.push_back(part);
+    Piece whole = united(group, piece_of);
+    if (!group.closed && open_parts == OpenParts::alone && !are_closed(group, open)) {
+      unions.push_back(std::move(whole));
+      continue;
     }
-    std::sort(triangles.begin(), triangles.end());
-    first.may_close = group.closed;
-    first.surface = nullptr;
+    gone.insert(gone.end(), group.parts.begin() + 1, group.parts.end());
+    piece_of(group.parts.front()) = std::move(whole);
   }
   std::sort(gone.begin(), gone.end());
   std::erase_if(pieces, [&](const Piece& piece) {
     return std::binary_search(gone.begin(), gone.end(), piece.part.part);
   });
+  return unions;
 }
 
 std::vector<PartComponent> components_of(const Body& body, const detail::ClosedSurface& surface) {
@@ -185,7 +196,27 @@ PartBody finished(const Mesh& mesh, const Pose& pose, Piece piece) {
   return part;
 }
 
+/// Gives each part of an open group what all of them are together.
+void give_unions(std::vector<PartBody> unions, std::vector<PartBody>& parts) {
+  for (PartBody& one : unions) {
+    const auto body = std::make_shared<const PartBody>(std::move(one));
+    const auto give = [&](std::uint32_t number) {
+      const auto at = std::lower_bound(
+          parts.begin(), parts.end(), number,
+          [](const PartBody& part, std::uint32_t wanted) { return part.part < wanted; });
+      at->together.body = body;
+    };
+    give(body->part);
+    std::for_each(body->joined.begin(), body->joined.end(), give);
+  }
+}
+
 }  // namespace
+
+bool OpenUnion::operator==(const OpenUnion& other) const {
+  return body == other.body || (body && other.body && body->part == other.body->part &&
+                                body->triangles.size() == other.body->triangles.size());
+}
 
 Box PartBody::box() const {
   Box box;
@@ -205,14 +236,19 @@ std::vector<PartBody> part_bodies(const Mesh& mesh, const Pose& pose, const Para
       pieces[k].cut_out_of(mesh);
     }
   });
-  join(mesh, open, pieces);
-  std::vector<PartBody> parts(pieces.size());
-  for_each_chunk(parts.size(), kPartsOfAChunk, parallel, [&](std::size_t begin, std::size_t end) {
-    const PlainArithmetic plain;
-    for (std::size_t k = begin; k < end; ++k) {
-      parts[k] = finished(mesh, pose, std::move(pieces[k]));
-    }
-  });
+  std::vector<Piece> unions = join(mesh, open, pieces);
+  const auto finish = [&](std::vector<Piece>& from, const Parallel& how) {
+    std::vector<PartBody> bodies(from.size());
+    for_each_chunk(bodies.size(), kPartsOfAChunk, how, [&](std::size_t begin, std::size_t end) {
+      const PlainArithmetic plain;
+      for (std::size_t k = begin; k < end; ++k) {
+        bodies[k] = finished(mesh, pose, std::move(from[k]));
+      }
+    });
+    return bodies;
+  };
+  std::vector<PartBody> parts = finish(pieces, parallel);
+  give_unions(finish(unions, silent), parts);
   return parts;
 }
 

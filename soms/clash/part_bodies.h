@@ -12,6 +12,7 @@
 #include "soms/query/contains.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,17 @@ struct PartComponent {
   Box box = {};      ///< around all of them
 
   [[nodiscard]] bool operator==(const PartComponent&) const = default;
+};
+
+struct PartBody;
+
+/// What open parts enclose together: one body for all of them, which they share. A value.
+struct OpenUnion {
+  std::shared_ptr<const PartBody> body = nullptr;  ///< nothing: of no group of several parts
+
+  /// True if both are of the same first part and as many triangles, or of none. The triangles are
+  /// those of the parts, which are compared where these are.
+  [[nodiscard]] bool operator==(const OpenUnion& other) const;
 };
 
 /// The triangles of a mesh whose innermost part it is, as a body; or those of several parts that
@@ -42,6 +54,12 @@ struct PartBody {
   Body caps = {};
   std::vector<PartComponent> components = {};  ///< by their first triangles
   std::vector<TriangleId> triangles = {};      ///< triangle i of `body` is triangles[i] of the mesh
+  /// Of a part that stays open in a group of several (`bodies_of`): all of them as one open body,
+  /// named by the first, the others in its `joined`. It is the same object for each of them.
+  OpenUnion together = {};
+
+  /// True unless the part stays open together with others of which one comes before it.
+  [[nodiscard]] bool leads() const { return !together.body || together.body->part == part; }
 
   /// Around the part, where its pose has moved it.
   [[nodiscard]] Box box() const;
@@ -52,7 +70,7 @@ struct PartBody {
 /// What becomes of parts that stay open, and may enclose something together. Those that close each
 /// other, though in several ways, are one body that counts as open.
 enum class OpenParts : unsigned char {
-  alone,   ///< each other one is a body of its own
+  alone,   ///< each is a body of its own, which knows the others (PartBody::together)
   joined,  ///< those of a group of `bodies_of` are one body, which is open
 };
 
@@ -62,7 +80,7 @@ enum class OpenParts : unsigned char {
 /// are, so each body has the very triangles of the mesh, in their order.
 /// \pre     `check(mesh)` passes.
 /// \errors  As `ClosedBody` for the pose; ErrorKind::cancelled.
-/// \cost    O(n log n) for n triangles; a shape for each body.
+/// \cost    O(n log n) for n triangles; a shape for each body, and for each group of open parts.
 [[nodiscard]] std::vector<PartBody> part_bodies(const Mesh& mesh, const Pose& pose = {},
                                                 const Parallel& parallel = {},
                                                 OpenParts open = OpenParts::alone);

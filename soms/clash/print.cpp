@@ -44,6 +44,11 @@ std::ostream& operator<<(std::ostream& out, const ClashList& value) {
                     .add("cost", value.cost);
 }
 
+std::ostream& operator<<(std::ostream& out, const OpenUnion& value) {
+  const std::size_t parts = value.body ? value.body->joined.size() + 1 : 0;
+  return out << PrintedFields("OpenUnion").item(printed_count(parts, "part", "parts"));
+}
+
 std::ostream& operator<<(std::ostream& out, const PartBody& value) {
   PrintedFields fields("PartBody");
   if (value.part != Part::kNoParent) {
@@ -51,6 +56,9 @@ std::ostream& operator<<(std::ostream& out, const PartBody& value) {
   }
   for (const std::uint32_t part : value.joined) {
     part == Part::kNoParent ? fields.item("no part") : fields.add("joined", part);
+  }
+  if (value.together.body) {
+    fields.add("together", value.together);
   }
   return out << fields.item(printed_count(value.triangles.size(), "triangle", "triangles"))
                     .add("closed", value.closed.has_value())

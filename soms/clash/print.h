@@ -9,6 +9,7 @@ namespace soms {
 enum class ClashKind : unsigned char;
 struct Clash;
 struct ClashList;
+struct OpenUnion;
 struct PartBody;
 struct PartComponent;
 struct Penetration;
@@ -17,6 +18,7 @@ struct Penetration;
 std::ostream& operator<<(std::ostream& out, ClashKind value);
 std::ostream& operator<<(std::ostream& out, const Clash& value);
 std::ostream& operator<<(std::ostream& out, const ClashList& value);
+std::ostream& operator<<(std::ostream& out, const OpenUnion& value);
 std::ostream& operator<<(std::ostream& out, const PartBody& value);
 std::ostream& operator<<(std::ostream& out, const PartComponent& value);
 std::ostream& operator<<(std::ostream& out, const Penetration& value);

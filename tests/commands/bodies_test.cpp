@@ -93,7 +93,7 @@ class CutFiles {
       for (const Json& part : line["parts"]) {
         text += part["side"].get<std::string>() + " ";
       }
-      text += "; ";
+      text += line.contains("open_parts") ? "open; " : "; ";
     }
     return text + std::to_string(result.status);
   }
@@ -149,6 +149,102 @@ TEST(Bodies, AreWholeHoweverAFileCutsThem) {
       EXPECT_EQ(files.verdicts(name), whole) << name << " in " << parts_of(cut);
     }
   }
+}
+
+// The cube without a face. One part reaches around the probe at most, the first.
+TEST(Bodies, ThatAreOpenAreUndecidedHoweverAFileCutsThem) {
+  const CutFiles files;
+  write_mesh(files.path("whole.off"), mesh_of({0, 0, 0, 0, 0, -1}), MeshFormat::off);
+  const std::string whole = files.verdicts("whole.off");
+  EXPECT_NE(whole.find("robot: undecided contact free"), std::string::npos) << whole;
+  EXPECT_NE(whole.find("clash: undecided 0; crossing 0; 0"), std::string::npos) << whole;
+  EXPECT_NE(whole.find("contains: open"), std::string::npos) << whole;
+  EXPECT_NE(whole.find("solid: undecided 0; undecided 0; 0"), std::string::npos) << whole;
+  for (const Cut& cut : {Cut{0, 0, 1, 2, 3, -1}, Cut{0, 1, 2, 3, 4, -1}}) {
+    const std::vector<std::pair<std::string, std::string>> texts{
+        {"g.obj", obj_of(cut, "g")},
+        {"o.obj", obj_of(cut, "o")},
+        {"usemtl.obj", obj_of(cut, "usemtl")},
+        {"solids.stl", stl_of(cut)},
+        {"materials.dae", dae_with_materials(cut)},
+        {"nodes.dae", dae_with_nodes(cut)},
+        {"objects.city.json", city_of(cut)},
+        {"nodes.gltf", gltf_of(cut, true, files.folder())}};
+    for (const auto& [name, text] : texts) {
+      write_text(files.path(name), text);
+      EXPECT_EQ(files.verdicts(name), whole) << name << " in " << parts_of(cut);
+    }
+  }
+}
+
+TEST(Bodies, ThatStayOpenTogetherAreARowOfClash) {
+  TemporaryFolder folder;
+  const std::string open = (folder.path() / "open.obj").string();
+  write_text(open, obj_of({0, 1, 2, 3, 4, -1}, "g"));
+  const std::string probe = data("bodies/probe.obj").string();
+  const RunResult result = soms_run({"clash", open, "--against", probe, "--json", "--verify"});
+  const std::vector<Json> lines = json_lines(result.out);
+  ASSERT_EQ(lines.size(), 2U) << result.out << result.err;
+  EXPECT_EQ(lines[0]["class"], "undecided");
+  EXPECT_EQ(lines[0]["why"], "open");
+  EXPECT_EQ(lines[0]["open"], Json({"a"}));
+  EXPECT_EQ(lines[0]["a"]["part"], "p0");
+  ASSERT_EQ(lines[0]["a"]["joined"].size(), 4U);
+  EXPECT_EQ(lines[0]["a"]["joined"][3]["part"], "p4");
+  EXPECT_EQ(lines[0]["a"]["odd_edges"], 4);
+  EXPECT_FALSE(lines[0]["b"].contains("joined"));
+  EXPECT_EQ(lines[1]["verified"], true);
+  const RunResult text = soms_run({"clash", open, "--against", probe});
+  EXPECT_NE(text.out.find("  undecided  p0 + p1 + 3 more and probe at "), std::string::npos)
+      << text.out;
+  EXPECT_NE(text.out.find(", the first is open at 4 edges\n"), std::string::npos) << text.out;
+  // In one set, too, where rows between its parts stay.
+  const RunResult one = soms_run({"clash", open, probe, "--json", "--verify"});
+  std::size_t of_probe = 0;
+  std::size_t of_faces = 0;
+  for (const Json& line : json_lines(one.out)) {
+    const bool is_row = line.contains("a");
+    const bool has_probe = is_row && line["b"]["part"] == "probe";
+    of_probe += has_probe ? 1 : 0;
+    of_faces += is_row && !has_probe ? 1 : 0;
+    EXPECT_TRUE(!is_row || line["a"].contains("joined") == has_probe) << line;
+  }
+  EXPECT_EQ(of_probe, 1U) << one.out;
+  EXPECT_EQ(of_faces, 8U) << one.out;
+}
+
+/// The classes of the rows, and the parts of the first set.
+std::string rows_between(const std::vector<std::string>& files,
+                         const std::vector<std::string>& sets) {
+  std::vector<std::string> words{"clash"};
+  words.insert(words.end(), files.begin(), files.end());
+  words.insert(words.end(), sets.begin(), sets.end());
+  words.insert(words.end(), {"--set", "p=probe", "--between", "w,p", "--json", "--verify"});
+  const RunResult result = soms_run(words);
+  std::string text;
+  for (const Json& line : json_lines(result.out)) {
+    text += line.contains("a")
+                ? line.value("class", "") + " " + line["a"].value("part", std::string()) + " "
+                : std::string();
+  }
+  return text + std::to_string(result.status);
+}
+
+// Whichever part of the group is of the set, the group is looked at, but no other part is.
+TEST(Bodies, ThatStayOpenTogetherAreOfTheSetsOfTheirParts) {
+  TemporaryFolder folder;
+  const std::string open = (folder.path() / "open.obj").string();
+  write_text(open, obj_of({0, 1, 2, 3, 4, -1}, "g"));
+  const std::string inside = data("bodies/probe.obj").string();
+  for (const std::string part : {"p0", "p3"}) {
+    EXPECT_EQ(rows_between({open, inside}, {"--set", "w=" + part}), "undecided p0 0");
+  }
+  Mesh mesh = box_body({-0.1, -0.1, -1.1}, {0.1, 0.1, -0.9});
+  mesh.parts = {{.name = "probe", .first = 0, .count = 12}};
+  const std::string through = (folder.path() / "through.obj").string();
+  write_mesh(through, mesh, MeshFormat::obj);
+  EXPECT_EQ(rows_between({open, through}, {"--set", "w=p0"}), "crossing p0 0");
+  EXPECT_EQ(rows_between({open, through}, {"--set", "w=p3"}), "0");
 }
 
 /// Of a robot of reports, the verdicts of the states of probe.csv, and the status.

@@ -31,7 +31,7 @@ template <class... T>
 constexpr bool kValues = (Value<T> && ...);
 
 static_assert(kValues<Vec3, Triangle, Box, Pose, Rotation, ErrorKind>);
-static_assert(kValues<Clash, ClashKind, ClashList, PartBody>);
+static_assert(kValues<Clash, ClashKind, ClashList, OpenUnion, PartBody>);
 static_assert(
     kValues<Mesh, Attribute, Part, PartRun, UpAxis, Defects, DefectPlaces, DefectOptions,
             EdgeCounts, EdgePlace, TriangleCopy, VertexCopy, Crossing, Sign, Projection, Midpoint,

@@ -178,4 +178,8 @@ bool fits_into(const PartBody& inner, const PartBody& outer) {
                      [&](const PartComponent& component) { return box.contains(component.box); });
 }
 
+bool lead_bodies(const PartBody& a, const PartBody& b) {
+  return a.together.body != b.together.body && a.leads() && b.leads();
+}
+
 }  // namespace soms::detail

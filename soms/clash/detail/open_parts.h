@@ -34,4 +34,13 @@ using TriangleLoop = std::function<bool(const std::function<bool(const Triangle&
 /// Whether a whole component of `inner` may be inside `outer`: it lies in its box.
 [[nodiscard]] bool fits_into(const PartBody& inner, const PartBody& outer);
 
+/// What a part stands for that leads (PartBody::leads): its open group as one body, or itself.
+[[nodiscard]] inline const PartBody& body_led_by(const PartBody& part) {
+  return part.together.body ? *part.together.body : part;
+}
+
+/// True if both parts lead bodies, and at least one of these is an open group that the other is not
+/// of: the two bodies are compared, too, not only the two parts.
+[[nodiscard]] bool lead_bodies(const PartBody& a, const PartBody& b);
+
 }  // namespace soms::detail

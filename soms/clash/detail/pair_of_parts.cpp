@@ -105,6 +105,16 @@ std::optional<Clash> PairOfParts::of_clear(const Body& a, const Body& b, Clash c
 
 std::optional<Clash> PairOfParts::decide(const PartBody& a, const PartBody& b) {
   cut_ = false;
+  std::optional<Clash> clash = decide_parts(a, b);
+  const bool is_clash = clash && clash->kind != ClashKind::near;
+  if (cut_ || is_clash || !lead_bodies(a, b)) {
+    return clash;
+  }
+  std::optional<Clash> of_bodies = of_led_bodies(a, b);
+  return cut_ ? std::nullopt : of_bodies ? of_bodies : clash;
+}
+
+std::optional<Clash> PairOfParts::decide_parts(const PartBody& a, const PartBody& b) {
   if (!comes_first(b.body, a.body)) {
     return decide_in_order(a, b);
   }
@@ -116,6 +126,33 @@ std::optional<Clash> PairOfParts::decide(const PartBody& a, const PartBody& b) {
     clash->penetration->direction = -clash->penetration->direction;
   }
   return clash;
+}
+
+std::optional<Clash> PairOfParts::of_led_bodies(const PartBody& a, const PartBody& b) {
+  const PartBody& whole_a = body_led_by(a);
+  const PartBody& whole_b = body_led_by(b);
+  if (comes_first(whole_b.body, whole_a.body)) {
+    return of_led_bodies(b, a);
+  }
+  // Where surfaces meet, those of two parts do; where one is in what is closed, a part is; and what
+  // a part that is open alone may hold is of that part's pairs.
+  if (meet_anywhere(whole_a.body, whole_b.body) ||
+      relation_of_apart(whole_a, whole_b) != Relation::clear) {
+    return std::nullopt;
+  }
+  const bool may_hold = (a.together.body && may_be_inside(whole_b, whole_a)) ||
+                        (b.together.body && may_be_inside(whole_a, whole_b));
+  if (cut_ || !may_hold) {
+    return std::nullopt;
+  }
+  Clash clash{.why = Undecided::open};
+  measure(whole_a.body, whole_b.body, kAnyGap, clash);
+  return clash;
+}
+
+bool PairOfParts::meet_anywhere(const Body& a, const Body& b) {
+  const OverlapOptions any{.mode = OverlapMode::any, .deadline = options_.deadline};
+  return counted(overlap(a, b, any, alone_)).any;
 }
 
 Relation PairOfParts::relation_to_closed(const PartBody& part, const ClosedBody& closed,
@@ -132,10 +169,13 @@ Relation PairOfParts::relation_to_closed(const PartBody& part, const ClosedBody&
 }
 
 bool PairOfParts::may_be_inside(const PartBody& inner, const PartBody& outer) {
-  return fits_into(inner, outer) ||
-         counted(overlap(inner.body, outer.caps,
-                         {.mode = OverlapMode::any, .deadline = options_.deadline}, alone_))
-             .any;
+  return fits_into(inner, outer) || meet_anywhere(inner.body, outer.caps);
+}
+
+Relation PairOfParts::relation_of_apart(const PartBody& a, const PartBody& b) {
+  return a.closed   ? relation_to_closed(b, *a.closed, Relation::b_in_a)
+         : b.closed ? relation_to_closed(a, *b.closed, Relation::a_in_b)
+                    : Relation::clear;
 }
 
 std::optional<Clash> PairOfParts::of_open(const PartBody& a, const PartBody& b) {
@@ -147,9 +187,7 @@ std::optional<Clash> PairOfParts::of_open(const PartBody& a, const PartBody& b) 
   if (clash.triangle_pairs != 0) {
     clash.relation = through ? Relation::crossing : Relation::undecided;
   } else {
-    clash.relation = a.closed   ? relation_to_closed(b, *a.closed, Relation::b_in_a)
-                     : b.closed ? relation_to_closed(a, *b.closed, Relation::a_in_b)
-                                : Relation::clear;
+    clash.relation = relation_of_apart(a, b);
     const bool in_closed = clash.relation == Relation::a_in_b || clash.relation == Relation::b_in_a;
     // The open one may go around a cavity of the other.
     if (in_closed && (a.closed ? fits_into(a, b) : fits_into(b, a))) {

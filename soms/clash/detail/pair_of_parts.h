@@ -39,8 +39,18 @@ class PairOfParts {
   /// looked at only where a part is `open`.
   bool meet(const Body& a, const Body& b, bool open, Clash& clash);
 
+  /// Whether the surfaces of two bodies share a point.
+  [[nodiscard]] bool meet_anywhere(const Body& a, const Body& b);
+
   /// The gap of parts whose surfaces do not meet; false if it exceeds `at_most`.
   bool measure(const Body& a, const Body& b, double at_most, Clash& clash);
+
+  /// The clash of two parts, whatever they are together with others.
+  [[nodiscard]] std::optional<Clash> decide_parts(const PartBody& a, const PartBody& b);
+
+  /// What the clash of two parts lacks that lead bodies (`lead_bodies`): one of the bodies may be
+  /// inside the other, an open group, and no pair of their parts says so.
+  [[nodiscard]] std::optional<Clash> of_led_bodies(const PartBody& a, const PartBody& b);
 
   [[nodiscard]] std::optional<Clash> decide_in_order(const PartBody& a, const PartBody& b);
   [[nodiscard]] std::optional<Clash> of_open(const PartBody& a, const PartBody& b);
@@ -50,6 +60,10 @@ class PairOfParts {
   /// all of them inside, some, or none.
   [[nodiscard]] Relation relation_to_closed(const PartBody& part, const ClosedBody& closed,
                                             Relation all_inside);
+
+  /// How parts stand to each other whose surfaces do not meet and of which one may be closed, as
+  /// far as a closed one says.
+  [[nodiscard]] Relation relation_of_apart(const PartBody& a, const PartBody& b);
 
   /// Whether `inner` may be inside `outer`, at least in part, whose surface is open and does not
   /// meet that of `inner`: a component lies in its box, or goes through what closes it.

@@ -213,10 +213,9 @@ Relation relation_of_open(const PartBody& a, const PartBody& b,
   return doubtful ? Relation::undecided : Relation::clear;
 }
 
-}  // namespace
-
-std::optional<Clash> clash_by_brute_force(const PartBody& a, const PartBody& b,
-                                          std::optional<double> within, const Parallel& parallel) {
+/// The clash of two parts, whatever they are together with others.
+std::optional<Clash> clash_of_parts(const PartBody& a, const PartBody& b,
+                                    std::optional<double> within, const Parallel& parallel) {
   Clash clash;
   const Overlap met = overlap(a.body.shape.mesh(), a.body.pose, b.body.shape.mesh(), b.body.pose,
                               {.stop = parallel.stop});
@@ -236,6 +235,53 @@ std::optional<Clash> clash_by_brute_force(const PartBody& a, const PartBody& b,
     clash.gap = distance_by_brute_force(a.body, b.body, {.stop = parallel.stop}).distance;
   }
   return clash;
+}
+
+/// The open group of which a part is the first, or the part where it is of none; nothing for the
+/// other parts of a group.
+const PartBody* led_by(const PartBody& part) {
+  const PartBody* const group = part.together.body.get();
+  return group == nullptr ? &part : group->part == part.part ? group : nullptr;
+}
+
+/// Whether one of two bodies, an open group, may hold something of the other that no part of it
+/// touches or may hold.
+bool group_may_hold(const PartBody& a, const PartBody& b) {
+  const PartBody* const whole_a = led_by(a);
+  const PartBody* const whole_b = led_by(b);
+  if (whole_a == nullptr || whole_b == nullptr || whole_a == whole_b ||
+      (whole_a == &a && whole_b == &b)) {
+    return false;
+  }
+  if (overlap(whole_a->body.shape.mesh(), whole_a->body.pose, whole_b->body.shape.mesh(),
+              whole_b->body.pose, {})
+          .any) {
+    return false;
+  }
+  const auto none_in = [](const PartBody& closed, const PartBody& other) {
+    return !closed.closed ||
+           by_pieces(pieces_of(other.body), closed.body, Relation::b_in_a) == Relation::clear;
+  };
+  const auto holds = [](const PartBody& group, const PartBody& other) {
+    return may_hold(pieces_of(other.body), other.body, group.body);
+  };
+  return none_in(*whole_a, *whole_b) && none_in(*whole_b, *whole_a) &&
+         ((whole_a != &a && holds(*whole_a, *whole_b)) ||
+          (whole_b != &b && holds(*whole_b, *whole_a)));
+}
+
+}  // namespace
+
+std::optional<Clash> clash_by_brute_force(const PartBody& a, const PartBody& b,
+                                          std::optional<double> within, const Parallel& parallel) {
+  std::optional<Clash> clash = clash_of_parts(a, b, within, parallel);
+  if ((clash && clash->kind != ClashKind::near) || !group_may_hold(a, b)) {
+    return clash;
+  }
+  return Clash{
+      .why = Undecided::open,
+      .gap = distance_by_brute_force(led_by(a)->body, led_by(b)->body, {.stop = parallel.stop})
+                 .distance};
 }
 
 std::vector<Clash> clashes_by_brute_force(std::span<const PartBody> a, std::span<const PartBody> b,
