@@ -50,6 +50,7 @@ TEST(Crs, KnowsTheUnitsOfTheRegistry) {
   EXPECT_EQ(crs_axes("EPSG:4979"), (CrsAxes{.angles = true}));
   EXPECT_EQ(crs_axes("EPSG:4326+5703"), (CrsAxes{.angles = true}));
   EXPECT_EQ(crs_axes("EPSG:1"), CrsAxes{}) << "no system";
+  EXPECT_EQ(crs_axes("EPSG:2181"), CrsAxes{}) << "none, behind one";
   EXPECT_EQ(crs_axes("EPSG:25833+1"), CrsAxes{});
 }
 
