@@ -25,6 +25,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Most parts of an open group that a row names beside the first.
+constexpr std::size_t kMostNamed = 100;
+
 /// What a folder has beside its models. Hidden files are passed over.
 struct Strangers {
   std::vector<std::string> files;
@@ -270,8 +273,14 @@ Json clash_side(const ClashSet& set, std::uint32_t number, const PartBody& part)
   const Mesh& mesh = set.mesh_of(number);
   Json side = {{"file", mesh.source}, {"set", set.sets[number]}};
   side.update(named_side(mesh, part.part));
-  for (const std::uint32_t other : part.joined) {
-    side["joined"].push_back(named_side(mesh, other));
+  // A body that is closed has its parts for itself; an open group may be a side of many rows.
+  const std::size_t named =
+      &part == &set.parts[number] ? part.joined.size() : std::min(part.joined.size(), kMostNamed);
+  for (std::size_t k = 0; k < named; ++k) {
+    side["joined"].push_back(named_side(mesh, part.joined[k]));
+  }
+  if (named < part.joined.size()) {
+    side["joined_more"] = part.joined.size() - named;
   }
   if (!part.closed) {
     side["odd_edges"] = part.odd_edges;

@@ -213,6 +213,28 @@ TEST(Bodies, ThatStayOpenTogetherAreARowOfClash) {
   EXPECT_EQ(of_faces, 8U) << one.out;
 }
 
+// So that a list does not grow with the square of the parts.
+TEST(Bodies, OfManyOpenPartsNameAHundred) {
+  TemporaryFolder folder;
+  const std::string strip = (folder.path() / "strip.obj").string();
+  std::string text = "v 0 0 0\nv 0 9 0\n";
+  for (int k = 1; k <= 150; ++k) {
+    const std::string x = std::to_string(k);
+    const std::string z = k == 150 ? "9" : "0";
+    text += "v " + x + " 0 " + z + "\nv " + x + " 9 " + z + "\ng q" + x + "\nf -4 -2 -1 -3\n";
+  }
+  write_text(strip, text);
+  const Mesh mesh = box_body({10.5, 4, 1}, {11, 5, 2});
+  const std::string box = (folder.path() / "box.obj").string();
+  write_mesh(box, mesh, MeshFormat::obj);
+  const RunResult result = soms_run({"clash", strip, "--against", box, "--json"});
+  const std::vector<Json> lines = json_lines(result.out);
+  ASSERT_EQ(lines.size(), 2U) << result.out << result.err;
+  EXPECT_EQ(lines[0]["a"]["part"], "q1");
+  EXPECT_EQ(lines[0]["a"]["joined"].size(), 100U);
+  EXPECT_EQ(lines[0]["a"]["joined_more"], 49);
+}
+
 /// The classes of the rows, and the parts of the first set.
 std::string rows_between(const std::vector<std::string>& files,
                          const std::vector<std::string>& sets) {
