@@ -103,7 +103,9 @@ TEST(Frames, GeoreferencesAreExplainedByWhatDiffers) {
 }
 
 TEST(Frames, AGeoreferenceFollowsTheScaleAndIsGoneFromATurnedMesh) {
-  Mesh mesh{.vertices = {{1, 2, 3}}, .georeference = {.crs = "EPSG:7415"}};
+  Mesh mesh;
+  mesh.vertices = {{1, 2, 3}};
+  mesh.georeference = {.crs = "EPSG:7415"};
   EXPECT_EQ(transformed(mesh, 1, UpAxis::z).georeference, mesh.georeference);
   EXPECT_EQ(transformed(mesh, 4, UpAxis::z).georeference.map_conversion,
             MapConversion{.scale = 0.25});
