@@ -208,11 +208,12 @@ void check_options(const ClashVerbOptions& options) {
   }
   check_outputs(std::move(taken), outputs);
   const ModelOptions& second = options.models.model_against;
-  if (options.models.against.empty() &&
-      (second.scale_is_given || second.up != UpAxis::unknown || second.lod || second.surfaces)) {
-    throw Error(ErrorKind::usage,
-                "--scale-b, --up-b, --lod-b and --surfaces-b have no effect without --against",
-                "leave them out, or also give --against FILE");
+  if (options.models.against.empty() && (second.scale_is_given || second.up != UpAxis::unknown ||
+                                         !second.crs.empty() || second.lod || second.surfaces)) {
+    throw Error(
+        ErrorKind::usage,
+        "--scale-b, --up-b, --crs-b, --lod-b and --surfaces-b have no effect without --against",
+        "leave them out, or also give --against FILE");
   }
   check_clash_file_options(options.files, options.outputs);
   if (!options.statuses.empty() && options.baseline.empty()) {

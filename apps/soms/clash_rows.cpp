@@ -125,11 +125,13 @@ IgnoredPairs::IgnoredPairs(const std::string& file) {
 }
 
 bool IgnoredPairs::match(const ClashModels& models, const Clash& clash) const {
-  const auto fit = [&](const std::string& first, const std::string& second) {
-    return is_called(models.a, clash.a, first) && is_called(models.second(), clash.b, second);
-  };
-  return std::any_of(pairs_.begin(), pairs_.end(), [&](const auto& pair) {
-    return fit(pair.first, pair.second) || fit(pair.second, pair.first);
+  return of_all_parts(models, clash, [&](std::uint32_t a, std::uint32_t b) {
+    const auto fit = [&](const std::string& first, const std::string& second) {
+      return is_called(models.a, a, first) && is_called(models.second(), b, second);
+    };
+    return std::any_of(pairs_.begin(), pairs_.end(), [&](const auto& pair) {
+      return fit(pair.first, pair.second) || fit(pair.second, pair.first);
+    });
   });
 }
 

@@ -71,7 +71,7 @@ class IgnoredPairs {
   explicit IgnoredPairs(const std::string& file);
 
   /// True if a line has a pattern for each of the two, in either order: for the path of its names,
-  /// its last name, or its id.
+  /// its last name, or its id. Of an open group, for each of its parts.
   [[nodiscard]] bool match(const ClashModels& models, const Clash& clash) const;
 
  private:

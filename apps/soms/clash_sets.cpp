@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -32,6 +33,40 @@ std::string set_of_file(const Mesh& mesh) {
 const Part* named_part(const ClashSet& set, std::uint32_t part) {
   const std::uint32_t number = set.parts[part].part;
   return number == Part::kNoParent ? nullptr : &set.mesh_of(part).parts[number];
+}
+
+/// The parts that a side of a clash stands for: all of an open group (`body_in`), or itself.
+std::vector<std::uint32_t> parts_in(const ClashSet& set, std::uint32_t part, const PartBody& other,
+                                    const Clash& clash) {
+  const PartBody& own = set.parts[part];
+  if (&body_in(clash, own, other) == &own) {
+    return {part};
+  }
+  // Those of a mesh follow each other, and the first of a group leads it.
+  std::vector<std::uint32_t> parts;
+  for (std::uint32_t k = part; k < set.parts.size() && set.mesh[k] == set.mesh[part]; ++k) {
+    if (set.parts[k].together.body == own.together.body) {
+      parts.push_back(k);
+    }
+  }
+  return parts;
+}
+
+/// Whether two parts of a set with itself belong to one object, or one to the other.
+bool are_sibling_parts(const ClashModels& models, std::uint32_t part_a, std::uint32_t part_b) {
+  const ClashSet& second = models.second();
+  const Mesh& mesh = models.a.mesh_of(part_a);
+  const Part* const a = named_part(models.a, part_a);
+  const Part* const b = named_part(second, part_b);
+  if (a == nullptr || b == nullptr || &mesh != &second.mesh_of(part_b)) {
+    return false;
+  }
+  const std::uint32_t of_a = first_run(mesh, a->parent);
+  const std::uint32_t of_b = first_run(mesh, b->parent);
+  const auto is = [&](std::uint32_t number, const Part* part) {
+    return number != Part::kNoParent && &mesh.parts[number] == part;
+  };
+  return (of_a == of_b && of_a != Part::kNoParent) || is(of_a, b) || is(of_b, a);
 }
 
 /// The first pattern that fits a part.
@@ -199,20 +234,23 @@ bool is_looked_for(const ClashSetOptions& options, const ClashModels& models, co
          are_compared(options, models, clash.a, clash.b);
 }
 
-bool are_siblings(const ClashModels& models, const Clash& clash) {
+bool of_all_parts(const ClashModels& models, const Clash& clash,
+                  const std::function<bool(std::uint32_t, std::uint32_t)>& holds) {
   const ClashSet& second = models.second();
-  const Mesh& mesh = models.a.mesh_of(clash.a);
-  const Part* const a = named_part(models.a, clash.a);
-  const Part* const b = named_part(second, clash.b);
-  if (a == nullptr || b == nullptr || &mesh != &second.mesh_of(clash.b)) {
-    return false;
+  const std::vector<std::uint32_t> of_a = parts_in(models.a, clash.a, second.parts[clash.b], clash);
+  const std::vector<std::uint32_t> of_b = parts_in(second, clash.b, models.a.parts[clash.a], clash);
+  for (const std::uint32_t a : of_a) {
+    if (!std::all_of(of_b.begin(), of_b.end(), [&](std::uint32_t b) { return holds(a, b); })) {
+      return false;
+    }
   }
-  const std::uint32_t of_a = first_run(mesh, a->parent);
-  const std::uint32_t of_b = first_run(mesh, b->parent);
-  const auto is = [&](std::uint32_t number, const Part* part) {
-    return number != Part::kNoParent && &mesh.parts[number] == part;
-  };
-  return (of_a == of_b && of_a != Part::kNoParent) || is(of_a, b) || is(of_b, a);
+  return true;
+}
+
+bool are_siblings(const ClashModels& models, const Clash& clash) {
+  return of_all_parts(models, clash, [&](std::uint32_t a, std::uint32_t b) {
+    return are_sibling_parts(models, a, b);
+  });
 }
 
 ClashGrouping clash_grouping(const std::string& text) {

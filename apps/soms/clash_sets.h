@@ -7,11 +7,17 @@
 #include "apps/soms/clash_models.h"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace soms::command {
+
+/// Whether something holds of a part of the first body and one of the second, for all that the two
+/// sides of a clash stand for: of open groups (`body_in`), for every part.
+[[nodiscard]] bool of_all_parts(const ClashModels& models, const Clash& clash,
+                                const std::function<bool(std::uint32_t, std::uint32_t)>& holds);
 
 /// True if a pattern of a shell (* ? [a-z]) fits the path of a part's names, its own name, or its
 /// id; of a body of several parts, those of one of them.

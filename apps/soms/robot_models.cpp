@@ -177,6 +177,10 @@ RobotModels read_robot_models(const RobotModelsOptions& options, Console& consol
     throw Error(ErrorKind::usage, "--off-cell has no effect without --cell",
                 "leave it out, or also give --cell FILE");
   }
+  if (!options.reading.crs.empty() && options.cell.empty()) {
+    throw Error(ErrorKind::usage, "--crs has no effect without --cell",
+                "leave it out, or also give --cell FILE");
+  }
   std::vector<Mesh> cell;
   std::vector<NamedFrame> frames;
   const auto [files, notes] = model_files(options.cell, console);

@@ -111,8 +111,8 @@ void add_model_options(CLI::App& app, ModelOptions& options, const std::string& 
         ->option_text("NAME")
         ->check(CLI::Validator(
             [](std::string& text) {
-              return soms::crs_name(text).empty() ? std::string("the name is empty")
-                                                  : std::string();
+              const bool number = text.find_first_not_of("0123456789 ") == std::string::npos;
+              return number ? "give the name of a system, such as EPSG:25833" : std::string();
             },
             ""))
         ->group(group);
@@ -262,6 +262,9 @@ void note_axis(Mesh& mesh, const ModelOptions& options, const std::string& path)
 /// The same of georeferences.
 void note_georeference(Mesh& mesh, const ModelOptions& options, const std::string& path) {
   const Georeference stated{.crs = crs_name(options.crs)};
+  if (crs_axes(stated.crs).angles && !crs_axes(mesh.georeference.crs).angles) {
+    mesh.notes.push_back(angles_note(stated.crs));
+  }
   if (options.crs.empty() || mesh.georeference.empty() || mesh.georeference == stated) {
     return;
   }

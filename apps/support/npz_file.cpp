@@ -1,5 +1,7 @@
 #include "apps/support/npz_file.h"
 
+#include "soms/base/text.h"
+
 #include "apps/support/zip_file.h"
 
 #include <fmt/format.h>
@@ -41,15 +43,19 @@ std::string npy_header(std::string_view type, const std::string& shape) {
 
 /// Texts as NumPy keeps them: as many UTF-32 characters for each as the longest has.
 std::string npy_words(const std::vector<std::string>& words) {
+  std::vector<std::u32string> texts;
   std::size_t longest = 1;
   for (const std::string& word : words) {
-    longest = std::max(longest, word.size());
+    texts.push_back(code_points(word));
+    longest = std::max(longest, texts.back().size());
   }
   std::string bytes = npy_header(fmt::format("<U{}", longest), fmt::format("({},)", words.size()));
-  for (const std::string& word : words) {
-    for (std::size_t i = 0; i < longest; ++i) {
-      bytes += i < word.size() ? word[i] : '\0';
-      bytes.append(3, '\0');
+  for (std::u32string& text : texts) {
+    text.resize(longest);
+    for (const char32_t point : text) {
+      for (int shift = 0; shift < 32; shift += 8) {
+        bytes += static_cast<char>(point >> shift & 0xffU);
+      }
     }
   }
   return bytes;

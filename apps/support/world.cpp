@@ -221,8 +221,9 @@ std::optional<City> load_city(World& world, const WorldOptions& options,
     world.read_ms = milliseconds_since(begin);
     world.title = "embedded city";
     frames.push_back(built_in_frame("the embedded city", mesh));
-    if (options.city_model.scale_is_given || options.city_model.up != UpAxis::unknown) {
-      throw Error(ErrorKind::usage, "--scale and --up need a city from files",
+    if (options.city_model.scale_is_given || options.city_model.up != UpAxis::unknown ||
+        !options.city_model.crs.empty()) {
+      throw Error(ErrorKind::usage, "--scale, --up and --crs need a city from files",
                   "give the file of a city, or leave them out");
     }
     build_into_city(world,

@@ -2,6 +2,7 @@
 
 #include "soms/base/decimal.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -83,6 +84,17 @@ std::size_t utf8_character(std::string_view words, std::size_t at) {
     }
   }
   return size;
+}
+
+std::u32string code_points(std::string_view words) {
+  constexpr char32_t kReplacement = 0xfffd;
+  std::u32string points;
+  for (std::size_t at = 0; at < words.size();) {
+    const std::size_t size = utf8_character(words, at);
+    points += size == 0 ? kReplacement : static_cast<char32_t>(code_of(words.substr(at, size)));
+    at += std::max<std::size_t>(size, 1);
+  }
+  return points;
 }
 
 std::string xml_text(std::string_view words) {

@@ -13,6 +13,9 @@ namespace soms {
 /// Bytes of the UTF-8 character that begins at `at`; 0 if none does. \pre at < words.size().
 [[nodiscard]] std::size_t utf8_character(std::string_view words, std::size_t at);
 
+/// The characters of `words`; each byte that is no UTF-8 becomes U+FFFD.
+[[nodiscard]] std::u32string code_points(std::string_view words);
+
 /// `words` as text or attribute of an XML or HTML file: markup and quotes escaped, what XML or
 /// UTF-8 forbids replaced by '?'.
 [[nodiscard]] std::string xml_text(std::string_view words);

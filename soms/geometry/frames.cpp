@@ -58,7 +58,7 @@ struct GeoreferenceWords {
 GeoreferenceWords georeference_words(const Georeference& a, const Georeference& b) {
   const auto name = [](const std::string& text) { return text.empty() ? "unknown" : text; };
   const auto place = [](const Georeference& whole) {
-    return whole.map_conversion ? describe({.map_conversion = whole.map_conversion}) : "unknown";
+    return whole.map_conversion ? describe({.map_conversion = whole.map_conversion}) : "none";
   };
   if (a.empty() || b.empty()) {
     return {"the georeference", a.empty() ? "unknown" : describe(a),

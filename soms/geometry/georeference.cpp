@@ -39,7 +39,12 @@ Georeference scaled(Georeference georeference, double scale) {
     if (!georeference.map_conversion) {
       georeference.map_conversion.emplace();
     }
-    georeference.map_conversion->scale /= scale;
+    MapConversion& map = *georeference.map_conversion;
+    map.scale /= scale;
+    // Numbers that are those of the system again are in it.
+    if (!georeference.crs.empty() && map == MapConversion{.unit = map.unit}) {
+      georeference.map_conversion.reset();
+    }
   }
   return georeference;
 }

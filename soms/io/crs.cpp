@@ -103,13 +103,17 @@ std::vector<std::string_view> components(std::string_view text) {
 
 std::string crs_name(std::string_view text) {
   text = without_spaces(text);
+  const std::string_view whole = text;
+  if (text.ends_with('/')) {
+    text.remove_suffix(1);
+  }
   std::string name;
   for (const std::string_view component : components(text)) {
     // "EPSG:28992+5709" names the registry once.
     const auto code =
         name.empty() || single_code(component) ? single_code(component) : code_of(component);
     if (!code) {
-      return std::string(text);
+      return std::string(whole);
     }
     name += (name.empty() ? std::string(kEpsg) : "+") + std::to_string(*code);
   }
@@ -137,6 +141,11 @@ CrsAxes crs_axes(std::string_view crs) {
     all = {.unit = angles ? 0 : unit, .angles = angles};
   }
   return all.value_or(CrsAxes{});
+}
+
+std::string angles_note(std::string_view crs) {
+  return "longitude and latitude are angles (" + std::string(crs) +
+         "), so lengths and distances have no meaning";
 }
 
 }  // namespace soms

@@ -34,4 +34,7 @@ struct CrsAxes {
 /// unit 0 and no angles.
 [[nodiscard]] CrsAxes crs_axes(std::string_view crs);
 
+/// The note of a model whose coordinates are in such a system with angles.
+[[nodiscard]] std::string angles_note(std::string_view crs);
+
 }  // namespace soms

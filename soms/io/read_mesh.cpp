@@ -2,12 +2,14 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
+#include "soms/io/crs.h"
 #include "soms/io/detail/file.h"
 #include "soms/io/detail/format.h"
 #include "soms/io/detail/import.h"
 #include "soms/io/detail/left_out.h"
 #include "soms/io/detail/source.h"
 
+#include <algorithm>
 #include <limits>
 #include <new>
 #include <optional>
@@ -58,6 +60,23 @@ void refuse_notes(const detail::Source& source, const Mesh& mesh, bool imported)
                        : "repair the model, or read it without `strict`");
 }
 
+/// Longer names of reference systems are not kept: every row of an answer would repeat them.
+constexpr std::size_t kLongestName = 1000;
+
+/// What the reader of a georeference should know.
+void judge_georeference(Mesh& mesh) {
+  Georeference& place = mesh.georeference;
+  const std::size_t longest = std::max(place.crs.size(), place.vertical_datum.size());
+  if (longest > kLongestName) {
+    place = {};
+    mesh.notes.push_back("a reference system with a name of " + std::to_string(longest) +
+                         " bytes, not read");
+  }
+  if (!place.map_conversion && crs_axes(place.crs).angles) {
+    mesh.notes.push_back(angles_note(place.crs));
+  }
+}
+
 /// Whose memory the bytes of a file are.
 enum class Owner { caller, us };
 
@@ -89,6 +108,7 @@ Mesh read_bytes(std::string_view bytes, const std::string& name, Owner owner,
                 "it is no CityJSON, so it has no levels of detail and no semantic surfaces",
                 "leave lod and surfaces out for it");
   }
+  judge_georeference(mesh);
   if (options.strict) {
     refuse_notes(source, mesh, format.read == detail::read_import);
   }

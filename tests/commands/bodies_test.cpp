@@ -213,6 +213,25 @@ TEST(Bodies, ThatStayOpenTogetherAreARowOfClash) {
   EXPECT_EQ(of_faces, 8U) << one.out;
 }
 
+TEST(Bodies, ThatStayOpenTogetherAreIgnoredWithAllTheirParts) {
+  TemporaryFolder folder;
+  const std::string open = (folder.path() / "open.obj").string();
+  write_text(open, obj_of({0, 1, 2, 3, 4, -1}, "g"));
+  const std::string probe = data("bodies/probe.obj").string();
+  const std::string list = (folder.path() / "pairs.csv").string();
+  const auto rows = [&](const std::string& pairs) {
+    write_text(list, pairs);
+    const RunResult result =
+        soms_run({"clash", open, "--against", probe, "--json", "--ignore-pairs", list});
+    return json_lines(result.out).size() - 1;
+  };
+  EXPECT_EQ(rows("p0,probe\n"), 1U);
+  EXPECT_EQ(rows("p1,probe\n"), 1U);
+  EXPECT_EQ(rows("p0,probe\np1,probe\np2,probe\np3,probe\n"), 1U);
+  EXPECT_EQ(rows("p0,probe\np1,probe\np2,probe\np3,probe\nprobe,p4\n"), 0U);
+  EXPECT_EQ(rows("p?,probe\n"), 0U);
+}
+
 // So that a list does not grow with the square of the parts.
 TEST(Bodies, OfManyOpenPartsNameAHundred) {
   TemporaryFolder folder;

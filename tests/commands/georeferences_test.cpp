@@ -167,6 +167,43 @@ TEST(Georeferences, WhatTheCommandLineSaysIsFollowedAndNoted) {
   EXPECT_EQ(soms_run({"info", folder.ply(), "--no-trees", "--crs", " "}).status, 2);
 }
 
+TEST(Georeferences, ASystemThatHasNoModelIsRefused) {
+  const CityFolder folder(kSystem);
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"clash", folder.city(), "--crs-b", kShort},
+        std::vector<std::string>{"simulate", "--crs", kShort},
+        std::vector<std::string>{"info", folder.city(), "--crs", "7415"},
+        std::vector<std::string>{"robot", data("robots/arm.urdf").string(), "--random", "1",
+                                 "--crs", kShort}}) {
+    const RunResult refused = soms_run(words);
+    EXPECT_EQ(refused.status, 2) << words[0] << ": " << refused.err;
+    EXPECT_NE(refused.err.find("--crs"), std::string::npos) << refused.err;
+  }
+}
+
+TEST(Georeferences, ArraysHaveTheCharactersOfAName) {
+  const CityFolder folder("\xc3\x84\xe5\xba\xa7");
+  write_text(folder.file("points.csv"), "x,y,z\n85001,447001,9\n");
+  ASSERT_EQ(soms_run({"closest", folder.city(), "--points", folder.file("points.csv"), "--binary",
+                      folder.file("near.npz")})
+                .status,
+            0);
+  const std::string bytes = read_text(folder.file("near.npz"));
+  EXPECT_NE(bytes.find("<U2"), std::string::npos);
+  EXPECT_NE(bytes.find(std::string("\xc4\0\0\0\xa7\x5e\0\0", 8)), std::string::npos);
+}
+
+TEST(Georeferences, ConversionsOfUnitsThatCancelAreNotWarnedOf) {
+  const CityFolder folder(kSystem);
+  const std::string glb = folder.file("mm.glb");
+  ASSERT_EQ(soms_run({"convert", folder.city(), glb, "--scale", "1000"}).status, 0);
+  EXPECT_TRUE(has_warning(json_lines(soms_run({"overlap", glb, folder.city(), "--json"}).out).at(0),
+                          "units_differ"));
+  const RunResult right =
+      soms_run({"overlap", glb, folder.city(), "--scale", "0.001", "--json", "--strict"});
+  EXPECT_EQ(right.status, 0) << right.err;
+}
+
 TEST(Georeferences, R117FilesOfACityAreComparedAndMoversAreNot) {
   const CityFolder folder(kSystem);
   const CityFolder other("urn:ogc:def:crs:EPSG::28992");

@@ -10,9 +10,9 @@ namespace {
 
 using Doubts = std::vector<FrameDoubt>;
 
-constexpr CoordinateFrame kObj{};
-constexpr CoordinateFrame kGltf{.unit = 1, .up = UpAxis::y};
-constexpr CoordinateFrame kInches{.unit = 0.0254, .up = UpAxis::z};
+const CoordinateFrame kObj{};
+const CoordinateFrame kGltf{.unit = 1, .up = UpAxis::y};
+const CoordinateFrame kInches{.unit = 0.0254, .up = UpAxis::z};
 
 Doubts both_orders(const CoordinateFrame& a, const CoordinateFrame& b) {
   Doubts doubts = compare_frames(a, b);
@@ -94,8 +94,7 @@ TEST(Frames, GeoreferencesAreExplainedByWhatDiffers) {
   EXPECT_EQ(words(city, {.crs = "EPSG:7415", .vertical_datum = "NAP"}),
             "the vertical datum is unknown in a, and NAP in b");
   EXPECT_EQ(words(site, city),
-            "the map conversion is origin at east 311988, north 0, height 0 in a, and unknown in "
-            "b");
+            "the map conversion is origin at east 311988, north 0, height 0 in a, and none in b");
   EXPECT_EQ(describe({.map_conversion = MapConversion{1, 2, 3, 0.6, 0.8, 4, {5, 6, 7}, 0.3048}}),
             "origin at east 1, north 2, height 3; x toward (0.6, 0.8); scale 4; factors (5, 6, 7); "
             "map units of 0.3048 m");
@@ -113,6 +112,10 @@ TEST(Frames, AGeoreferenceFollowsTheScaleAndIsGoneFromATurnedMesh) {
   EXPECT_EQ(transformed(mesh, 2, UpAxis::unknown).georeference.map_conversion,
             (MapConversion{.eastings = 7, .scale = 1.5}));
   EXPECT_TRUE(transformed(mesh, 1, UpAxis::y).georeference.empty());
+  mesh.georeference = {.crs = "EPSG:7415"};
+  EXPECT_EQ(transformed(transformed(mesh, 1000, UpAxis::z), 0.001, UpAxis::z).georeference,
+            mesh.georeference)
+      << "numbers that are those of the system again";
   EXPECT_TRUE(transformed(Mesh{}, 2, UpAxis::z).georeference.empty());
 }
 

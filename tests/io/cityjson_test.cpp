@@ -228,6 +228,12 @@ TEST(CityJson, StatesItsReferenceSystemAndTheUnitOfThat) {
   EXPECT_EQ(angles.notes[0],
             "longitude and latitude are angles (EPSG:4979), so lengths and distances have no "
             "meaning");
+  const Mesh longest = city_in("\"" + std::string(1000, 'x') + "\"");
+  EXPECT_EQ(longest.georeference.crs.size(), 1000U);
+  const Mesh longer = city_in("\"" + std::string(1001, 'x') + "\"");
+  EXPECT_TRUE(longer.georeference.empty());
+  EXPECT_EQ(longer.notes,
+            std::vector<std::string>{"a reference system with a name of 1001 bytes, not read"});
   const Mesh number = city_in("7415");
   EXPECT_TRUE(number.georeference.empty());
   EXPECT_EQ(number.notes, std::vector<std::string>{"a reference system that is no text, not read"});

@@ -15,6 +15,7 @@ TEST(Crs, HasOneNameInEveryFormOfTheRegistry) {
        {"EPSG:7415", "epsg:7415", " EPSG: 7415 ", "urn:ogc:def:crs:EPSG::7415",
         "urn:ogc:def:crs:EPSG:7415", "urn:ogc:def:crs:EPSG:9.8.15:7415",
         "urn:x-ogc:def:crs:EPSG:6.11:7415", "http://www.opengis.net/def/crs/EPSG/0/7415",
+        "http://www.opengis.net/def/crs/EPSG/0/7415/",
         "https://www.opengis.net/def/crs/EPSG/9.9/7415",
         "http://www.opengis.net/gml/srs/epsg.xml#7415"}) {
     EXPECT_EQ(crs_name(text), "EPSG:7415") << text;
@@ -30,7 +31,7 @@ TEST(Crs, HasOneNameInEveryFormOfTheRegistry) {
 TEST(Crs, KeepsOtherNames) {
   for (const char* const text :
        {"", "EPSG", "EPSG:", "EPSG:x", "EPSG:1x", "EPSG:99999999999", "7415", "ESRI:102100",
-        "EPSG:28992+", "ETRS89 / UTM 33N", "https://www.opengis.net/def/crs/OGC/0/CRS84",
+        "EPSG:28992+", "ETRS89 / UTM 33N", "https://www.opengis.net/def/crs/OGC/0/CRS84", "local/",
         "PROJCS[\"a, b\"]", "+proj=utm +zone=33"}) {
     EXPECT_EQ(crs_name(text), text);
     EXPECT_EQ(crs_axes(crs_name(text)), CrsAxes{}) << text;

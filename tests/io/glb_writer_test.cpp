@@ -96,6 +96,40 @@ TEST(GlbWriter, KeepsUnitAndAxis) {
   }
 }
 
+/// A glTF document of one triangle whose extras have this georeference, as JSON.
+Mesh placed_by(const std::string& georeference) {
+  return read_text(
+      R"({"asset":{"version":"2.0","extras":{"soms":{"georeference":)" + georeference +
+          R"(}}},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":)"
+          R"([{"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,"componentType":5126,)"
+          R"("count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],"bufferViews":[{"buffer":0,)"
+          R"("byteLength":36}],"buffers":[{"byteLength":36,"uri":"data:;base64,)"
+          R"(AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})",
+      "a.gltf");
+}
+
+TEST(GlbWriter, ReadsAGeoreferenceThatSomebodyChanged) {
+  EXPECT_TRUE(placed_by("null").georeference.empty());
+  EXPECT_EQ(placed_by(R"({"crs":"urn:ogc:def:crs:EPSG::7415","vertical_datum":null,)"
+                      R"("map_conversion":null})")
+                .georeference,
+            (Georeference{.crs = "EPSG:7415"}));
+  EXPECT_EQ(placed_by(R"({"map_conversion":{"eastings":2,"unit":null,"factors":null}})")
+                .georeference.map_conversion,
+            MapConversion{.eastings = 2});
+  EXPECT_EQ(placed_by(R"({"crs":"EPSG:4326"})").notes.size(), 1U) << "angles";
+  for (const char* const factors : {"[1,1]", "[1,1,1,1]", "[]"}) {
+    expect_refused(
+        [&] {
+          static_cast<void>(
+              placed_by(R"({"map_conversion":{"factors":)" + std::string(factors) + "}}"));
+        },
+        ErrorKind::bad_file, "asset.extras.soms.georeference.map_conversion.factors");
+  }
+  expect_refused([] { static_cast<void>(placed_by(R"({"crs":7415})")); }, ErrorKind::bad_file,
+                 "asset.extras.soms.georeference.crs");
+}
+
 TEST(GlbWriter, KeepsTheGeoreference) {
   Rng rng(5);
   Mesh mesh = random_mesh(rng, 3, 1, 1);

@@ -186,14 +186,9 @@ Mesh CityReader::finish() {
   builder_.note(left_out_.without,
                 "objects without a geometry of the level of detail that is requested, not read");
   builder_.note(left_out_.not_areas, "points and lines, not read");
-  const CrsAxes axes = crs_axes(crs_);
-  if (axes.angles) {
-    builder_.note("longitude and latitude are angles (" + crs_ +
-                  "), so lengths and distances have no meaning");
-  }
   Mesh mesh = builder_.finish();
   mesh.up = UpAxis::z;
-  mesh.unit = axes.unit;
+  mesh.unit = crs_axes(crs_).unit;
   mesh.georeference.crs = crs_;
   return mesh;
 }

@@ -1,6 +1,7 @@
 #include "soms/io/detail/gltf_frame.h"
 
 #include "soms/base/decimal.h"
+#include "soms/io/crs.h"
 
 #include <array>
 #include <cmath>
@@ -38,14 +39,23 @@ UpAxis read_up_axis(const JsonValue& up) {
   return axis.size() == 1 ? kAxes[static_cast<std::size_t>(axis[0] - 'x')] : UpAxis::unknown;
 }
 
+/// A member; nothing where it is not there or null.
+std::optional<JsonValue> stated(const JsonValue& json, std::string_view name) {
+  std::optional<JsonValue> value = json.find(name);
+  return value && !value->is_null() ? value : std::nullopt;
+}
+
 MapConversion read_map_conversion(const JsonValue& json) {
   MapConversion map;
   for (const NumberField& field : kNumbers) {
-    if (const std::optional<JsonValue> value = json.find(field.name)) {
+    if (const auto value = stated(json, field.name)) {
       map.*field.value = value->number();
     }
   }
-  if (const std::optional<JsonValue> factors = json.find("factors")) {
+  if (const auto factors = stated(json, "factors")) {
+    if (factors->size() != 3) {
+      factors->fail("the factors must be three numbers");
+    }
     map.factors = {factors->at(0).number(), factors->at(1).number(), factors->at(2).number()};
   }
   return map;
@@ -55,11 +65,12 @@ Georeference read_georeference(const JsonValue& json) {
   Georeference georeference;
   for (const auto& [name, text] : {std::pair{"crs", &georeference.crs},
                                    std::pair{"vertical_datum", &georeference.vertical_datum}}) {
-    if (const std::optional<JsonValue> value = json.find(name)) {
+    if (const auto value = stated(json, name)) {
       *text = value->text();
     }
   }
-  if (const std::optional<JsonValue> map = json.find("map_conversion")) {
+  georeference.crs = crs_name(georeference.crs);
+  if (const auto map = stated(json, "map_conversion")) {
     georeference.map_conversion = read_map_conversion(*map);
   }
   return georeference;
@@ -74,7 +85,7 @@ std::string shortest(double value) {
 class Members {
  public:
   void add(std::string_view name, const std::string& value) {
-    text_ += (text_.empty() ? "" : ",") + json_text(name) + ":" + value;
+    text_.append(text_.empty() ? "" : ",").append(json_text(name)).append(":").append(value);
   }
 
   [[nodiscard]] bool empty() const { return text_.empty(); }
@@ -90,8 +101,11 @@ std::string map_conversion_json(const MapConversion& map) {
   for (const NumberField& field : kNumbers) {
     members.add(field.name, shortest(map.*field.value));
   }
-  members.add("factors", "[" + shortest(map.factors.x) + "," + shortest(map.factors.y) + "," +
-                             shortest(map.factors.z) + "]");
+  std::string factors;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    factors.append(axis == 0 ? "[" : ",").append(shortest(map.factors[axis]));
+  }
+  members.add("factors", factors.append("]"));
   return members.object();
 }
 
@@ -129,7 +143,7 @@ void read_gltf_frame(const JsonValue& root, Mesh& mesh) {
   if (const std::optional<JsonValue> up = own->find("up")) {
     mesh.up = read_up_axis(*up);
   }
-  if (const std::optional<JsonValue> georeference = own->find("georeference")) {
+  if (const auto georeference = stated(*own, "georeference")) {
     mesh.georeference = read_georeference(*georeference);
   }
 }
