@@ -101,7 +101,7 @@ void add_kind(std::vector<TripKind>& kinds, TripKind kind) {
 TripKind orientation_kind(const Model& object, std::string_view rule) {
   const std::vector<Contender> builds = thesis_rules(kObjectLevel);
   const Contender& build = build_named(builds, rule);
-  TripKind kind{"orientation tests", build.name};
+  TripKind kind{object.name, "orientation tests", build.name};
   for (const auto& [from, name] : kApproaches) {
     kind.trips.push_back(orientation_trip(object, from, build));
   }
@@ -109,13 +109,12 @@ TripKind orientation_kind(const Model& object, std::string_view rule) {
 }
 
 /// The drives on trees of one rule: the fixed one, or the one that touches.
-TripKind drive_kind(const Context& context, std::string_view rule,
+TripKind drive_kind(const Context& context, const Model& object, std::string_view rule,
                     std::span<const TouchingDrive> touching) {
   const std::vector<Contender> of_object = thesis_rules(kObjectLevel);
   const std::vector<Contender> of_scene = thesis_rules(kSceneLevel);
   const Contender& build = build_named(of_scene, rule);
-  const Model& object = context.models.objects.front();
-  TripKind kind{touching.empty() ? "drives" : "touching drives", build.name};
+  TripKind kind{object.name, touching.empty() ? "drives" : "touching drives", build.name};
   for (std::size_t i = 0; i < context.models.scenes.size(); ++i) {
     const Model& scene = context.models.scenes[i];
     kind.trips.push_back(
@@ -124,6 +123,23 @@ TripKind drive_kind(const Context& context, std::string_view rule,
             : touching_drive_trip(scene, object, build, build_named(of_object, rule), touching[i]));
   }
   return kind;
+}
+
+void add_kinds_of(EnodeTrips& all, const Context& context, const Model& object) {
+  for (const char* const rule : {kEnodeRule, "spatial_median"}) {
+    add_kind(all.kinds, orientation_kind(object, rule));
+  }
+  std::vector<TouchingDrive> touching;
+  for (const Model& scene : context.models.scenes) {
+    touching.push_back(touching_drive(context, scene, object));
+    all.remarks.push_back(touching_drive_remark(scene, object, touching.back()));
+  }
+  for (const char* const rule : {kEnodeRule, "object_median"}) {
+    add_kind(all.kinds, drive_kind(context, object, rule, {}));
+    if (!touching.empty()) {
+      add_kind(all.kinds, drive_kind(context, object, rule, touching));
+    }
+  }
 }
 
 }  // namespace
@@ -189,23 +205,11 @@ std::size_t EnodeTrips::trips() const {
 }
 
 EnodeTrips enode_trips(const Context& context) {
-  const Model& object = context.models.objects.front();
-  EnodeTrips all{.remarks = {object_remark(object)}};
+  EnodeTrips all{.remarks = object_remarks(context.models.objects)};
   const std::vector<std::string> scenes = scene_remarks(context.models.scenes);
   all.remarks.insert(all.remarks.end(), scenes.begin(), scenes.end());
-  for (const char* const rule : {kEnodeRule, "spatial_median"}) {
-    add_kind(all.kinds, orientation_kind(object, rule));
-  }
-  std::vector<TouchingDrive> touching;
-  for (const Model& scene : context.models.scenes) {
-    touching.push_back(find_touching_drive(scene, object, {1, context.parallel.stop, {}}));
-    all.remarks.push_back(touching_drive_remark(scene, touching.back()));
-  }
-  for (const char* const rule : {kEnodeRule, "object_median"}) {
-    add_kind(all.kinds, drive_kind(context, rule, {}));
-    if (!touching.empty()) {
-      add_kind(all.kinds, drive_kind(context, rule, touching));
-    }
+  for (const Model& object : context.models.objects) {
+    add_kinds_of(all, context, object);
   }
   return all;
 }

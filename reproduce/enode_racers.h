@@ -77,12 +77,16 @@ inline constexpr const char* kEnodeRule = "soms";
 
 /// Trips of one kind.
 struct TripKind {
-  std::string tests;  ///< "orientation tests": the subject of a claim
+  std::string model;  ///< name of the object that moves
+  std::string tests;  ///< "orientation tests"
   std::string rule;
   std::vector<Trip> trips = {};
+
+  /// "bunny, orientation tests": the subject of a claim.
+  [[nodiscard]] std::string subject() const { return model + ", " + tests; }
 };
 
-/// The four orientation tests of the first object on trees of SOMS and spatial median; both drives
+/// Of each object the four orientation tests on trees of SOMS and spatial median, and both drives
 /// through the scenes on trees of SOMS and object median. Trips on which the bodies never come near
 /// each other are left out.
 struct EnodeTrips {

@@ -233,6 +233,14 @@ Error unknown(std::string_view word) {
 
 }  // namespace
 
+std::string Context::timed_step_words() const {
+  return quick ? fmt::format(
+                     " Quick run: every {}th frame of a drive and every {}th of an "
+                     "orientation test is timed; counts are of all frames.",
+                     timed_step(true), timed_step(false))
+               : "";
+}
+
 int Context::repetitions(int whole) const {
   return quick ? std::min(whole, std::max(5, whole / 10)) : whole;
 }

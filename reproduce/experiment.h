@@ -8,11 +8,15 @@
 #include "reproduce/models.h"
 #include "reproduce/result.h"
 
+#include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace soms::reproduce {
+
+class TouchingDrives;
 
 /// What an experiment gets.
 struct Context {
@@ -22,10 +26,17 @@ struct Context {
   /// One thread for all that is timed; `stop` and `progress` (0 to 1 of this experiment) are
   /// heeded.
   Parallel parallel = {};
-  DrawFrames draw = {};  ///< what draws; empty where nothing does
+  DrawFrames draw = {};                ///< what draws; empty where nothing does
+  TouchingDrives* touching = nullptr;  ///< those that the run has found; may be null
 
   /// `whole` repetitions, or a tenth of them (at least 5) in a quick run.
   [[nodiscard]] int repetitions(int whole) const;
+
+  /// Every so many frames of a trip are timed: in a quick run not all. Counts are of all.
+  [[nodiscard]] std::size_t timed_step(bool drive) const { return !quick ? 1 : drive ? 8 : 4; }
+
+  /// That, in a sentence; empty in a whole run.
+  [[nodiscard]] std::string timed_step_words() const;
 
   /// Paired rounds behind an interval of 95 %: 100, in a quick run 20.
   [[nodiscard]] int rounds() const { return quick ? 20 : 100; }

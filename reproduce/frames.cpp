@@ -31,7 +31,7 @@ std::vector<Timing> summarized(std::vector<std::vector<double>> samples) {
   std::vector<Timing> timings;
   timings.reserve(samples.size());
   for (std::vector<double>& of_one : samples) {
-    timings.push_back(summarize(std::move(of_one)));
+    timings.push_back(of_one.empty() ? Timing{} : summarize(std::move(of_one)));
   }
   return timings;
 }
@@ -62,10 +62,10 @@ double clock_cost() {
   return cost;
 }
 
-void time_trip(const Trip& trip, const NamedTraversal& traversal, const Parallel& parallel,
-               FrameSamples& samples) {
-  thesis::NamedOverlap query = query_of(trip, traversal);
-  for (std::size_t k = 0; k < trip.offsets.size(); ++k) {
+void time_trip(const TripRun& run, const Parallel& parallel, FrameSamples& samples) {
+  const Trip& trip = *run.trip;
+  thesis::NamedOverlap query = query_of(trip, run.traversal);
+  for (std::size_t k = 0; k < trip.offsets.size(); k += run.step) {
     const Pose pose = trip.pose(k);
     const double start = processor_milliseconds();
     query.move(Pose::identity(), pose);
@@ -95,7 +95,8 @@ double time_traversal(const Trip& trip, const NamedTraversal& traversal, const P
 Trip orientation_trip(const Model& object, Approach from, const Contender& build) {
   const auto named = std::find_if(kAllApproaches.begin(), kAllApproaches.end(),
                                   [&](const auto& entry) { return entry.first == from; });
-  Trip trip{.still = object.name,
+  Trip trip{.model = object.name,
+            .still = object.name,
             .moving = object.name,
             .test = std::string(named->second),
             .rule = build.name,
@@ -105,15 +106,14 @@ Trip orientation_trip(const Model& object, Approach from, const Contender& build
   return trip;
 }
 
-Mesh driven(const Mesh& object) {
-  return transformed(object, kDriveScale, UpAxis::y);
-}
-
 Trip drive_trip(const Model& scene, const Model& object, const Contender& build_of_scene,
                 const Contender& build_of_object) {
-  auto mover = std::make_shared<const Mesh>(driven(*object.mesh));
-  return {.still = scene.name,
-          .moving = object.name + std::to_string(static_cast<int>(kDriveScale)),
+  auto mover = std::make_shared<const Mesh>(driven(object));
+  return {.model = object.name,
+          .still = scene.name,
+          .moving = object.drive == DriveFit{}
+                        ? object.name + std::to_string(static_cast<int>(kDriveScale))
+                        : object.name + "_fitted",
           .test = "drive",
           .rule = build_of_scene.name,
           .a = shape_of(scene.mesh, build_of_scene),
@@ -238,12 +238,12 @@ std::vector<FrameTimes> time_trips(std::span<const TripRun> runs, int repetition
     const std::vector<std::vector<double>> none(run.trip->offsets.size());
     samples.push_back({none, none});
     FrameSamples warm_up{none, none};
-    time_trip(*run.trip, run.traversal, parallel, warm_up);
+    time_trip(run, parallel, warm_up);
   }
   for (int round = 0; round < repetitions; ++round) {
     for (std::size_t k = 0; k < runs.size(); ++k) {
       const std::size_t i = round % 2 == 0 ? k : runs.size() - 1 - k;
-      time_trip(*runs[i].trip, runs[i].traversal, parallel, samples[i]);
+      time_trip(runs[i], parallel, samples[i]);
     }
   }
   std::vector<FrameTimes> times;
@@ -257,7 +257,7 @@ std::vector<FrameTimes> time_trips(std::span<const TripRun> runs, int repetition
 std::vector<double> sums_by_round(std::span<const Timing> times, std::span<const Frame> frames) {
   std::vector<double> sums;
   for (std::size_t k = 0; k < frames.size(); ++k) {
-    if (frames[k].roots_overlap) {
+    if (frames[k].roots_overlap && !times[k].rounds.empty()) {
       sums.resize(times[k].rounds.size());
       std::transform(sums.begin(), sums.end(), times[k].rounds.begin(), sums.begin(),
                      std::plus<>());
@@ -267,10 +267,10 @@ std::vector<double> sums_by_round(std::span<const Timing> times, std::span<const
 }
 
 std::vector<FrameTimes> time_frames(const Trip& trip, std::span<const NamedTraversal> traversals,
-                                    int repetitions, const Parallel& parallel) {
+                                    int repetitions, const Parallel& parallel, std::size_t step) {
   std::vector<TripRun> runs;
   for (const NamedTraversal& traversal : traversals) {
-    runs.push_back({&trip, traversal});
+    runs.push_back({&trip, traversal, step});
   }
   return time_trips(runs, repetitions, parallel);
 }

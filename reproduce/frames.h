@@ -28,18 +28,19 @@
 
 namespace soms::reproduce {
 
-/// How many times as large as its file the object drives through a city.
-inline constexpr double kDriveScale = 500;
-
 /// A body that stands still and one that moves past it, both with their canonical trees.
 struct Trip {
+  std::string model;               ///< name of the object that moves
   std::string still;               ///< name of the model that stands still
-  std::string moving;              ///< name of the model that moves, as in the golden tables
+  std::string moving;              ///< what moves, as in the golden tables: "bunny500"
   std::string test;                ///< "right" and the other approaches, or "drive"
   std::string rule;                ///< name of the build of both trees
   Shape a = {};                    ///< stands still
   Shape b = {};                    ///< moves
   std::vector<Vec3> offsets = {};  ///< of `b`, one a frame
+
+  /// Through a scene; else an object comes at its like.
+  [[nodiscard]] bool is_drive() const { return moving != still; }
 
   [[nodiscard]] Pose pose(std::size_t frame) const {
     return Pose::translation(offsets[frame].x, offsets[frame].y, offsets[frame].z);
@@ -49,10 +50,7 @@ struct Trip {
 /// An object comes at another of its kind (y up), both trees by the same build.
 [[nodiscard]] Trip orientation_trip(const Model& object, Approach from, const Contender& build);
 
-/// An object as it drives through a scene: turned z up and `kDriveScale` times as large.
-[[nodiscard]] Mesh driven(const Mesh& object);
-
-/// An object, turned z up and enlarged, drives through a scene.
+/// An object, `driven`, drives through a scene.
 [[nodiscard]] Trip drive_trip(const Model& scene, const Model& object,
                               const Contender& build_of_scene, const Contender& build_of_object);
 
@@ -138,15 +136,16 @@ struct FrameTimes {
 struct TripRun {
   const Trip* trip = nullptr;
   NamedTraversal traversal = {};
+  std::size_t step = 1;  ///< every so many frames are timed
 };
 
-/// Times whole trips in turn, frame by frame, every other round in the reverse order: round i of
-/// one and round i of another are a pair. \shape one FrameTimes a run. \errors
-/// ErrorKind::cancelled.
+/// Times trips in turn, frame by frame, every other round in the reverse order: round i of one and
+/// round i of another are a pair. \shape one FrameTimes a run, one Timing a frame; frames that are
+/// not timed have no rounds. \errors ErrorKind::cancelled.
 [[nodiscard]] std::vector<FrameTimes> time_trips(std::span<const TripRun> runs, int repetitions,
                                                  const Parallel& parallel);
 
-/// Milliseconds by round, summed over the frames in which the roots overlap.
+/// Milliseconds by round, summed over the timed frames in which the roots overlap.
 [[nodiscard]] std::vector<double> sums_by_round(std::span<const Timing> times,
                                                 std::span<const Frame> frames);
 
@@ -154,7 +153,8 @@ struct TripRun {
 /// \errors ErrorKind::cancelled.
 [[nodiscard]] std::vector<FrameTimes> time_frames(const Trip& trip,
                                                   std::span<const NamedTraversal> traversals,
-                                                  int repetitions, const Parallel& parallel);
+                                                  int repetitions, const Parallel& parallel,
+                                                  std::size_t step = 1);
 
 /// Times whole trips by several traversals in turn, the traversals alone, without moving boxes and
 /// without triangles: milliseconds a trip. \shape one Timing a traversal. \errors

@@ -1,5 +1,7 @@
 #include "reproduce/models.h"
 
+#include "soms/base/arithmetic.h"
+#include "soms/base/box.h"
 #include "soms/base/error.h"
 #include "soms/generate/urban.h"
 #include "soms/io/read_mesh.h"
@@ -22,6 +24,11 @@ namespace soms::reproduce {
 namespace {
 
 namespace fs = std::filesystem;
+
+double longest_edge(const Box& box) {
+  const Vec3 extent = box.extent();
+  return std::max({extent.x, extent.y, extent.z});
+}
 
 /// An object of the thesis, the file that it is known by, and what stands in for it.
 struct KnownObject {
@@ -371,6 +378,7 @@ Models Finder::find(Needs needs) {
          (needs.scenes ? scenes.size() + kKnownScenes.size() : 0) + cities.size() + 1;
   if (needs.objects) {
     find_objects();
+    fit_drives(models_.objects);
   }
   if (needs.scenes) {
     find_scenes(scenes);
@@ -385,6 +393,33 @@ Models Finder::find(Needs needs) {
 }
 
 }  // namespace
+
+Mesh driven(const Model& object) {
+  Mesh mesh = transformed(*object.mesh, object.drive.scale, UpAxis::y);
+  if (object.drive.shift != Vec3{}) {
+    for (Vec3& vertex : mesh.vertices) {
+      vertex += object.drive.shift;
+    }
+  }
+  return mesh;
+}
+
+void fit_drives(std::span<Model> objects) {
+  const PlainArithmetic plain;
+  for (std::size_t i = 1; i < objects.size(); ++i) {
+    const Box first = bounds(*objects[0].mesh);
+    const Box own = bounds(*objects[i].mesh);
+    if (first.empty() || own.empty() || longest_edge(own) == 0) {
+      continue;
+    }
+    DriveFit& drive = objects[i].drive;
+    drive = {objects[0].drive.scale * longest_edge(first) / longest_edge(own), {}};
+    const Box goal = bounds(driven(objects[0]));
+    const Box large = bounds(driven(objects[i]));
+    drive.shift = 0.5 * (goal.lower + goal.upper) - 0.5 * (large.lower + large.upper);
+    drive.shift.z = goal.lower.z - large.lower.z;
+  }
+}
 
 Models find_models(const fs::path& folder, Needs needs, const Parallel& parallel) {
   return Finder(folder, parallel).find(needs);

@@ -4,16 +4,29 @@
 #pragma once
 
 #include "soms/base/parallel.h"
+#include "soms/base/vector.h"
 #include "soms/geometry/mesh.h"
 
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace soms::reproduce {
+
+/// How many times as large as its file the first object drives through a city.
+inline constexpr double kDriveScale = 500;
+
+/// How an object drives through a scene: turned z up, enlarged, then moved.
+struct DriveFit {
+  double scale = kDriveScale;
+  Vec3 shift = {};
+
+  [[nodiscard]] bool operator==(const DriveFit&) const = default;
+};
 
 /// A model and where it came from.
 struct Model {
@@ -27,7 +40,18 @@ struct Model {
   std::uint64_t bytes = 0;  ///< size of its file, of a generated scene that of its .3ds; or 0
   /// SHA-256 of the same bytes; empty if there are none, or the file changed while it was read
   std::string sha256 = {};
+  DriveFit drive = {};  ///< of objects
 };
+
+/// The object as it drives: turned z up, enlarged and moved.
+[[nodiscard]] Mesh driven(const Model& object);
+
+/// Fits the drives of all objects but the first to that of the first, whose path is fixed: enlarged
+/// until the longest edges of the boxes are equal, then moved until the boxes have one center in
+/// plan and one underside. Files have units of their own: at one scale a teapot would be larger
+/// than the city. Objects without vertices stay as they are.
+/// \source ours. The thesis says of one object only that it drives.
+void fit_drives(std::span<Model> objects);
 
 /// All models of a run. No two have one name.
 struct Models {

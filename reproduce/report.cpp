@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 
 #include "reproduce/latex.h"
+#include "reproduce/touching_drive.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -97,7 +98,8 @@ class Runner {
   }
 
   Entry operator()(const Experiment& experiment, const Models& models) {
-    Context context{.models = models, .quick = options_.quick, .draw = options_.draw};
+    Context context{
+        .models = models, .quick = options_.quick, .draw = options_.draw, .touching = &touching_};
     context.parallel = watched(experiment.item, experiment.weight);
     const Stopwatch watch;
     Entry entry{.experiment = &experiment, .result = experiment.run(context)};
@@ -132,6 +134,7 @@ class Runner {
   const RunOptions& options_;
   const RunVisitor& visitor_;
   const Parallel& parallel_;
+  TouchingDrives touching_;
   int all_ = 0;
   int done_ = 0;
 };

@@ -21,7 +21,10 @@ struct TimedTrip {
 
 Ride count_ride(const Context& context, const RideCourse& course, const BuildPairing& build,
                 const NamedTraversal& traversal, std::vector<std::vector<Frame>>& frames) {
-  Ride ride{.subject = course.subject, .build = build, .traversal = traversal.name};
+  Ride ride{.model = course.model,
+            .subject = course.subject,
+            .build = build,
+            .traversal = traversal.name};
   for (const auto& trip : course.trips) {
     ride.trips.push_back(trip(build));
     frames.push_back(traverse_frames(ride.trips.back(), traversal, context.parallel));
@@ -30,6 +33,16 @@ Ride count_ride(const Context& context, const RideCourse& course, const BuildPai
     }
   }
   return ride;
+}
+
+RideCourse four_sides(const Model& object) {
+  RideCourse sides{object.name, fmt::format("{}, four sides", object.name), {}};
+  for (const auto& [from, name] : kApproaches) {
+    sides.trips.emplace_back([&object, side = from](const BuildPairing& build) {
+      return orientation_trip(object, side, build.of_object);
+    });
+  }
+  return sides;
 }
 
 }  // namespace
@@ -41,25 +54,24 @@ BuildPairing pairing(std::span<const Contender> of_scene, std::span<const Conten
 }
 
 std::vector<RideCourse> thesis_courses(const Context& context) {
-  const Model& object = context.models.objects.front();
-  RideCourse sides{fmt::format("{}, four sides", object.name), {}};
-  for (const auto& [from, name] : kApproaches) {
-    sides.trips.emplace_back([&object, side = from](const BuildPairing& build) {
-      return orientation_trip(object, side, build.of_object);
-    });
-  }
-  std::vector<RideCourse> courses{std::move(sides)};
-  for (const Model& scene : context.models.scenes) {
-    const auto drive = [&](const BuildPairing& build) {
-      return drive_trip(scene, object, build.of_scene, build.of_object);
-    };
-    courses.push_back({fmt::format("{} drive", scene.name), {drive}});
-    const TouchingDrive found = find_touching_drive(scene, object, {1, context.parallel.stop, {}});
-    if (found.contact_frames > 0) {
+  std::vector<RideCourse> courses;
+  for (const Model& object : context.models.objects) {
+    courses.push_back(four_sides(object));
+    for (const Model& scene : context.models.scenes) {
+      const auto drive = [&](const BuildPairing& build) {
+        return drive_trip(scene, object, build.of_scene, build.of_object);
+      };
       courses.push_back(
-          {fmt::format("{} touching drive", scene.name), {[&, found](const BuildPairing& build) {
-             return touching_drive_trip(scene, object, build.of_scene, build.of_object, found);
-           }}});
+          {object.name, fmt::format("{}, {} drive", object.name, scene.name), {drive}});
+      const TouchingDrive found = touching_drive(context, scene, object);
+      if (found.contact_frames > 0) {
+        const auto touching = [&, found](const BuildPairing& build) {
+          return touching_drive_trip(scene, object, build.of_scene, build.of_object, found);
+        };
+        courses.push_back({object.name,
+                           fmt::format("{}, {} touching drive", object.name, scene.name),
+                           {touching}});
+      }
     }
   }
   return courses;
@@ -77,7 +89,7 @@ std::vector<Ride> ride(const Context& context, const RideCourse& course,
     Ride& one = rides.back();
     if (one.sum.counts.triangle_pairs <= kManyTrianglePairs && one.sum.root_overlap_frames > 0) {
       for (const Trip& trip : one.trips) {
-        runs.push_back({&trip, traversal});
+        runs.push_back({&trip, traversal, context.timed_step(trip.is_drive())});
       }
       timed.push_back({&one, std::move(frames)});
     }

@@ -28,17 +28,19 @@ struct BuildPairing {
 
 /// Trips that are one subject of a claim, whatever the trees.
 struct RideCourse {
-  std::string subject;  ///< "bunny, four sides", "u_mixed drive"
+  std::string model;    ///< name of the object that moves
+  std::string subject;  ///< "bunny, four sides", "bunny, u_mixed drive"
   std::vector<std::function<Trip(const BuildPairing&)>> trips = {};
 };
 
-/// The four sides that the thesis names as one course, since opposite sides cost the same; then for
-/// each scene the drive and, where something can be touched, the drive that touches. `context` must
-/// outlive the courses. \errors ErrorKind::cancelled.
+/// For each object the four sides that the thesis names as one course, since opposite sides cost
+/// the same; then for each scene the drive and, where something can be touched, the drive that
+/// touches. `context` must outlive the courses. \errors ErrorKind::cancelled.
 [[nodiscard]] std::vector<RideCourse> thesis_courses(const Context& context);
 
 /// A course on the trees of one build, by one traversal.
 struct Ride {
+  std::string model = {};
   std::string subject = {};
   BuildPairing build = {};
   std::string traversal = {};

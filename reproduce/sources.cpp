@@ -56,7 +56,7 @@ std::string drive_used() {
 }
 
 std::string scale_used() {
-  return fmt::format("{:g} times as large as its file", kDriveScale);
+  return fmt::format("{:g} times as large as its file; other objects as long as that", kDriveScale);
 }
 
 std::string directions_used() {

@@ -78,7 +78,7 @@ std::size_t off_half(std::size_t contact_frames, std::size_t frames) {
 TouchingDrive find_touching_drive(const Model& scene, const Model& object,
                                   const Parallel& parallel) {
   const Shape still(scene.mesh);
-  const Shape mover(std::make_shared<const Mesh>(driven(*object.mesh)));
+  const Shape mover(std::make_shared<const Mesh>(driven(object)));
   const Parallel quiet{1, parallel.stop, {}};
   TouchingDrive best{.offsets = city_drive()};
   if (still.bounds().empty() || mover.bounds().empty()) {
@@ -107,21 +107,37 @@ Trip touching_drive_trip(const Model& scene, const Model& object, const Contende
   return trip;
 }
 
-std::string touching_drive_remark(const Model& scene, const TouchingDrive& drive) {
+const TouchingDrive& TouchingDrives::of(const Model& scene, const Model& object,
+                                        const Parallel& parallel) {
+  const std::pair key(scene.name, object.name);
+  const auto found = found_.find(key);
+  return found != found_.end()
+             ? found->second
+             : found_.emplace(key, find_touching_drive(scene, object, parallel)).first->second;
+}
+
+TouchingDrive touching_drive(const Context& context, const Model& scene, const Model& object) {
+  const Parallel quiet{1, context.parallel.stop, {}};
+  return context.touching != nullptr ? context.touching->of(scene, object, quiet)
+                                     : find_touching_drive(scene, object, quiet);
+}
+
+std::string touching_drive_remark(const Model& scene, const Model& object,
+                                  const TouchingDrive& drive) {
   if (drive.contact_frames == 0) {
     return fmt::format(
-        "touching_drive through {}: on none of {} lines does the object touch the "
+        "touching_drive of {} through {}: on none of {} lines does the object touch the "
         "scene, so this drive has no contact frames.",
-        scene.name, drive.lines);
+        object.name, scene.name, drive.lines);
   }
   const Vec3& from = drive.offsets.front();
   const bool along_x = from.y == drive.offsets.back().y;
   return fmt::format(
-      "touching_drive through {}: along {} at {} = {:.6g}, z = {:.6g} (offsets of "
+      "touching_drive of {} through {}: along {} at {} = {:.6g}, z = {:.6g} (offsets of "
       "the object), contact in {} of {} frames, the nearest to half of them on "
       "{} lines.",
-      scene.name, along_x ? "x" : "y", along_x ? "y" : "x", along_x ? from.y : from.x, from.z,
-      drive.contact_frames, drive.offsets.size(), drive.lines);
+      object.name, scene.name, along_x ? "x" : "y", along_x ? "y" : "x", along_x ? from.y : from.x,
+      from.z, drive.contact_frames, drive.offsets.size(), drive.lines);
 }
 
 }  // namespace soms::reproduce

@@ -6,11 +6,14 @@
 #include "soms/base/parallel.h"
 #include "soms/base/vector.h"
 
+#include "reproduce/experiment.h"
 #include "reproduce/frames.h"
 #include "reproduce/models.h"
 
 #include <cstddef>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace soms::reproduce {
@@ -23,7 +26,7 @@ struct TouchingDrive {
   std::size_t touching_lines = 0;  ///< candidates with a contact frame
 };
 
-/// Finds the drive. The object, turned z up and `kDriveScale` times as large, crosses the scene's
+/// Finds the drive. The object, `driven`, crosses the scene's
 /// box from the frame before it enters to the frame after it left, along x and along y, at 8
 /// positions across and 8 heights. Of these 128 lines the one whose number of contact frames is
 /// nearest to half of all frames is taken, the first of them if there are several.
@@ -39,8 +42,25 @@ struct TouchingDrive {
                                        const Contender& build_of_object,
                                        const TouchingDrive& drive);
 
-/// "touching_drive through u_boxes: ... contact in 110 of 221 frames", for remarks; says so if
-/// nothing can be touched.
-[[nodiscard]] std::string touching_drive_remark(const Model& scene, const TouchingDrive& drive);
+/// Drives that were found, so that the experiments of a run search for each once.
+class TouchingDrives {
+ public:
+  /// The drive of this object through this scene, both known by name.
+  /// \errors ErrorKind::cancelled.
+  const TouchingDrive& of(const Model& scene, const Model& object, const Parallel& parallel);
+
+ private:
+  std::map<std::pair<std::string, std::string>, TouchingDrive> found_;
+};
+
+/// The drive among those that the run has found, or else one found now.
+/// \errors ErrorKind::cancelled.
+[[nodiscard]] TouchingDrive touching_drive(const Context& context, const Model& scene,
+                                           const Model& object);
+
+/// "touching_drive of bunny through u_boxes: ... contact in 110 of 221 frames", for remarks; says
+/// so if nothing can be touched.
+[[nodiscard]] std::string touching_drive_remark(const Model& scene, const Model& object,
+                                                const TouchingDrive& drive);
 
 }  // namespace soms::reproduce

@@ -98,7 +98,7 @@ std::vector<double> medians_where_roots_overlap(std::span<const Timing> timings,
                                                 std::span<const Frame> frames) {
   std::vector<double> medians;
   for (std::size_t k = 0; k < frames.size(); ++k) {
-    if (frames[k].roots_overlap) {
+    if (frames[k].roots_overlap && !timings[k].rounds.empty()) {
       medians.push_back(timings[k].median);
     }
   }
@@ -125,6 +125,25 @@ std::string object_remark(const Model& object) {
                    "not those of the bunny.",
                    object.title)
              : fmt::format("The moving object is the {}.", object.title);
+}
+
+std::vector<std::string> object_remarks(std::span<const Model> objects) {
+  std::vector<std::string> remarks;
+  for (const Model& object : objects) {
+    remarks.push_back(
+        object.stand_in
+            ? fmt::format("{}: {}, a stand-in for that of the thesis, whose counts are others.",
+                          object.name, object.title)
+            : fmt::format("{}: the {}.", object.name, object.title));
+  }
+  if (objects.size() > 1) {
+    remarks.push_back(fmt::format(
+        "In the orientation tests each object comes at its like, as it is stored, y upwards. In "
+        "drives {} is {:g} times as large as its file; the others are as long as it is then, above "
+        "the same place (ours: the thesis says of one object only that it drives).",
+        objects.front().name, kDriveScale));
+  }
+  return remarks;
 }
 
 std::vector<std::string> scene_remarks(std::span<const Model> scenes) {

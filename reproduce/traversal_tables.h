@@ -57,7 +57,7 @@ void add_estimate_columns(Table& table, std::string_view unit);
 /// Appends the cells of those columns; empty ones where there are no rounds.
 void add_estimate_cells(std::vector<Cell>& row, std::span<const double> rounds);
 
-/// Medians of the timings of those frames in which the roots overlap.
+/// Medians of the timings of those timed frames in which the roots overlap.
 [[nodiscard]] std::vector<double> medians_where_roots_overlap(std::span<const Timing> timings,
                                                               std::span<const Frame> frames);
 
@@ -69,6 +69,9 @@ void add_estimate_cells(std::vector<Cell>& row, std::span<const double> rounds);
 
 /// "The moving object is ...": names an object, and says so where it is a stand-in.
 [[nodiscard]] std::string object_remark(const Model& object);
+
+/// Sentences of `object_remark` for all objects, and how they drive.
+[[nodiscard]] std::vector<std::string> object_remarks(std::span<const Model> objects);
 
 /// Sentences that say what a scene is and that it stands in for the scene of the thesis.
 [[nodiscard]] std::vector<std::string> scene_remarks(std::span<const Model> scenes);

@@ -115,19 +115,20 @@ void compare_shares(std::vector<ClaimRow>& rows, const Ride& ride, const Paralle
   }
 }
 
-Table pairs_table(const std::vector<Ride>& rides) {
+Table pairs_table(const std::vector<Ride>& rides, const Context& context) {
   Table table{
       .id = "balance_and_cost",
       .caption = fmt::format(
           "Balance of trees and what they cost to traverse: balanced level of the tree of "
           "the static body, counts of the generic traversal over all frames, "
-          "times over the frames in which the roots overlap (trees of level {}, scenes {}).",
-          kObjectLevel, kSceneLevel),
-      .columns = {{"course"}, {"build"}, {"balanced_level"}}};
+          "times over the frames in which the roots overlap (trees of level {}, scenes {}).{}",
+          kObjectLevel, kSceneLevel, context.timed_step_words()),
+      .columns = {{"model"}, {"course"}, {"build"}, {"balanced_level"}}};
   add_count_columns(table);
   add_estimate_columns(table, "ms");
   for (const Ride& ride : rides) {
-    std::vector<Cell> row{ride.subject, ride.build.title, count_cell(ride_balanced_level(ride))};
+    std::vector<Cell> row{ride.model, ride.subject, ride.build.title,
+                          count_cell(ride_balanced_level(ride))};
     add_count_cells(row, ride.sum.counts);
     add_estimate_cells(row, ride.rounds);
     table.rows.push_back(std::move(row));
@@ -171,7 +172,9 @@ Result claim_balanced(const Context& context) {
     std::move(rides.begin(), rides.end(), std::back_inserter(all));
     steps.done_one();
   }
-  return {.tables = {pairs_table(all)}, .claims = {std::move(claim)}};
+  return {.tables = {pairs_table(all, context)},
+          .claims = {std::move(claim)},
+          .remarks = object_remarks(context.models.objects)};
 }
 
 }  // namespace soms::reproduce

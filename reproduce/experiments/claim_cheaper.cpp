@@ -70,7 +70,8 @@ std::string untimed_words(std::span<const Ride> rides) {
   for (const Ride& ride : rides) {
     const std::string one =
         fmt::format("{}, {}", ride.subject, name(ride.build.of_scene.options.empty_side));
-    const bool untimed = ride.rounds.empty() && ride.sum.root_overlap_frames > 0;
+    const bool untimed = ride.rounds.empty() && ride.sum.root_overlap_frames > 0 &&
+                         ride.sum.counts.triangle_pairs > kManyTrianglePairs;
     if (untimed && std::find(names.begin(), names.end(), one) == names.end()) {
       names.push_back(one);
     }
@@ -82,23 +83,26 @@ std::string untimed_words(std::span<const Ride> rides) {
                              kManyTrianglePairs / 1'000'000, fmt::join(names, "; "));
 }
 
-Table cheaper_table(const std::vector<Ride>& rides) {
-  Table table{.id = "query_cost",
-              .caption = fmt::format(
-                  "Cost of collision detection by rule, empty side and traversal, summed over all "
-                  "frames; times over the frames in which the roots overlap (trees of level {}, "
-                  "scenes {}; empty where leaves hold over {} million pairs of triangles).",
-                  kObjectLevel, kSceneLevel, kManyTrianglePairs / 1'000'000),
-              .columns = {{"course"},
-                          {"rule"},
-                          {"empty_side"},
-                          {"traversal"},
-                          {"frames"},
-                          {"root_overlap_frames"}}};
+Table cheaper_table(const std::vector<Ride>& rides, const Context& context) {
+  Table table{
+      .id = "query_cost",
+      .caption = fmt::format(
+          "Cost of collision detection by rule, empty side and traversal, summed over all "
+          "frames; times over the frames in which the roots overlap (trees of level {}, "
+          "scenes {}; empty where leaves hold over {} million pairs of triangles).{}",
+          kObjectLevel, kSceneLevel, kManyTrianglePairs / 1'000'000, context.timed_step_words()),
+      .columns = {{"model"},
+                  {"course"},
+                  {"rule"},
+                  {"empty_side"},
+                  {"traversal"},
+                  {"frames"},
+                  {"root_overlap_frames"}}};
   add_count_columns(table);
   add_estimate_columns(table, "ms");
   for (const Ride& ride : rides) {
-    std::vector<Cell> row{ride.subject,
+    std::vector<Cell> row{ride.model,
+                          ride.subject,
                           ride.build.of_scene.name,
                           std::string(name(ride.build.of_scene.options.empty_side)),
                           ride.traversal,
@@ -144,7 +148,9 @@ Result claim_cheaper(const Context& context) {
     }
   }
   claim.note = untimed_words(all);
-  return {.tables = {cheaper_table(all)}, .claims = {std::move(claim)}};
+  return {.tables = {cheaper_table(all, context)},
+          .claims = {std::move(claim)},
+          .remarks = object_remarks(context.models.objects)};
 }
 
 }  // namespace soms::reproduce

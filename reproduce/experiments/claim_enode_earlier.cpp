@@ -22,7 +22,7 @@ constexpr std::string_view kFewerEntered =
     "decided by construction: E-Node comes to the hit that its opponent finds first, or to another "
     "one before it, having entered only pairs that the opponent entered too, and not all of them";
 
-/// So small a share of the frames of a drive with a hit is timed in a quick run.
+/// So small a share of the frames with a hit is timed in a quick run.
 constexpr std::size_t kQuickShare = 4;
 
 /// So much work between two readings of the clock takes far longer than a reading.
@@ -81,8 +81,7 @@ UpToHit up_to_hit(const MovedTrip& moved, const HitWords& words, const Context& 
   }
   const std::vector<std::size_t>& hits = result.stopped.front().frames;
   if (!hits.empty() && moved.trip().rule == kEnodeRule) {
-    const bool part = context.quick && moved.trip().moving != moved.trip().still;
-    result.timed = part ? middle_of(hits, kQuickShare) : hits;
+    result.timed = context.quick ? middle_of(hits, kQuickShare) : hits;
     const std::size_t passes = 1 + kBoxTestsARound / result.stopped.front().box_tests;
     result.times = race(moved, enode_racers(), words.question, result.timed, enode_rounds(context),
                         quiet, passes);
@@ -138,7 +137,7 @@ void add_count_rows(std::vector<ClaimRow>& rows, const Kind& kind, std::size_t h
       rows.push_back(
           counted_row(reading_of(pairing) + std::string(query),
                       fmt::format("{} up to {}, E-Node / opponent", what, kHits[hit].until),
-                      kind.of->tests, "", kLess, *ratio));
+                      kind.of->subject(), "", kLess, *ratio));
       rows.back().unjudged = unjudged;
     }
   };
@@ -159,7 +158,7 @@ void add_time_rows(std::vector<ClaimRow>& rows, const Kind& kind, std::size_t hi
       rows.push_back(measured_row(
           reading_of(pairing),
           fmt::format("time of queries that stop at {}, E-Node / opponent", kHits[hit].until),
-          kind.of->tests, "", kLess, *ratio));
+          kind.of->subject(), "", kLess, *ratio));
     }
   }
 }
@@ -175,7 +174,7 @@ void add_rows_aside(std::vector<ClaimRow>& rows, const Kind& kind) {
     if (const auto ratio = ratio_of(kind, 0, pairing, &UpToHit::whole, &UntilHit::box_tests)) {
       rows.push_back(counted_row(
           reading_of(pairing), fmt::format("box tests up to {}, E-Node / opponent", kHits[0].until),
-          kind.of->tests, "", kLess, *ratio));
+          kind.of->subject(), "", kLess, *ratio));
       rows.back().unjudged = pairing.unjudged;
     }
   }
@@ -243,7 +242,8 @@ Table table_of(const std::vector<Kind>& kinds) {
           "stops (trees of level {}, scenes {}; recursive: by recursion, else by an explicit "
           "stack); times on SOMS trees alone.{}",
           kObjectLevel, kSceneLevel, kThesisOptions),
-      .columns = {{"static"},
+      .columns = {{"model"},
+                  {"static"},
                   {"moving"},
                   {"rule"},
                   {"test"},
@@ -262,8 +262,8 @@ Table table_of(const std::vector<Kind>& kinds) {
         const UpToHit& of_hit = trip.hits[hit];
         for (std::size_t i = 0; i < of_hit.whole.size(); ++i) {
           table.rows.push_back(
-              {trip.trip->still, trip.trip->moving, trip.trip->rule, trip.trip->test,
-               enode_racers()[i].name,
+              {trip.trip->model, trip.trip->still, trip.trip->moving, trip.trip->rule,
+               trip.trip->test, enode_racers()[i].name,
                std::string(kHits[hit].hit == Hit::leaf_pair ? "leaf_pair" : "contact"),
                count_cell(of_hit.whole[i].frames.size()), count_cell(of_hit.whole[i].box_tests),
                count_cell(of_hit.whole[i].entered), count_cell(of_hit.stopped[i].box_tests),
@@ -284,7 +284,7 @@ Figure figure_of(const std::vector<Kind>& kinds) {
                        std::optional<double> value, std::optional<Interval> interval) {
     if (value) {
       chart.marks.push_back(
-          {kind.of->tests, std::string(pairing.e_node), std::string(series), *value, interval});
+          {kind.of->subject(), std::string(pairing.e_node), std::string(series), *value, interval});
     }
   };
   for (const Kind& kind : kinds) {

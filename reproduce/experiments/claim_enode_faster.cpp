@@ -24,8 +24,9 @@ constexpr std::string_view kFewerEntered =
     "overlap and are to be divided, at most half as many";
 constexpr std::string_view kCount = "a count: faster is judged by time";
 
-/// So small a share of a drive is timed in a quick run.
-constexpr std::size_t kQuickShare = 16;
+/// So small a share of a drive, and of an orientation test, is timed in a quick run.
+constexpr std::size_t kQuickShareOfDrive = 16;
+constexpr std::size_t kQuickShareOfTest = 4;
 
 /// What all racers did on one trip.
 struct Raced {
@@ -49,9 +50,9 @@ struct Kind {
 using Counter = std::uint64_t TraversalCounts::*;
 using TripTimes = std::vector<Timing> Raced::*;
 
-/// Frames to time: all; of a drive in a quick run the middle of those in which the roots overlap.
+/// Frames to time: all; in a quick run the middle of those in which the roots overlap.
 std::vector<std::size_t> timed_frames(const MovedTrip& moved, bool quick) {
-  if (!quick || moved.trip().moving == moved.trip().still) {
+  if (!quick) {
     return moved.all_frames();
   }
   std::vector<std::size_t> near;
@@ -60,7 +61,7 @@ std::vector<std::size_t> timed_frames(const MovedTrip& moved, bool quick) {
       near.push_back(k);
     }
   }
-  return middle_of(near, kQuickShare);
+  return middle_of(near, moved.trip().is_drive() ? kQuickShareOfDrive : kQuickShareOfTest);
 }
 
 /// Counts of all frames. \errors std::logic_error where a frame's leaf pairs differ.
@@ -112,8 +113,8 @@ ClaimRow count_row(const Kind& kind, const Pairing& pairing, std::string metric,
     one += trip.count(pairing.one).*counter;
     other += trip.count(pairing.other).*counter;
   }
-  ClaimRow row = counted_row(reading_of(pairing), std::move(metric), kind.of->tests, "", kFaster,
-                             static_cast<double>(one) / static_cast<double>(other));
+  ClaimRow row = counted_row(reading_of(pairing), std::move(metric), kind.of->subject(), "",
+                             kFaster, static_cast<double>(one) / static_cast<double>(other));
   row.unjudged = unjudged;
   return row;
 }
@@ -133,7 +134,7 @@ ClaimRow time_row(const Kind& kind, const Pairing& pairing, std::string_view wha
                   TripTimes timed) {
   ClaimRow row =
       measured_row(reading_of(pairing), fmt::format("time of {}, E-Node / opponent", what),
-                   kind.of->tests, "", kFaster, ratio_of(kind.raced, pairing, timed));
+                   kind.of->subject(), "", kFaster, ratio_of(kind.raced, pairing, timed));
   row.unjudged = pairing.unjudged;
   return row;
 }
@@ -209,7 +210,8 @@ Table table_of(const std::vector<Kind>& kinds) {
           "recursive: by recursion, else by an explicit stack). On other trees than SOMS' the "
           "traversal is timed in a whole run alone, triangles never.{}",
           kObjectLevel, kSceneLevel, kThesisOptions),
-      .columns = {{"static"}, {"moving"}, {"rule"}, {"test"}, {"algorithm"}, {"frames"}}};
+      .columns = {
+          {"model"}, {"static"}, {"moving"}, {"rule"}, {"test"}, {"algorithm"}, {"frames"}}};
   add_count_columns(table);
   table.columns.push_back({"timed_frames"});
   table.columns.push_back({"traversal", "ms", ColumnKind::timed});
@@ -217,9 +219,13 @@ Table table_of(const std::vector<Kind>& kinds) {
   for (const Kind& kind : kinds) {
     for (const Raced& trip : kind.raced) {
       for (std::size_t i = 0; i < trip.counts.size(); ++i) {
-        std::vector<Cell> row{trip.trip->still,       trip.trip->moving,
-                              trip.trip->rule,        trip.trip->test,
-                              enode_racers()[i].name, count_cell(trip.trip->offsets.size())};
+        std::vector<Cell> row{trip.trip->model,
+                              trip.trip->still,
+                              trip.trip->moving,
+                              trip.trip->rule,
+                              trip.trip->test,
+                              enode_racers()[i].name,
+                              count_cell(trip.trip->offsets.size())};
         add_count_cells(row, trip.counts[i]);
         row.push_back(count_cell(trip.timed_frames));
         row.push_back(trip.traversal.empty() ? Cell{} : number_cell(trip.traversal[i].median));
@@ -247,8 +253,8 @@ Figure figure_of(const std::vector<Kind>& kinds) {
       for (std::size_t i = 0; i < kSeries.size(); ++i) {
         const Estimate ratio =
             ratio_of(std::span(&trip, 1), timed_pairings()[i], &Raced::traversal);
-        chart.marks.push_back({kind.of->tests, label_in_kind(*trip.trip), std::string(kSeries[i]),
-                               ratio.value, ratio.interval});
+        chart.marks.push_back({kind.of->subject(), label_in_kind(*trip.trip),
+                               std::string(kSeries[i]), ratio.value, ratio.interval});
       }
     }
   }

@@ -150,7 +150,7 @@ Result claim_enode_time(const Context& context) {
   for (const TripKind& kind : trips.kinds) {
     for (const Trip& trip : kind.trips) {
       const MovedTrip moved(trip, steps.quiet());
-      add_means(means, fmt::format("{}, {}", kind.tests, label_in_kind(trip)), moved, context,
+      add_means(means, fmt::format("{}, {}", kind.subject(), label_in_kind(trip)), moved, context,
                 steps.quiet());
       steps.done_one();
     }

@@ -34,11 +34,11 @@ struct Drive {
         frames.begin(), frames.end(), [](const Frame& frame) { return !frame.contacts.empty(); }));
   }
 
-  /// Mean milliseconds of a whole frame, of those with contacts or of those without; 0 of none.
+  /// Mean milliseconds of a timed frame, of those with contacts or of those without; 0 of none.
   [[nodiscard]] double mean_time(std::size_t traversal, bool contact) const {
     std::vector<double> medians;
     for (std::size_t k = 0; k < frames.size(); ++k) {
-      if (!frames[k].contacts.empty() == contact) {
+      if (!frames[k].contacts.empty() == contact && !times[traversal].frame[k].rounds.empty()) {
         medians.push_back(times[traversal].frame[k].median);
       }
     }
@@ -46,16 +46,16 @@ struct Drive {
   }
 };
 
-void run_drive(Drive& ride, const Context& context) {
+void run_drive(Drive& ride, const Context& context, const Parallel& quiet) {
   const auto traversals = drive_traversals();
   for (std::size_t i = 0; i < drive_traversal_count; ++i) {
-    ride.sums[i] = totals(traverse_frames(ride.trip, traversals[i], context.parallel));
+    ride.sums[i] = totals(traverse_frames(ride.trip, traversals[i], quiet));
   }
   if (has_too_many_pairs(ride.sums[larsson])) {
     return;
   }
   for (std::size_t i = 0; i < drive_traversal_count; ++i) {
-    std::vector<Frame> frames = answer_frames(ride.trip, traversals[i], context.parallel);
+    std::vector<Frame> frames = answer_frames(ride.trip, traversals[i], quiet);
     ride.sums[i] = totals(frames);
     for (std::size_t k = 0; i > 0 && k < frames.size(); ++k) {
       require(frames[k].contacts == ride.frames[k].contacts,
@@ -65,7 +65,8 @@ void run_drive(Drive& ride, const Context& context) {
     }
     ride.frames = std::move(frames);
   }
-  ride.times = time_frames(ride.trip, traversals, context.repetitions(50), context.parallel);
+  ride.times =
+      time_frames(ride.trip, traversals, context.repetitions(50), quiet, context.timed_step(true));
 }
 
 /// Contacts do not depend on the trees.
@@ -77,7 +78,7 @@ void check_same_contacts(const Drive& one, const Drive& other) {
   }
 }
 
-Table drive_table(const std::vector<Drive>& rides, int repetitions) {
+Table drive_table(const std::vector<Drive>& rides, const Context& context) {
   Table table{
       .id = "drives",
       .caption = fmt::format(
@@ -86,9 +87,11 @@ Table drive_table(const std::vector<Drive>& rides, int repetitions) {
           "by its median of {} repetitions (the number is ours). A frame is moving the boxes, "
           "traversing the trees and testing the triangles, drawing off. Trees of level {}, scenes "
           "{}. Cells are empty where the leaves that overlap hold over {} million pairs of "
-          "triangles.{}",
-          repetitions, kObjectLevel, kSceneLevel, kManyTrianglePairs / 1'000'000, kThesisOptions),
-      .columns = {{"static"},
+          "triangles.{}{}",
+          context.repetitions(50), kObjectLevel, kSceneLevel, kManyTrianglePairs / 1'000'000,
+          kThesisOptions, context.timed_step_words()),
+      .columns = {{"model"},
+                  {"static"},
                   {"moving"},
                   {"rule"},
                   {"test"},
@@ -106,9 +109,13 @@ Table drive_table(const std::vector<Drive>& rides, int repetitions) {
   for (const Drive& ride : rides) {
     for (std::size_t i = 0; i < drive_traversal_count; ++i) {
       const Totals& sum = ride.sums[i];
-      std::vector<Cell> row{
-          ride.trip.still, ride.trip.moving,           ride.trip.rule,
-          ride.trip.test,  drive_traversals()[i].name, count_cell(ride.trip.offsets.size())};
+      std::vector<Cell> row{ride.trip.model,
+                            ride.trip.still,
+                            ride.trip.moving,
+                            ride.trip.rule,
+                            ride.trip.test,
+                            drive_traversals()[i].name,
+                            count_cell(ride.trip.offsets.size())};
       row.push_back(count_cell(sum.root_overlap_frames));
       row.push_back(ride.is_timed() ? count_cell(ride.contact_frames()) : Cell{});
       row.push_back(ride.is_timed() ? count_cell(sum.contacts) : Cell{});
@@ -125,9 +132,10 @@ Table drive_table(const std::vector<Drive>& rides, int repetitions) {
   return table;
 }
 
-/// "u_mixed, drive": a group of bars.
+/// "bunny, u_mixed, drive": a group of bars.
 std::string group_of(const Drive& ride) {
-  return fmt::format("{}, {}", ride.trip.still, ride.trip.test == "drive" ? "drive" : "touching");
+  return fmt::format("{}, {}, {}", ride.trip.model, ride.trip.still,
+                     ride.trip.test == "drive" ? "drive" : "touching");
 }
 
 Figure time_figure(const std::vector<Drive>& rides, bool contact) {
@@ -165,48 +173,58 @@ std::vector<std::string> left_out(const std::vector<Drive>& rides) {
   for (const Drive& ride : rides) {
     if (!ride.is_timed()) {
       words.push_back(fmt::format(
-          "Left out: {} through {} on {} trees, whose overlapping leaves hold {} pairs of "
+          "Left out: {} of {} through {} on {} trees, whose overlapping leaves hold {} pairs of "
           "triangles over the drive.",
-          ride.trip.test, ride.trip.still, ride.title,
+          ride.trip.test, ride.trip.model, ride.trip.still, ride.title,
           to_text(count_cell(ride.sums[larsson].counts.triangle_pairs))));
     }
   }
   return words;
 }
 
+/// Both drives of one object through one scene, on the trees of both rules.
+void add_drives(std::vector<Drive>& rides, const Context& context, const Model& object,
+                const Model& scene, Steps& steps) {
+  const std::vector<Contender> of_object = thesis_rules(kObjectLevel);
+  const std::vector<Contender> of_scene = thesis_rules(kSceneLevel);
+  const TouchingDrive touching = touching_drive(context, scene, object);
+  for (const bool is_touching : {false, true}) {
+    const std::size_t first = rides.size();
+    for (const std::string_view rule : kDriveRules) {
+      const Contender& build = build_named(of_scene, rule);
+      const Contender& build_of_object = build_named(of_object, rule);
+      Drive ride{.title = build.title,
+                 .trip = is_touching
+                             ? touching_drive_trip(scene, object, build, build_of_object, touching)
+                             : drive_trip(scene, object, build, build_of_object)};
+      run_drive(ride, context, steps.quiet());
+      rides.push_back(std::move(ride));
+      steps.done_one();
+    }
+    check_same_contacts(rides[first], rides[first + 1]);
+  }
+}
+
 }  // namespace
 
 Result drives(const Context& context) {
-  const Model& object = context.models.objects.front();
-  const std::vector<Contender> of_object = thesis_rules(kObjectLevel);
-  const std::vector<Contender> of_scene = thesis_rules(kSceneLevel);
-  Steps steps(context.parallel, context.models.scenes.size() * 2 * kDriveRules.size());
-  Result result{.remarks = {object_remark(object)}};
-  const std::vector<std::string> scenes = scene_remarks(context.models.scenes);
+  const Models& models = context.models;
+  Steps steps(context.parallel,
+              models.objects.size() * models.scenes.size() * 2 * kDriveRules.size());
+  Result result{.remarks = object_remarks(models.objects)};
+  const std::vector<std::string> scenes = scene_remarks(models.scenes);
   result.remarks.insert(result.remarks.end(), scenes.begin(), scenes.end());
   std::vector<Drive> rides;
-  for (const Model& scene : context.models.scenes) {
-    const TouchingDrive touching = find_touching_drive(scene, object, context.parallel);
-    result.remarks.push_back(touching_drive_remark(scene, touching));
-    for (const bool is_touching : {false, true}) {
-      const std::size_t first = rides.size();
-      for (const std::string_view rule : kDriveRules) {
-        const Contender& build = build_named(of_scene, rule);
-        const Contender& build_of_object = build_named(of_object, rule);
-        Drive ride{.title = build.title,
-                   .trip = is_touching ? touching_drive_trip(scene, object, build, build_of_object,
-                                                             touching)
-                                       : drive_trip(scene, object, build, build_of_object)};
-        run_drive(ride, context);
-        rides.push_back(std::move(ride));
-        steps.done_one();
-      }
-      check_same_contacts(rides[first], rides[first + 1]);
+  for (const Model& object : models.objects) {
+    for (const Model& scene : models.scenes) {
+      add_drives(rides, context, object, scene, steps);
+      result.remarks.push_back(
+          touching_drive_remark(scene, object, touching_drive(context, scene, object)));
     }
   }
   const std::vector<std::string> out = left_out(rides);
   result.remarks.insert(result.remarks.end(), out.begin(), out.end());
-  result.tables = {drive_table(rides, context.repetitions(50))};
+  result.tables = {drive_table(rides, context)};
   result.figures = {time_figure(rides, true), time_figure(rides, false)};
   return result;
 }

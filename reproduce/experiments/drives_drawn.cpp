@@ -82,7 +82,7 @@ DrivenCourse course_of(const Model& scene, const Model& object, const Context& c
   };
   add(city_drive());
   course.touching_from = course.offsets.size();
-  add(find_touching_drive(scene, object, context.parallel).offsets);
+  add(touching_drive(context, scene, object).offsets);
   return course;
 }
 

@@ -51,7 +51,7 @@ struct Match {
   /// The bodies come near each other at all.
   [[nodiscard]] bool meets() const { return sum(larsson).root_overlap_frames > 0; }
 
-  [[nodiscard]] bool is_drive() const { return trip.test == "drive"; }
+  [[nodiscard]] bool is_drive() const { return trip.is_drive(); }
 
   /// How many times the box tests of E-Node that descends the larger node Larsson's DFS makes.
   [[nodiscard]] double tests_over_larger() const {
@@ -61,11 +61,9 @@ struct Match {
 
 /// Ways of the thesis' own rule pair: spatial median and SOMS are compared throughout; drives by
 /// spatial median are left out, for where it stops early triangles are all that is left to time.
-std::vector<Match> trips(const Context& context) {
-  const Model& object = context.models.objects.front();
+void add_matches(std::vector<Match>& matches, const Context& context, const Model& object) {
   const std::vector<Contender> builds = thesis_rules(kObjectLevel);
   const std::vector<Contender> of_scene = thesis_rules(kSceneLevel);
-  std::vector<Match> matches;
   for (const auto& [from, name] : kApproaches) {
     for (const char* const rule : {"spatial_median", "soms"}) {
       const Contender& build = build_named(builds, rule);
@@ -78,6 +76,13 @@ std::vector<Match> trips(const Context& context) {
       matches.push_back(
           {drive_trip(scene, object, build, build_named(builds, rule)), build.title, {}, {}});
     }
+  }
+}
+
+std::vector<Match> trips(const Context& context) {
+  std::vector<Match> matches;
+  for (const Model& object : context.models.objects) {
+    add_matches(matches, context, object);
   }
   return matches;
 }
@@ -94,24 +99,26 @@ void run_match(Match& match, const Context& context) {
     }
   }
   match.times = time_frames(match.trip, traversals, context.repetitions(match.is_drive() ? 20 : 50),
-                            context.parallel);
+                            context.parallel, context.timed_step(match.is_drive()));
 }
 
 std::vector<Cell> name_cells(const Match& match, std::size_t traversal) {
-  return {match.trip.still, match.trip.moving, match.trip.rule, match.trip.test,
-          drawn_traversals()[traversal].name};
+  return {match.trip.model, match.trip.still, match.trip.moving,
+          match.trip.rule,  match.trip.test,  drawn_traversals()[traversal].name};
 }
 
-const std::vector<Column> kNameColumns{{"static"}, {"moving"}, {"rule"}, {"test"}, {"algorithm"}};
+const std::vector<Column> kNameColumns{{"model"}, {"static"}, {"moving"},
+                                       {"rule"},  {"test"},   {"algorithm"}};
 
-Table sum_table(const std::vector<Match>& matches) {
-  Table table{.id = "figure_5_10",
-              .caption = fmt::format("E-Node against Larsson's DFS: counts summed over all frames, "
-                                     "and milliseconds of collision detection over the frames in "
-                                     "which the roots overlap (trees of level {}, scenes {}); the "
-                                     "numbers of repetitions are ours.{}",
-                                     kObjectLevel, kSceneLevel, kThesisOptions),
-              .columns = kNameColumns};
+Table sum_table(const std::vector<Match>& matches, const Context& context) {
+  Table table{
+      .id = "figure_5_10",
+      .caption = fmt::format("E-Node against Larsson's DFS: counts summed over all frames, "
+                             "and milliseconds of collision detection over the frames in "
+                             "which the roots overlap (trees of level {}, scenes {}); the "
+                             "numbers of repetitions are ours.{}{}",
+                             kObjectLevel, kSceneLevel, kThesisOptions, context.timed_step_words()),
+      .columns = kNameColumns};
   for (const char* const name : {"frames", "root_overlap_frames", "hit_frames"}) {
     table.columns.push_back({name});
   }
@@ -138,12 +145,12 @@ Table sum_table(const std::vector<Match>& matches) {
   return table;
 }
 
-Table frame_table(const std::vector<Match>& matches) {
+Table frame_table(const std::vector<Match>& matches, const Context& context) {
   Table table{.id = "figure_5_10_frames",
               .caption = fmt::format(
                   "E-Node against Larsson's DFS, every frame on SOMS trees (level {}, scenes {}); "
-                  "times are medians of collision detection.{}",
-                  kObjectLevel, kSceneLevel, kThesisOptions),
+                  "times are medians of collision detection.{}{}",
+                  kObjectLevel, kSceneLevel, kThesisOptions, context.timed_step_words()),
               .columns = kNameColumns};
   table.columns.push_back({"frame"});
   table.columns.push_back({"root_overlap"});
@@ -162,7 +169,8 @@ Table frame_table(const std::vector<Match>& matches) {
         row.push_back(yes_cell(frame.roots_overlap));
         add_count_cells(row, frame.counts);
         row.push_back(count_cell(frame.contacts.size()));
-        row.push_back(number_cell(match.times[i].collision[k].median));
+        const Timing& time = match.times[i].collision[k];
+        row.push_back(time.rounds.empty() ? Cell{} : number_cell(time.median));
         table.rows.push_back(std::move(row));
       }
     }
@@ -179,6 +187,9 @@ Figure chart(const std::string& id, const Match& match) {
   for (std::size_t i = 0; i < compared; ++i) {
     Line line{.name = std::string(kTitles[i])};
     for (std::size_t k = 0; k < match.frames[i].size(); ++k) {
+      if (match.times[i].collision[k].rounds.empty()) {
+        continue;
+      }
       const double ms = match.times[i].collision[k].median;
       line.x.push_back(static_cast<double>(k));
       line.y.push_back(match.frames[i][k].roots_overlap ? ms
@@ -228,7 +239,7 @@ std::optional<std::pair<double, double>> range_in_drives(const std::vector<Match
 }
 
 std::vector<std::string> remarks(const Context& context, const std::vector<Match>& matches) {
-  std::vector<std::string> words{object_remark(context.models.objects.front())};
+  std::vector<std::string> words = object_remarks(context.models.objects);
   const std::vector<std::string> scenes = scene_remarks(context.models.scenes);
   words.insert(words.end(), scenes.begin(), scenes.end());
   if (const auto times = range_in_drives(matches)) {
@@ -253,15 +264,17 @@ Result figure_5_10(const Context& context) {
     steps.done_one();
   }
   Result result;
-  result.tables = {sum_table(matches), frame_table(matches)};
+  result.tables = {sum_table(matches, context), frame_table(matches, context)};
   result.remarks = remarks(context, matches);
   // A scene of the user's may lie off the path of the drive: then there is nothing to compare.
   std::erase_if(matches, [](const Match& match) { return !match.meets(); });
   for (const Match& match : matches) {
     if (match.trip.rule == "soms" && (match.trip.test == "drive" || match.trip.test == "right")) {
       const std::string still = id_word(match.trip.still, result.figures.size());
+      const bool first = match.trip.model == context.models.objects.front().name;
+      const std::string own = first || !match.is_drive() ? still : match.trip.model + "_" + still;
       result.figures.push_back(
-          chart(fmt::format("figure_5_10_{}_{}", still, match.trip.test), match));
+          chart(fmt::format("figure_5_10_{}_{}", own, match.trip.test), match));
     }
   }
   return result;

@@ -10,7 +10,9 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <limits>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -78,7 +80,8 @@ Table frame_table(const std::string& id, const std::vector<RuleTrip>& rides) {
           "Test {}: every frame by the generic traversal, trees of level {}; times are "
           "medians of {} repetitions (the number is ours), drawing off.{}",
           rides[0].trip.test, kObjectLevel, rides[0].times.frame[0].repetitions, kThesisOptions),
-      .columns = {{"rule"},
+      .columns = {{"model"},
+                  {"rule"},
                   {"frame"},
                   {"offset"},
                   {"root_overlap"},
@@ -95,15 +98,17 @@ Table frame_table(const std::string& id, const std::vector<RuleTrip>& rides) {
       const Frame& frame = ride.frames[k];
       const Vec3& offset = ride.trip.offsets[k];
       const double whole = ride.times.frame[k].median;
-      std::vector<Cell> row{ride.build.name,
+      const bool timed = !ride.times.frame[k].rounds.empty();
+      std::vector<Cell> row{ride.trip.model,
+                            ride.build.name,
                             count_cell(k),
                             offset.x + offset.y + offset.z,  // two of them are 0
                             yes_cell(frame.roots_overlap),
                             first_overlap(ride, k),
                             word_cell("off"),
-                            ride.times.collision[k].median,
-                            whole,
-                            rate_cell(whole)};
+                            timed ? number_cell(ride.times.collision[k].median) : Cell{},
+                            timed ? number_cell(whole) : Cell{},
+                            timed ? rate_cell(whole) : Cell{}};
       add_count_cells(row, frame.counts);
       row.push_back(count_cell(frame.triangle_tests));
       row.push_back(count_cell(frame.contacts.size()));
@@ -118,7 +123,8 @@ Table test_counts_table(const std::string& id, const std::vector<RuleTrip>& ride
               .caption = fmt::format("Test {}: counts of the generic traversal, summed over all "
                                      "frames (max_stack: the greatest), trees of level {}.{}",
                                      rides[0].trip.test, kObjectLevel, kThesisOptions),
-              .columns = {{"rule"},
+              .columns = {{"model"},
+                          {"rule"},
                           {"frames"},
                           {"root_overlap_frames"},
                           {"hit_frames"},
@@ -130,7 +136,8 @@ Table test_counts_table(const std::string& id, const std::vector<RuleTrip>& ride
   table.columns.push_back({"contacts"});
   for (const RuleTrip& ride : rides) {
     const Totals sum = totals(ride.frames);
-    std::vector<Cell> row{ride.build.name,
+    std::vector<Cell> row{ride.trip.model,
+                          ride.build.name,
                           count_cell(sum.frames),
                           count_cell(sum.root_overlap_frames),
                           count_cell(sum.hit_frames),
@@ -154,18 +161,18 @@ Table test_times_table(const std::string& id, const std::vector<RuleTrip>& rides
           "off; fps are 1000 / ms of the mean, median, longest and shortest frame; trees of "
           "level {}.{}",
           rides[0].trip.test, rides[0].times.frame[0].repetitions, kObjectLevel, kThesisOptions),
-      .columns = {{"rule"}, {"quantity"}}};
+      .columns = {{"model"}, {"rule"}, {"quantity"}}};
   add_statistics_columns(table);
   for (const RuleTrip& ride : rides) {
     const auto collision = medians_where_roots_overlap(ride.times.collision, ride.frames);
     const auto whole = medians_where_roots_overlap(ride.times.frame, ride.frames);
     for (const auto& [quantity, numbers] :
          {std::pair("collision (ms)", collision), std::pair("frame (ms)", whole)}) {
-      std::vector<Cell> row{ride.build.name, word_cell(quantity)};
+      std::vector<Cell> row{ride.trip.model, ride.build.name, word_cell(quantity)};
       add_statistics_cells(row, numbers);
       table.rows.push_back(std::move(row));
     }
-    table.rows.push_back({ride.build.name, word_cell("fps")});
+    table.rows.push_back({ride.trip.model, ride.build.name, word_cell("fps")});
     add_rate_cells(table.rows.back(), whole);
   }
   return table;
@@ -180,8 +187,10 @@ LineChart frame_chart(const std::vector<RuleTrip>& rides, const Value& value) {
   for (const RuleTrip& ride : rides) {
     Line line{.name = ride.build.title};
     for (std::size_t k = kFrom; k < ride.frames.size(); ++k) {
-      line.x.push_back(static_cast<double>(k));
-      line.y.push_back(value(ride, k));
+      if (const std::optional<double> y = value(ride, k)) {
+        line.x.push_back(static_cast<double>(k));
+        line.y.push_back(*y);
+      }
     }
     chart.lines.push_back(std::move(line));
   }
@@ -190,9 +199,10 @@ LineChart frame_chart(const std::vector<RuleTrip>& rides, const Value& value) {
 
 Figure box_test_figure(const std::string& id, const std::vector<RuleTrip>& rides) {
   LineChart chart = frame_chart(rides, [](const RuleTrip& ride, std::size_t k) {
-    return static_cast<double>(ride.frames[k].counts.box_tests);
+    return std::optional(static_cast<double>(ride.frames[k].counts.box_tests));
   });
-  chart.title = fmt::format("Box tests by frame, object coming from the {}", rides[0].trip.test);
+  chart.title = fmt::format("Box tests by frame, {} coming from the {}", rides[0].trip.model,
+                            rides[0].trip.test);
   chart.y_label = "box tests";
   const std::size_t touch = first_root_frame(rides[0]);
   if (touch < rides[0].frames.size()) {
@@ -202,23 +212,26 @@ Figure box_test_figure(const std::string& id, const std::vector<RuleTrip>& rides
   }
   return {.id = id + "_box_tests",
           .caption = fmt::format(
-              "Test {}: box tests of the generic traversal by frame; one until the roots touch, "
-              "then more the deeper the object comes in.{}",
-              rides[0].trip.test, kThesisOptions),
+              "Test {}, {}: box tests of the generic traversal by frame; one until the roots "
+              "touch, then more the deeper the object comes in.{}",
+              rides[0].trip.test, rides[0].trip.model, kThesisOptions),
           .svg = draw(chart)};
 }
 
 Figure time_figure(const std::string& id, const std::vector<RuleTrip>& rides) {
-  LineChart chart = frame_chart(
-      rides, [](const RuleTrip& ride, std::size_t k) { return ride.times.collision[k].median; });
-  chart.title = fmt::format("Time of collision detection by frame, object coming from the {}",
-                            rides[0].trip.test);
+  LineChart chart = frame_chart(rides, [](const RuleTrip& ride, std::size_t k) {
+    const Timing& time = ride.times.collision[k];
+    return time.rounds.empty() ? std::nullopt : std::optional(time.median);
+  });
+  chart.title = fmt::format("Time of collision detection by frame, {} coming from the {}",
+                            rides[0].trip.model, rides[0].trip.test);
   chart.y_label = "ms a frame, collision only";
   return {.id = id,
           .caption =
-              fmt::format("Test {}: milliseconds of collision detection by frame, medians of "
+              fmt::format("Test {}, {}: milliseconds of collision detection by frame, medians of "
                           "{} repetitions (the number is ours).{}",
-                          rides[0].trip.test, rides[0].times.frame[0].repetitions, kThesisOptions),
+                          rides[0].trip.test, rides[0].trip.model,
+                          rides[0].times.frame[0].repetitions, kThesisOptions),
           .svg = draw(chart),
           .timed = true};
 }
@@ -279,9 +292,9 @@ Figure picture(const std::string& id, const RuleTrip& ride, Approach from) {
   }
   return {
       .id = id + "_picture",
-      .caption = fmt::format("Test {}: the object and the one that comes at it in frames 0, 32, "
+      .caption = fmt::format("Test {}: {} and the same object that comes at it in frames 0, 32, "
                              "40 and 48; triangles that touch in red.",
-                             ride.trip.test),
+                             ride.trip.test, ride.trip.model),
       .svg = svg.document()};
 }
 
@@ -290,50 +303,73 @@ void check_same_contacts(const std::vector<RuleTrip>& rides) {
   for (const RuleTrip& ride : rides) {
     for (std::size_t k = 0; k < ride.frames.size(); ++k) {
       require(ride.frames[k].contacts == rides[0].frames[k].contacts,
-              fmt::format("test {}, frame {}: contacts by {} and by {}", ride.trip.test, k,
-                          ride.build.title, rides[0].build.title));
+              fmt::format("test {} of {}, frame {}: contacts by {} and by {}", ride.trip.test,
+                          ride.trip.model, k, ride.build.title, rides[0].build.title));
     }
   }
 }
 
-std::vector<std::string> remarks(const Context& context, const std::vector<RuleTrip>& rides) {
+/// Which rules make the fewest and the most box tests on one object.
+std::string range_words(const std::vector<RuleTrip>& rides) {
   const auto box_tests = [](const RuleTrip& ride) { return totals(ride.frames).counts.box_tests; };
   const auto [least, most] = std::minmax_element(rides.begin(), rides.end(),
                                                  [&](const RuleTrip& one, const RuleTrip& other) {
                                                    return box_tests(one) < box_tests(other);
                                                  });
-  return {object_remark(context.models.objects.front()),
-          fmt::format("All four rules give the same contacts in every frame. Fewest box tests: {} "
-                      "({}), most: {} ({}); larger leaves make fewer box tests and more triangle "
-                      "tests, so compare times.",
-                      least->build.title, to_text(count_cell(box_tests(*least))), most->build.title,
-                      to_text(count_cell(box_tests(*most)))),
-          "Drawing is off in these times; drives-drawn has frames that are drawn. A frame is "
-          "moving the boxes, traversing the trees and testing the triangles."};
+  return fmt::format("{}: fewest box tests {} ({}), most {} ({}).", rides[0].trip.model,
+                     least->build.title, to_text(count_cell(box_tests(*least))), most->build.title,
+                     to_text(count_cell(box_tests(*most))));
 }
 
-Result orientation(const Context& context, const std::string& id, Approach from) {
-  const Model& object = context.models.objects.front();
-  const std::vector<Contender> builds = thesis_rules(kObjectLevel);
+/// All rules on one object, each timed on its own: all frames of the first object, of others in a
+/// quick run every so many.
+std::vector<RuleTrip> rides_of(const Context& context, const Model& object, Approach from,
+                               Steps& steps) {
+  const bool first = &object == &context.models.objects.front();
   const NamedTraversal traversal = ericson_traversal();
-  Steps steps(context.parallel, builds.size());
   std::vector<RuleTrip> rides;
-  for (const Contender& build : builds) {
+  for (const Contender& build : thesis_rules(kObjectLevel)) {
     RuleTrip ride{build, orientation_trip(object, from, build), {}, {}};
-    ride.frames = answer_frames(ride.trip, traversal, context.parallel);
-    ride.times =
-        time_frames(ride.trip, std::span(&traversal, 1), context.repetitions(100), context.parallel)
-            .front();
+    ride.frames = answer_frames(ride.trip, traversal, steps.quiet());
+    ride.times = time_frames(ride.trip, std::span(&traversal, 1), context.repetitions(100),
+                             steps.quiet(), first ? 1 : context.timed_step(false))
+                     .front();
     rides.push_back(std::move(ride));
     steps.done_one();
   }
   check_same_contacts(rides);
-  Result result;
-  result.tables = {test_times_table(id, rides), test_counts_table(id, rides),
-                   frame_table(id, rides)};
-  result.figures = {time_figure(id, rides), box_test_figure(id, rides),
-                    picture(id, rides.back(), from)};
-  result.remarks = remarks(context, rides);
+  return rides;
+}
+
+Result orientation(const Context& context, const std::string& id, Approach from) {
+  const std::vector<Model>& objects = context.models.objects;
+  Steps steps(context.parallel, objects.size() * thesis_rules(kObjectLevel).size());
+  Result result{.remarks = object_remarks(objects)};
+  std::vector<RuleTrip> all;
+  for (const Model& object : objects) {
+    std::vector<RuleTrip> rides = rides_of(context, object, from, steps);
+    const bool first = all.empty();
+    const std::string own = first ? id : id + "_" + object.name;
+    result.figures.push_back(time_figure(own, rides));
+    result.figures.push_back(box_test_figure(own, rides));
+    if (first) {
+      result.figures.push_back(picture(id, rides.back(), from));
+    }
+    result.remarks.push_back(range_words(rides));
+    std::move(rides.begin(), rides.end(), std::back_inserter(all));
+  }
+  result.tables = {test_times_table(id, all), test_counts_table(id, all), frame_table(id, all)};
+  if (context.quick && objects.size() > 1) {
+    result.remarks.push_back(
+        fmt::format("Quick run: of each object but {} every {}th frame is timed.",
+                    objects.front().name, context.timed_step(false)));
+  }
+  result.remarks.emplace_back(
+      "On each object all four rules give the same contacts in every frame. Larger leaves make "
+      "fewer box tests and more triangle tests, so compare times.");
+  result.remarks.emplace_back(
+      "Drawing is off in these times; drives-drawn has frames that are drawn. A frame is moving "
+      "the boxes, traversing the trees and testing the triangles.");
   return result;
 }
 

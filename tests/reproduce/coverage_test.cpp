@@ -159,7 +159,8 @@ TEST(Sources, ValuesAreThoseOfTheRuns) {
   EXPECT_EQ(value("offsets"),
             "ours: 49 frames, 2 to 0.5 widths of the still object, -0.03125 a frame");
   EXPECT_EQ(value("drive"), "ours: 221 frames from (-200, 2000, -16) to (4200, 2000, -16)");
-  EXPECT_EQ(value("scale of the object"), "ours: 500 times as large as its file");
+  EXPECT_EQ(value("scale of the object"),
+            "ours: 500 times as large as its file; other objects as long as that");
 }
 
 TEST(Sources, ContradictionsNameBothPlaces) {

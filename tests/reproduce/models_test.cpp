@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <span>
 #include <stop_token>
 #include <string>
@@ -322,6 +323,31 @@ TEST(Models, OfTheThesisHaveTheHashesOfTheGoldenTables) {
   EXPECT_GT(models.cities.size(), 10U);
   ASSERT_EQ(models.remarks.size(), 1U);
   EXPECT_TRUE(holds(models.remarks[0], ".3ds files (19) were not used")) << models.remarks[0];
+}
+
+TEST(FitDrives, MakesTheOthersAsLongAsTheFirstAboveTheSamePlace) {
+  const Models models = find_models({}, {.objects = true});
+  ASSERT_EQ(models.objects.size(), 3U);
+  EXPECT_EQ(models.objects[0].drive, DriveFit{});
+  const Box goal = bounds(driven(models.objects[0]));
+  for (const Model& object : models.objects) {
+    const Box own = bounds(driven(object));
+    const auto longest = [](const Box& box) {
+      return std::max({box.extent().x, box.extent().y, box.extent().z});
+    };
+    EXPECT_NEAR(longest(own), longest(goal), 1e-9 * longest(goal)) << object.name;
+    EXPECT_NEAR(own.lower.z, goal.lower.z, 1e-9 * longest(goal)) << object.name;
+    EXPECT_NEAR(own.lower.x + own.upper.x, goal.lower.x + goal.upper.x, 1e-9 * longest(goal));
+    EXPECT_NEAR(own.lower.y + own.upper.y, goal.lower.y + goal.upper.y, 1e-9 * longest(goal));
+  }
+}
+
+TEST(FitDrives, LeavesObjectsWithoutTrianglesAsTheyAre) {
+  Models models = find_models({}, {.objects = true});
+  models.objects[1].drive = {};
+  models.objects[1].mesh = std::make_shared<const Mesh>();
+  fit_drives(models.objects);
+  EXPECT_EQ(models.objects[1].drive, DriveFit{});
 }
 
 }  // namespace

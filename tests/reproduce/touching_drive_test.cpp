@@ -71,7 +71,7 @@ TEST(TouchingDrive, TouchesInGoldenNumbersOfFramesWithTheBunny) {
 TEST(TouchingDrive, CountsWhatBruteForceFinds) {
   const Models models = trips::small_models();
   const Model& object = models.objects.front();
-  const Mesh mover = driven(*object.mesh);
+  const Mesh mover = driven(object);
   const TouchingDrive drive = find_touching_drive(models.scenes.front(), object);
   std::size_t touching = 0;
   for (const Vec3& by : drive.offsets) {
@@ -114,7 +114,8 @@ TEST(TouchingDrive, SaysWhereNothingCanBeTouched) {
     EXPECT_EQ(drive.contact_frames, 0U);
     EXPECT_EQ(drive.touching_lines, 0U);
     EXPECT_EQ(drive.offsets.size(), city_drive().size());
-    EXPECT_NE(touching_drive_remark(scene, drive).find("has no contact frames"), std::string::npos);
+    EXPECT_NE(touching_drive_remark(scene, small_knot(), drive).find("has no contact frames"),
+              std::string::npos);
   }
 }
 

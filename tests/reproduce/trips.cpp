@@ -45,6 +45,13 @@ Models small_models() {
   return models;
 }
 
+Models two_objects() {
+  Models models = small_models();
+  models.objects.push_back(model("venus", generate_sphere(40)));
+  fit_drives(models.objects);
+  return models;
+}
+
 Result run_quick(std::string_view item, const Models& models) {
   const std::vector<const Experiment*> named = experiments_named(std::span(&item, 1));
   return named.front()->run({.models = models, .quick = true});

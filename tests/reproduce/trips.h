@@ -19,6 +19,9 @@ namespace soms::reproduce::trips {
 /// place of a scene: every experiment about traversals takes moments.
 [[nodiscard]] Models small_models();
 
+/// The small models, and a ball in the place of another object.
+[[nodiscard]] Models two_objects();
+
 /// Runs an experiment by its item, quick.
 [[nodiscard]] Result run_quick(std::string_view item, const Models& models);
 
