@@ -1,11 +1,19 @@
 #include "apps/view/control/panel_text.h"
 
+#include "soms/thesis/traversals.h"
+#include "soms/tree/option_names.h"
+
 #include "apps/support/look.h"
 #include "apps/support/text.h"
 #include "apps/view/scene/view_options.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <cstdio>
 #include <sstream>
 
 namespace soms::view {
@@ -19,7 +27,58 @@ std::string in_lower_case(std::string text) {
   return text;
 }
 
+std::string milliseconds(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g ms", value);
+  return text.data();
+}
+
 }  // namespace
+
+std::vector<std::pair<std::string, std::string>> cost_rows(const Facts& facts) {
+  const auto counted = [](bool cut, std::uint64_t count) {
+    return (cut ? "at least " : "") + command::with_commas(count);
+  };
+  const bool cut = facts.cost_cut;
+  std::vector<std::pair<std::string, std::string>> rows{
+      {"Collision", (cut ? "at least " : "") + milliseconds(facts.collision_ms)},
+      {"Box tests", counted(cut, facts.cost.node_tests)},
+      {"Triangle tests", counted(cut, facts.cost.triangle_tests)},
+      {"Exact tests", counted(cut, facts.cost.exact_tests)}};
+  if (facts.entered) {
+    rows.emplace_back("Pairs entered", counted(cut, *facts.entered));
+  }
+  if (facts.traversed) {
+    rows.emplace_back("Object: entered", counted(facts.trace_cut, facts.visited));
+    rows.emplace_back("Object: pruned", counted(facts.trace_cut, facts.pruned));
+    rows.emplace_back("Object: leaf pairs", counted(facts.trace_cut, facts.found));
+  }
+  return rows;
+}
+
+std::string tree_line(const ViewState& state) {
+  std::vector<std::string> parts;
+  if (state.traversal == Traversal::e_node || state.traversal == Traversal::e_node_front) {
+    parts.push_back(fmt::format("descent {}", entry(state.descent).kebab));
+  }
+  BuildOptions tree = state.tree;
+  tree.rule = state.rule;
+  tree = without_idle(tree);
+  const BuildOptions usual;
+  if (tree.per_leaf != usual.per_leaf) {
+    parts.push_back(fmt::format("leaf {}", tree.per_leaf));
+  }
+  if (tree.level != usual.level) {
+    parts.push_back(command::counted(static_cast<std::uint64_t>(tree.level), "level"));
+  }
+  if (tree.midpoint != usual.midpoint) {
+    parts.push_back(fmt::format("midpoint {}", soms::name(tree.midpoint)));
+  }
+  if (tree.empty_side != usual.empty_side) {
+    parts.push_back(fmt::format("empty side {}", soms::name(tree.empty_side)));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
 
 bool has_words(const std::string& text, const std::string& wanted) {
   const std::string all = in_lower_case(text);

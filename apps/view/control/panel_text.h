@@ -6,8 +6,16 @@
 #include "apps/view/control/view_state.h"
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace soms::view {
+
+/// Labels and values of what the last step took, and of what the boxes shown stand for.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> cost_rows(const Facts& facts);
+
+/// E-Node's descent where that is chosen, and what of the trees is not as by default.
+[[nodiscard]] std::string tree_line(const ViewState& state);
 
 /// True if all of the words in `wanted`, in either case, are in `text`.
 [[nodiscard]] bool has_words(const std::string& text, const std::string& wanted);

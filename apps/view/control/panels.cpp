@@ -13,7 +13,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <string_view>
 
 namespace soms::view {
@@ -36,12 +35,6 @@ std::vector<std::string_view> traversal_names() {
     names.push_back(traversal.kebab);
   }
   return names;
-}
-
-std::string milliseconds(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g ms", value);
-  return text.data();
 }
 
 void row(const char* label, const std::string& value) {
@@ -223,6 +216,9 @@ void Panels::tree_panel(ViewState& state) {
   if (widgets_.choose("Traversal", traversal, traversal_names(), Action::traversal_next)) {
     state.traversal = static_cast<Traversal>(traversal);
   }
+  if (const std::string line = tree_line(state); !line.empty()) {
+    ImGui::TextWrapped("%s", line.c_str());
+  }
   if (state.limits.has_object) {
     if (widgets_.radio("City", state.tree_of == TreeOf::city, Action::tree_of)) {
       apply(state, Action::tree_of);
@@ -284,17 +280,8 @@ void Panels::counts_panel(const Facts& facts) {
       row(label.c_str(), value);
     }
   }
-  row("Collision", milliseconds(facts.collision_ms));
-  row("Box tests", command::with_commas(facts.cost.node_tests));
-  row("Triangle tests", command::with_commas(facts.cost.triangle_tests));
-  row("Exact tests", command::with_commas(facts.cost.exact_tests));
-  if (facts.traversed) {
-    const auto counted = [&facts](std::uint64_t count) {
-      return (facts.trace_cut ? "at least " : "") + command::with_commas(count);
-    };
-    row("Box pairs entered", counted(facts.visited));
-    row("Box pairs pruned", counted(facts.pruned));
-    row("Leaf pairs found", counted(facts.found));
+  for (const auto& [label, value] : cost_rows(facts)) {
+    row(label.c_str(), value);
   }
   ImGui::EndTable();
 }

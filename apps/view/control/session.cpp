@@ -327,11 +327,10 @@ void Session::tell_choice() {
   if (choice_ == choice(state_)) {
     return;
   }
+  choose_boxes(state_, choice_);
   if (!guarded([&] { subject_.choose(state_); })) {
     // Kept, it would be refused with every picture to come, and the one of before would stay.
-    state_.rule = choice_.rule;
-    state_.traversal = choice_.traversal;
-    state_.prune = choice_.prune;
+    take_back(state_, choice_);
   }
   choice_ = choice(state_);
   refresh();  // a test that began or ended changes what moves

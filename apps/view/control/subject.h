@@ -110,8 +110,10 @@ struct Facts {
   std::uint64_t visited = 0;   ///< boxes, or pairs of boxes, of the last traversal
   std::uint64_t pruned = 0;
   std::uint64_t found = 0;
-  Cost cost;
-  double collision_ms = 0;  ///< time of the last step's collision alone
+  Cost cost;                ///< of the traversal chosen; of Traversal::fast that of the last step
+  double collision_ms = 0;  ///< time that this took, without drawing
+  std::optional<std::uint64_t> entered;  ///< pairs of nodes; nothing of Traversal::fast
+  bool cost_cut = false;                 ///< time ran out: costs are of a part of the traversal
   /// What found no room in the last picture, a line each: "2,000 of 12,345 contacts".
   std::vector<std::string> left_out;
   Limits limits;

@@ -4,10 +4,42 @@
 
 namespace soms::view {
 
+namespace {
+
+bool shows_trace(const Shown& shown) {
+  return shown.visited || shown.pruned || shown.found;
+}
+
+}  // namespace
+
 Choice choice(const ViewState& state) {
-  return {state.shown,     state.rule,  state.traversal,        state.prune,
-          state.tree_of,   state.level, state.orientation_test, state.learn,
-          state.learn_step};
+  return {state.shown,   state.rule,      state.traversal,
+          state.prune,   state.tree,      state.descent,
+          state.tree_of, state.level,     state.orientation_test,
+          state.learn,   state.learn_step};
+}
+
+void begin_with(ViewState& state, const BuildOptions& build, const TraversalOptions& traversal) {
+  state.rule = build.rule;
+  state.tree = build;
+  state.tree.rule = BuildOptions{}.rule;
+  state.traversal = traversal.traversal;
+  if (traversal.traversal == Traversal::e_node || traversal.traversal == Traversal::e_node_front) {
+    state.descent = traversal.descent;
+  }
+}
+
+void take_back(ViewState& state, const Choice& before) {
+  state.rule = before.rule;
+  state.traversal = before.traversal;
+  state.prune = before.prune;
+}
+
+void choose_boxes(ViewState& state, const Choice& before) {
+  if (state.traversal == Traversal::fast && shows_trace(state.shown) &&
+      !shows_trace(before.shown)) {
+    state.traversal = Traversal::e_node;
+  }
 }
 
 int levels(const ViewState& state) {

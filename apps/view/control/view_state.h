@@ -101,8 +101,10 @@ struct ViewState {
   double speed = 1;         ///< frames for each frame of real time
   std::uint64_t frame = 0;  ///< of the simulation, the test or the recording
   Rule rule = Rule::soms;
-  Traversal traversal = Traversal::e_node;
-  bool prune = true;  ///< false only to show what pruning saves (thesis, fig. 4.35)
+  Traversal traversal = Traversal::fast;
+  bool prune = true;                  ///< false only to show what pruning saves (thesis, fig. 4.35)
+  BuildOptions tree;                  ///< all but the rule; what that does not use has no effect
+  Descent descent = Descent::larger;  ///< of E-Node
   TreeOf tree_of = TreeOf::city;
   int level = 1;  ///< of the boxes shown, counted from 1 at the root
   Shown shown;
@@ -126,8 +128,10 @@ struct ViewState {
 struct Choice {
   Shown shown;
   Rule rule = Rule::fast;
-  Traversal traversal = Traversal::e_node;
+  Traversal traversal = Traversal::fast;
   bool prune = true;
+  BuildOptions tree;
+  Descent descent = Descent::larger;
   TreeOf tree_of = TreeOf::city;
   int level = 1;
   std::optional<std::size_t> orientation_test;
@@ -138,6 +142,16 @@ struct Choice {
 };
 
 [[nodiscard]] Choice choice(const ViewState& state);
+
+/// Begins with these trees and this traversal. Where that has no descent, E-Node's stays.
+void begin_with(ViewState& state, const BuildOptions& build, const TraversalOptions& traversal);
+
+/// Brings rule, traversal and pruning back to a choice of before.
+void take_back(ViewState& state, const Choice& before);
+
+/// E-Node in place of Traversal::fast, which has no boxes to show, if the state shows boxes of a
+/// traversal and the choice of before showed none.
+void choose_boxes(ViewState& state, const Choice& before);
 
 inline constexpr double kSlowest = 1.0 / 16;
 inline constexpr double kFastest = 16;

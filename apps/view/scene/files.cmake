@@ -1,5 +1,6 @@
 set(SOMS_VIEW_HEADERS
   aim.h
+  counted_step.h
   dense_place.h
   draw_scene.h
   event_finder.h
@@ -24,6 +25,7 @@ set(SOMS_VIEW_HEADERS
 )
 set(SOMS_VIEW_SOURCES
   aim.cpp
+  counted_step.cpp
   dense_place.cpp
   draw_scene.cpp
   event_finder.cpp

@@ -11,6 +11,7 @@ set(SOMS_VIEW_HEADERS
   sight_map.h
   stage.h
   time_frames.h
+  tree_options.h
   verbs.h
   view.h
 )
@@ -26,6 +27,7 @@ set(SOMS_VIEW_SOURCES
   sight_map.cpp
   stage.cpp
   time_frames.cpp
+  tree_options.cpp
   verbs.cpp
   view.cpp
 )

@@ -19,6 +19,7 @@
 #include "apps/view/verbs/render_remarks.h"
 #include "apps/view/verbs/render_scene.h"
 #include "apps/view/verbs/stage.h"
+#include "apps/view/verbs/tree_options.h"
 
 #include <fmt/format.h>
 
@@ -97,8 +98,7 @@ void add_content_options(CLI::App& app, RenderOptions& options) {
       "draw edges of boxes, faces, or both (wire)");
   app.add_flag("--trace", options.trace,
                "draw the boxes that --traversal visited, pruned and found in the city and the\n"
-               "mover (e-node with --descent larger); with --mover but no --count, there is\n"
-               "one mover");
+               "mover (e-node with --descent larger)");
   app.add_flag_callback(
       "--no-prune", [&options] { options.shown.trees.traversal.prune = false; },
       "with --trace: descend into disjoint boxes, too, to see what pruning saves");
@@ -139,8 +139,7 @@ void add_content_options(CLI::App& app, RenderOptions& options) {
       "--no-ground", [&options] { options.shown.ground = false; },
       "draw no ground below the models");
   app.add_flag("--no-shadow", options.no_shadow, "draw no shadows");
-  command::add_build_options(app, options.shown.trees.build);
-  command::add_traversal_options(app, options.shown.trees.traversal);
+  add_tree_options(app, options.shown.trees.build, options.shown.trees.traversal);
 }
 
 /// \errors ErrorKind::usage for a level below the deepest leaf, where no box is.
@@ -270,10 +269,6 @@ SceneContent load(const RenderOptions& options, command::Console& console) {
   // Numbers that were given are those of the file.
   world.guess_up =
       options.camera.subject != CameraChoice::Subject::place && !is_ray_picture(options);
-  if (options.trace && options.test.empty() && options.pose.empty() && world.routes.empty() &&
-      !world.count && !world.movers.empty()) {
-    world.count = world.movers.size();  // the traversal is of one mover; a thousand would hide it
-  }
   SceneContent content =
       load_content(std::move(world), options.test.empty() ? options.pose : "0 0 0", console);
   if (content.recording) {
@@ -295,7 +290,7 @@ void check_frame(std::uint64_t frame, const ViewScene& scene) {
 }
 
 /// \errors ErrorKind::usage for options that would change nothing beside the others.
-void check_effects(const CLI::App& app, const RenderOptions& options) {
+void check_effects(const CLI::App& app, RenderOptions& options) {
   const auto needs = [&](const char* option, bool there, const char* other) {
     if (app.count(option) > 0 && !there) {
       throw Error(ErrorKind::usage, fmt::format("{} has no effect without {}", option, other),
@@ -312,8 +307,7 @@ void check_effects(const CLI::App& app, const RenderOptions& options) {
   if (const std::string given = command::given_of_trees(app); !given.empty()) {
     needs(given.c_str(), options.trace || options.level, "--level or --trace");
   }
-  command::check_build(app, options.shown.trees.build);
-  command::check_traversal(app, options.shown.trees.traversal);
+  check_tree_options(app, options.shown.trees.build, options.shown.trees.traversal);
   if (options.trace && options.shown.trees.traversal.traversal == Traversal::fast) {
     throw Error(ErrorKind::usage, "--trace: --traversal fast visits no boxes of the trees",
                 "choose another traversal, or leave it out");
@@ -418,6 +412,7 @@ Size parse_picture_size(const std::string& text) {
 command::Action add_render(CLI::App& app, command::Shared&) {
   const auto options = std::make_shared<RenderOptions>();
   command::add_world_options(app, options->world);
+  describe_count(app);
   add_picture_options(app, *options);
   add_content_options(app, *options);
   app.footer(kRenderFooter);

@@ -59,6 +59,9 @@ SceneContent load_content(command::WorldOptions options, const std::string& pose
   } else {
     options.guess_up = false;  // routes and poses are those of `simulate`
   }
+  if (!options.movers.empty() && options.routes.empty() && !options.count) {
+    options.count = options.movers.size();  // who names one model means to see one
+  }
   return content_of(command::load_world(options, console));
 }
 

@@ -14,9 +14,10 @@ namespace soms::view {
 inline constexpr std::size_t kMostPoses = 100'000;
 
 /// Reads what the options name. A recording in place of a city is played. A city from files has no
-/// movers unless they are requested. With `pose` the one model of --mover stands at each of its
-/// poses instead of going its way. `guess_up` is ignored where there are movers.
-/// \errors As `command::load_world` and `PoseSource`; ErrorKind::usage for poses with no mover or
+/// movers unless they are requested, and of models of --mover without a count or route one each,
+/// where a simulation has a thousand in all. With `pose` the one model of --mover stands at each of
+/// its poses instead of going its way. `guess_up` is ignored where there are movers. \errors As
+/// `command::load_world` and `PoseSource`; ErrorKind::usage for poses with no mover or
 ///         with several.
 [[nodiscard]] SceneContent load_content(command::WorldOptions options, const std::string& pose,
                                         command::Console& console);

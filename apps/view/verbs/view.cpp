@@ -6,6 +6,7 @@
 #include "apps/support/output.h"
 #include "apps/support/parse.h"
 #include "apps/view/verbs/render_scene.h"
+#include "apps/view/verbs/tree_options.h"
 #include "apps/view/window/app_window.h"
 #include "apps/view/window/scene_subject.h"
 
@@ -25,6 +26,9 @@ constexpr std::uint64_t kMostFrames = 1'000'000'000;
 
 /// A search for the nearest points may not hold up a frame longer.
 constexpr std::chrono::milliseconds kGapPatience{20};
+
+/// Nor a slow traversal that was chosen; its counts say that they are of a part.
+constexpr std::chrono::milliseconds kStepPatience{200};
 
 const char* const kViewFooter =
     "Without CITY, an embedded city of 1,000,000 triangles is used, with cars, persons and\n"
@@ -54,6 +58,7 @@ Size parse_size(const std::string& text) {
 command::Action add_view(CLI::App& app, command::Shared&) {
   const auto options = std::make_shared<ViewVerbOptions>();
   command::add_world_options(app, options->world);
+  describe_count(app);
   app.add_option("--pose", options->pose,
                  "pose of the mover: \"x y z [qw qx qy qz]\", or a CSV file of poses,\n"
                  "which are drawn all at once")
@@ -77,8 +82,13 @@ command::Action add_view(CLI::App& app, command::Shared&) {
          },
          "run this many frames, each a sixtieth of a second, then close")
       ->option_text("N");
+  ViewerOptions& viewer = options->viewer;
+  add_tree_options(app, viewer.build, viewer.traversal);
   app.footer(kViewFooter);
-  return [options](command::Console& console) { return run_view(*options, console); };
+  return [options, &app](command::Console& console) {
+    check_tree_options(app, options->viewer.build, options->viewer.traversal);
+    return run_view(*options, console);
+  };
 }
 
 int run_view(const ViewVerbOptions& options, command::Console& console) {
@@ -93,6 +103,7 @@ int run_view(const ViewVerbOptions& options, command::Console& console) {
   SceneContent content = load_content(std::move(world), options.pose, console);
   SceneSubject subject(std::move(content), console.parallel());
   subject.set_gap_patience(kGapPatience);
+  subject.set_step_patience(kStepPatience);
   run_viewer(subject, options.viewer, console.parallel().stop);
   if (console.interrupted()) {
     throw Error(ErrorKind::cancelled, "interrupted", "");

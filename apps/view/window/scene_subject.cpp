@@ -76,9 +76,15 @@ std::vector<std::string> reasons(const ViewScene& scene, const Picked& picked) {
 
 TreeChoice trees_of(const ViewState& state) {
   TreeChoice trees;
+  trees.build = state.tree;
   trees.build.rule = state.rule;
+  trees.build = without_idle(trees.build);  // each rule has the options that it uses
   trees.traversal.traversal = state.traversal;
   trees.traversal.prune = state.prune;
+  const bool upward = state.descent == Descent::both || state.descent == Descent::larger;
+  if (state.traversal != Traversal::e_node_front || upward) {  // else the front's is larger
+    trees.traversal.descent = state.descent;
+  }
   trees.traversal = without_idle(trees.traversal);  // E-Node's descent stays beside no other
   return trees;
 }
@@ -118,6 +124,10 @@ SceneSubject::SceneSubject(SceneContent content, const Parallel& parallel)
 
 void SceneSubject::set_gap_patience(GapStore::Patience patience) {
   scene_.set_gap_patience(patience);
+}
+
+void SceneSubject::set_step_patience(std::chrono::steady_clock::duration patience) {
+  counter_.set_patience(patience);
 }
 
 std::optional<std::uint32_t> SceneSubject::object() const {
@@ -222,8 +232,7 @@ Facts SceneSubject::facts(const ViewState& state) const {
     facts.gaps = now.gaps;
     facts.least_gap = now.least_gap ? meters_in_text(*now.least_gap) : "";
   }
-  facts.cost = now.cost;
-  facts.collision_ms = now.step_milliseconds;
+  add_costs(facts);
   facts.left_out = left_out_;
   facts.limits = limits();
   facts.orientation_test = test_;
@@ -254,6 +263,17 @@ Facts SceneSubject::facts(const ViewState& state) const {
     facts.trace_cut = now.trace_cut;
   }
   return facts;
+}
+
+/// Of the scene's own query, or of the traversal that was chosen in its place.
+void SceneSubject::add_costs(Facts& facts) const {
+  const std::optional<CountedStep>& step = counter_.find(scene_, parallel_);
+  facts.cost = step ? step->cost : statistics().cost;
+  facts.collision_ms = step ? step->milliseconds : statistics().step_milliseconds;
+  if (step) {
+    facts.entered = step->counts.entered;
+    facts.cost_cut = step->cut;
+  }
 }
 
 std::optional<GapFacts> SceneSubject::gap_facts() const {

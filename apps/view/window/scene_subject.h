@@ -3,6 +3,7 @@
 #pragma once
 
 #include "apps/view/control/subject.h"
+#include "apps/view/scene/counted_step.h"
 #include "apps/view/scene/dense_place.h"
 #include "apps/view/scene/event_finder.h"
 #include "apps/view/scene/fast_lesson.h"
@@ -11,6 +12,7 @@
 #include "apps/view/scene/view_options.h"
 #include "apps/view/scene/view_scene.h"
 
+#include <chrono>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -27,6 +29,9 @@ class SceneSubject final : public Subject {
 
   /// As `ViewScene::set_gap_patience`.
   void set_gap_patience(GapStore::Patience patience);
+
+  /// As `StepCounter::set_patience`.
+  void set_step_patience(std::chrono::steady_clock::duration patience);
 
   void choose(const ViewState& state) override;
   [[nodiscard]] Facts facts(const ViewState& state) const override;
@@ -57,6 +62,7 @@ class SceneSubject final : public Subject {
   [[nodiscard]] PickedFacts triangle_facts(const Picked& picked) const;
   [[nodiscard]] PickedFacts contact_facts(const Touch& touch) const;
   [[nodiscard]] std::optional<GapFacts> gap_facts() const;
+  void add_costs(Facts& facts) const;
   [[nodiscard]] std::optional<std::uint32_t> object() const;
   [[nodiscard]] std::optional<BodyRef> tree_body(TreeOf tree) const;
   [[nodiscard]] int levels_of(TreeOf tree) const;
@@ -95,6 +101,7 @@ class SceneSubject final : public Subject {
   std::optional<Chosen> selected_;      ///< drawn brighter
   std::optional<Box> focus_;            ///< of an event, while its contact is selected
   std::map<std::uint32_t, Pose> home_;  ///< where movers were that the hand moved
+  mutable StepCounter counter_;         ///< of named traversals
   mutable std::optional<SceneStatistics> statistics_;  ///< counts whole trees: kept till a change
 };
 

@@ -67,6 +67,7 @@ class Loop {
       : options_(options), window_("soms view", options.size), session_(subject, window_.size()) {
     session_.state().paused = !(options.run || options.frames) || !session_.facts().limits.moves;
     session_.state().panels = options.panels;
+    begin_with(session_.state(), options.build, options.traversal);
     window_.set_title("soms view: " + session_.facts().name);
     lay_out_panels();
   }

@@ -18,6 +18,8 @@ struct ViewerOptions {
   Size size{1280, 720};
   bool run = false;  ///< starts running; else it stands still at the first frame
   bool panels = true;
+  BuildOptions build{.rule = Rule::soms};  ///< of the trees that are shown
+  TraversalOptions traversal = {};         ///< that is chosen at first
   /// PNG of the finished picture, after which the viewer ends; empty: none.
   std::string screenshot;
   bool screenshot_panels = false;       ///< with the panels over it

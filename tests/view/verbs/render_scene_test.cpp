@@ -103,6 +103,16 @@ TEST_F(RecordedTown, IsDrawnByTheCommandAfterASimulation) {
   EXPECT_EQ(draw(path("none/last.png")).status, 5);
 }
 
+TEST_F(RecordedTown, ACityHasOneOfEachModelUnlessACountIsGiven) {
+  const std::vector<std::string> cities{path("town.ply")};
+  const std::string car = path("car.ply");
+  EXPECT_EQ(load({.cities = cities, .movers = {car}}).movers.size(), 1U);
+  EXPECT_EQ(load({.cities = cities, .movers = {car, car}}).movers.size(), 2U);
+  EXPECT_EQ(load({.cities = cities, .movers = {car}, .count = 7}).movers.size(), 7U);
+  EXPECT_EQ(load({.cities = cities, .movers = {car}, .count = 1}).movers.size(), 1U);
+  EXPECT_EQ(load({.cities = cities}).movers.size(), 0U);
+}
+
 TEST_F(RecordedTown, TakesNoOtherCityOrMover) {
   const std::string recording = path("run.somsrec");
   EXPECT_EQ(kind_of_fault({.cities = {recording}, .movers = {path("car.ply")}}), ErrorKind::usage);

@@ -220,6 +220,24 @@ TEST_F(Render, TraversesWithTheOneMoverThatIsNamed) {
   EXPECT_NE(result.out.find("\"movers\":1,"), std::string::npos) << result.out;
 }
 
+TEST_F(Render, DrawsTheTreesOfTheThesisByName) {
+  SOMS_NEEDS_EGL();
+  const auto drawn = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words{ball_, "--mover", ball_,    "--pose", "1 0 0", "--trace",
+                                   "-o",  picture_,  "--size", "90x60",  "--json"};
+    words.insert(words.end(), more.begin(), more.end());
+    const test::RunResult result = render(words);
+    EXPECT_EQ(result.status, 0) << result.err;
+    return result.out;
+  };
+  const std::string thesis = drawn({"--thesis"});
+  EXPECT_EQ(thesis,
+            drawn({"--rule", "soms", "--midpoint", "thesis", "--leaf", "1", "--empty-side", "stop",
+                   "--levels", "15", "--traversal", "e-node", "--descent", "both"}));
+  EXPECT_NE(thesis, drawn({}));
+  EXPECT_NE(thesis, drawn({"--thesis", "--leaf", "8"}));  // what is named, too, wins
+}
+
 TEST_F(Render, R119OptionsThatThePictureIgnoresAreRefused) {
   SOMS_NEEDS_EGL();
 
@@ -230,6 +248,7 @@ TEST_F(Render, R119OptionsThatThePictureIgnoresAreRefused) {
 
   const std::vector<Case> cases{
       {{"--rule", "sah"}, "--rule has no effect without --level or --trace"},
+      {{"--thesis"}, "--thesis has no effect without --level or --trace"},
       {{"--leaf", "4"}, "--leaf has no effect without --level or --trace"},
       {{"--traversal", "larger"}, "--traversal has no effect without --trace"},
       {{"--level", "2", "--descent", "both"}, "--descent has no effect without --trace"},

@@ -134,6 +134,7 @@ TEST(SceneSubject, EachRuleAndTraversalCanBeShown) {
   subject.place_object(Pose::translation(10, 0, 5));
   const std::uint64_t contacts = subject.facts({}).contacts;
   ViewState state;
+  state.traversal = Traversal::e_node;
   state.shown.visited = state.shown.pruned = state.shown.found = true;
   for (const RuleEntry& row : rules()) {
     state.rule = row.rule;
@@ -185,6 +186,7 @@ TEST(SceneSubject, WithoutPruningMoreBoxesAreEntered) {
   SceneSubject subject(block_and_cube());
   subject.place_object(Pose::translation(10, 0, 5));
   ViewState state;
+  state.traversal = Traversal::e_node;
   state.shown.visited = true;
   subject.choose(state);
   (void)subject.draw_list(state);
@@ -212,6 +214,7 @@ TEST(SceneSubject, PrunedAreTheBoxTestsThatEndedABranch) {
 TEST(SceneSubject, CountsOfATraceGoWithItsBoxes) {
   SceneSubject subject(block_and_cube());
   ViewState state;
+  state.traversal = Traversal::e_node;
   state.shown.visited = true;
   subject.choose(state);
   (void)subject.draw_list(state);

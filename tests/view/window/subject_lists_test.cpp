@@ -76,6 +76,7 @@ TEST(SubjectEvents, AreOfOneFrameWhereNothingMoves) {
 TEST(SubjectLesson, IsShownTestByTest) {
   SceneSubject subject(block_cube_and_car());
   ViewState state;
+  state.traversal = Traversal::e_node;
   subject.choose(state);
   EXPECT_FALSE(subject.facts(state).learn);
   const std::size_t boxes = subject.draw_list(state).box_groups.size();
