@@ -12,7 +12,7 @@ help:
 	@echo "make build   the rest, too: soms-reproduce, and what installed packages allow"
 	@echo "make view    install what is missing, build, and open the viewer on the embedded city"
 	@echo "make thesis  the thesis' experiments on the models of MODELS=DIR, compared with the golden tables;"
-	@echo "             page, tables and PDF go to OUT=soms-thesis (ARGS=--quick: two minutes)"
+	@echo "             page, tables and PDF go to OUT=soms-thesis (ARGS=--quick: a few minutes)"
 	@echo "make install  install what is missing, build all of soms, and put it into PREFIX=/usr/local"
 	@echo "make python  install what is missing, and leave the wheel of the Python package in build/python"
 	@echo "make test    install what is missing, build, and run every test of the release build"
