@@ -84,7 +84,7 @@ TEST_F(SimulateOptions, R119OptionsThatChangeNothingAreRefused) {
   says({"--picture-frame", "0"}, "--picture-frame without --picture");
   const RunResult embedded = simulate({"--scale", "1", "--frames", "1"});
   EXPECT_EQ(embedded.status, 2);
-  EXPECT_NE(embedded.err.find("--scale and --up need a city from files"), std::string::npos);
+  EXPECT_NE(embedded.err.find("--scale, --up and --crs need a city from files"), std::string::npos);
 }
 
 TEST_F(SimulateOptions, RefusesNamesWhoseExtensionsAreThoseOfOtherFiles) {
