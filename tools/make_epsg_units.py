@@ -2,11 +2,12 @@
 """Writes soms/io/detail/epsg_units.cpp: the units of the EPSG registry's reference systems.
 
 Facts come from the database of PROJ (Debian: proj-data), which has the EPSG registry. A system is
-listed by the one length unit of all its axes, as an angular one, or not at all. Without --write it
-only says whether the file is up to date.
+listed by the one length unit of all its axes, as an angular one, or not at all. It prints how many
+systems and runs of codes there are. Without --write it only says whether the file is up to date.
 """
 import argparse
 import pathlib
+import re
 import sqlite3
 import sys
 
@@ -88,6 +89,8 @@ def main():
     options = parser.parse_args()
     with sqlite3.connect(f"file:{options.database}?mode=ro", uri=True) as database:
         text = source(database)
+    counts = [int(count) for count in re.findall(r"\{\d+, (\d+), \d+\}", text)]
+    print(f"{sum(counts):,} systems in {len(counts):,} runs of codes")
     if options.write:
         TARGET.write_text(text)
     elif TARGET.read_text() != text:
