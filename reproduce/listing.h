@@ -12,7 +12,7 @@ namespace soms::reproduce {
 
 /// Ends the caption of a figure whose original is known only by its caption.
 inline constexpr std::string_view kFromCaption =
-    " From the caption; the thesis' own listing is not public.";
+    " From the caption; the thesis' own listing was not available to us.";
 
 /// A line of pseudo code.
 struct CodeLine {

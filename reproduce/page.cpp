@@ -9,6 +9,7 @@
 #include "reproduce/print_style.h"
 #include "reproduce/provenance.h"
 #include "reproduce/report.h"
+#include "reproduce/research_questions.h"
 
 #include <fmt/format.h>
 
@@ -55,6 +56,7 @@ class Page {
     head();
     out_ += load_warning(report_.load);
     out_ += claims_section(report_);
+    out_ += questions_section(report_);
     contents();
     how_it_was_run();
     out_ += report_.golden ? markup_of(*report_.golden) : std::string();
@@ -87,11 +89,9 @@ class Page {
     put("<p class=\"byline\">soms {}, {} run of {}</p>\n</header>\n",
         xml_text(report_.machine.version), report_.quick ? "quick" : "full",
         xml_text(report_.date.substr(0, report_.date.find('T'))));
-    put("<p class=\"note\">Only its "
-        "abstract, lists of contents, tables and figures, and first chapter are public: the "
-        "numbers "
-        "of its tables are not known here, and what they leave open is an option with a "
-        "name.</p>\n");
+    put("<p class=\"note\">Only its abstract, lists of contents, tables and figures, and first "
+        "chapter were available to us: the numbers of its tables are not known here, and what they "
+        "leave open is an option with a name.</p>\n");
     put("<p><strong>SOMS in today's terms</strong> is midpoint splitting of the box of the "
         "triangles' midpoints: a node is cut in the middle of that box, across its longest axis. "
         "Renderers know the same plane as the <em>middle</em> of the <em>centroid bounds</em>. "

@@ -61,6 +61,7 @@ summary{cursor:pointer;color:var(--link)}
 details.item{margin:.15rem 0}details.item>summary>h3{display:inline;margin:0;font-size:1rem;
 font-weight:500}details.item[open]>summary>h3{font-size:1.12rem;font-weight:700}
 details.item[open]{margin:1rem 0 2rem}.anchor{scroll-margin-top:3rem}
+ol.questions{max-width:52rem;padding-left:1.6rem}ol.questions li{margin:.5rem 0}
 .changed{background:var(--soft);border-left:4px solid var(--link);padding:.6rem .9rem;
 max-width:none}
 table.matrix td{min-width:0}table.matrix td:nth-child(-n+2){min-width:11rem}table.matrix td.number{white-space:normal;min-width:6rem}

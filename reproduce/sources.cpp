@@ -93,7 +93,8 @@ std::vector<SourcedOption> rule_options() {
        "figure 4.23 names A, B and C, not which corner of a file's triangle is C"},
       {kGroup, "axis_from of soms", axis_from_used(Rule::soms), Basis::stated,
        "abstract in Malay: the longest axis is calculated between the midpoints of the triangles; "
-       "the abstract in English leaves both boxes open"},
+       "the abstract in English leaves both boxes open; the author's paper of 2012 splits the "
+       "inner box"},
       {kGroup, "axis_from of spatial_median", axis_from_used(Rule::spatial_median), Basis::ours,
        "figure 4.4 shows minimum and maximum points of both techniques, its caption does not say "
        "of what"},
@@ -119,7 +120,7 @@ std::vector<SourcedOption> rule_options() {
        "which SOMS does without at the earlier phase; tables 5.5 and 5.11 count such nodes; what "
        "becomes of one under spatial median is not said"},
       {kGroup, "ties on the axis", "x before y before z", Basis::ours,
-       "figure 4.22 has Boolean functions for the longest axis; their order is not public"},
+       "figure 4.22 has Boolean functions for the longest axis; their order is not known here"},
       {kGroup, "side of the plane", "below the plane left; on the plane and above right",
        Basis::ours, "not mentioned"},
       {kGroup, "sum of object_mean", "in ascending order of triangle numbers, in double precision",
@@ -164,7 +165,7 @@ std::vector<SourcedOption> count_options() {
       {kGroup, "balanced level",
        "the greatest level of which every node exists and holds a triangle", Basis::ours,
        "figures 4.2, 5.2, 5.3 and 5.5 and headings 3.5.3, 5.2.1, 5.2.2, 5.3.1 and 5.3.2 use the "
-       "term; it is not defined in public"},
+       "term; it is not defined in what we have"},
       {kGroup, "26 % more", "relative to spatial median's count; percentage points are shown too",
        Basis::ours, "abstract: 26 % more than spatial median; of what is not said"},
   };
@@ -178,10 +179,10 @@ std::vector<SourcedOption> traversal_options_used() {
        "heading 4.5.2.1 and figure 4.37 name Ericson, heading 5.4.1 the generic algorithm; which "
        "node it divides is not said"},
       {kGroup, "Larsson's traversal", "simultaneous: divide both nodes", Basis::ours,
-       "heading 4.5.2.2 and figure 5.10 name it; its pseudo code is not public"},
+       "heading 4.5.2.2 and figure 5.10 name it; its pseudo code is not known here"},
       {kGroup, "E-Node", "e_node: all child pairs are tested before any of them is entered",
        Basis::ours,
-       "heading 5.5 (Earlier Node Detection) and figure 5.9; its steps are not public"},
+       "heading 5.5 (Earlier Node Detection) and figure 5.9; its steps are not known here"},
       {kGroup, "descent of E-Node", "both nodes are divided; the larger one is shown beside it",
        Basis::ours, "not mentioned"},
       {kGroup, "order of E-Node", "left before right", Basis::ours, "not mentioned"},
@@ -198,7 +199,7 @@ std::vector<SourcedOption> traversal_options_used() {
        "the abstract in Malay speaks of nodes that touch; tests of triangles are not mentioned, "
        "and counts of traversals do not depend on them"},
       {kGroup, "boxes of what moves", "bounds of the moved corners, at every node", Basis::ours,
-       "figure 4.13 and heading 4.3.3: boxes are updated; how is not public"},
+       "figure 4.13 and heading 4.3.3: boxes are updated; how is not known here"},
   };
 }
 

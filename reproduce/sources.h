@@ -1,6 +1,6 @@
 /// \file
-/// Where each option of the runs comes from, where the thesis contradicts itself, and which of its
-/// statements no run judges.
+/// Where each option of the runs comes from, where the thesis contradicts itself, which of its
+/// statements no run judges, and where its author said the same later.
 #pragma once
 
 #include <span>
@@ -10,11 +10,11 @@
 
 namespace soms::reproduce {
 
-/// How well the public part of the thesis supports an option.
+/// How well what was available to us of the thesis supports an option.
 enum class Basis {
   stated,   ///< said in the abstract or in chapter 1
   caption,  ///< follows from a caption or a heading
-  ours,     ///< the thesis is silent where it is public: a reconstruction
+  ours,     ///< what was available to us is silent: a reconstruction
 };
 
 /// "stated", "caption", "ours".
@@ -53,5 +53,14 @@ struct UnjudgedStatement {
 /// Statements about results in the abstract and in chapter 1. What chapter 1 says of the work of
 /// others is left out.
 [[nodiscard]] std::span<const UnjudgedStatement> unjudged_statements();
+
+/// A later text of the thesis' author on the same subject.
+struct Restatement {
+  std::string_view text;     ///< authors, title, place, year
+  std::string_view says;     ///< of SOMS or of what it rests on, in our words
+  std::string_view settles;  ///< of what the thesis leaves open, or that it settles nothing
+};
+
+[[nodiscard]] std::span<const Restatement> restatements();
 
 }  // namespace soms::reproduce

@@ -32,7 +32,8 @@ constexpr std::string_view kOtherVolumes =
     "Literature review of bounding volumes that the thesis does not use: its trees have boxes "
     "along the axes.";
 constexpr std::string_view kOnlyTitle =
-    "A diagram of which only the title is public: the caption does not say what is in it.";
+    "A diagram of which only the title was available to us: the caption does not say what is in "
+    "it.";
 
 constexpr ThesisItem literature(std::string_view number, std::string_view subject) {
   return {.kind = ThesisItemKind::table,

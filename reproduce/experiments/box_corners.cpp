@@ -270,7 +270,7 @@ Result figure_4_10(const Context&) {
       {.id = "figure_4_10",
        .caption = "Numbers of the corners of a box, from which its faces are drawn: "
                   "1 for the greatest x, 2 for the greatest y, 4 for the greatest z. "
-                  "The numbers are ours; those of the thesis are not public.",
+                  "The numbers are ours; those of the thesis were not available to us.",
        .svg = draw_corners("The numbers of a box's corners",
                            "Below or above each number: in binary, bits zyx", set, label),
        .alt = "A box whose corners have the numbers 0 to 7."}};
@@ -337,7 +337,7 @@ Result figure_4_12(const Context&) {
        .caption =
            "Six quadrilaterals and the order in which each reads its corners (GL_QUADS takes "
            "four calls of glVertex3f a face). Drawn from the caption with our numbers of "
-           "figure 4.10; the order of the thesis is not public.",
+           "figure 4.10; the order of the thesis was not available to us.",
        .svg = svg.document(),
        .alt = "Six pictures of one box; in each a face is filled and arrows run around it."}};
   result.tables = {std::move(table)};

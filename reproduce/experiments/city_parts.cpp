@@ -183,7 +183,7 @@ Result figure_4_40(const Context& context) {
                                           quarters.extent.x, quarters.extent.y),
                    .svg = draw(drawing),
                    .alt = alt}},
-      .remarks = {"Which part the thesis calls part 1 is not public."}};
+      .remarks = {"Which part the thesis calls part 1 was not available to us."}};
 }
 
 }  // namespace soms::reproduce

@@ -149,7 +149,7 @@ Result claim_balanced(const Context& context) {
                   "unbalanced tree\"",
               .why = std::string(kReason),
               .settles =
-                  "what the thesis calls balanced: the public text counts leaves of fewer than "
+                  "what the thesis calls balanced: the text counts leaves of fewer than "
                   "five triangles (tables 5.4 and 5.10) and speaks of balanced levels, but "
                   "defines neither; here the tree of the higher balanced level is the more "
                   "balanced one (ours)"};

@@ -87,6 +87,18 @@ Table unjudged_table() {
   return table;
 }
 
+Table restatements_table() {
+  Table table{.id = "sources_restatements",
+              .caption =
+                  "Later texts of the author on the same subject, as far as they were available to "
+                  "us: what they say, and what that settles.",
+              .columns = {{"text"}, {"says"}, {"settles"}}};
+  for (const Restatement& one : restatements()) {
+    table.rows.push_back({std::string(one.text), std::string(one.says), std::string(one.settles)});
+  }
+  return table;
+}
+
 }  // namespace
 
 Result coverage(const Context&) {
@@ -108,13 +120,14 @@ Result coverage(const Context&) {
           .remarks = {coverage_sentence(entries, ThesisItemKind::table, kThesisTables),
                       coverage_sentence(entries, ThesisItemKind::figure, kThesisFigures),
                       "Shown means: the same subject on our models by our code. Where only a "
-                      "caption is public, the drawing is ours."}};
+                      "caption was available to us, the drawing is ours."}};
 }
 
 Result sources(const Context&) {
   const std::vector<SourcedOption> options = sourced_options();
   return {
-      .tables = {options_table(options), contradictions_table(), unjudged_table()},
+      .tables = {options_table(options), contradictions_table(), unjudged_table(),
+                 restatements_table()},
       .remarks = {fmt::format(
           "Of {} options {} are stated, {} follow from a caption or heading, {} are ours. The item "
           "options shows what they change.",

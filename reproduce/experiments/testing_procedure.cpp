@@ -97,7 +97,7 @@ Result figure_5_1(const Context&) {
       .figures = {{.id = "figure_5_1",
                    .caption = "The testing procedure: sections of the thesis, in order, and the "
                               "items of this program that run them again. The chart of the "
-                              "thesis itself is not public.",
+                              "thesis itself was not available to us.",
                    .svg = draw_stages("Testing procedure"),
                    .alt = alt}}};
 }

@@ -223,7 +223,7 @@ Result figure_4_37(const Context& context) {
        .heading = fmt::format("test right, {}, SOMS, all frames", object.name)},
       std::move(table));
   result.remarks = {
-      "Which rule the thesis uses is not public; its figures 5.6 to 5.8 are made here "
+      "Which rule the thesis uses was not available to us; its figures 5.6 to 5.8 are made here "
       "with the larger volume."};
   return result;
 }

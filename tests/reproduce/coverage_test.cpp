@@ -186,6 +186,14 @@ TEST(Sources, UnjudgedStatementsSayWhyAndNameItems) {
   EXPECT_EQ(cell(table, 0, "where"), "section 1.6");
 }
 
+TEST(Sources, RestatementsSayWhatTheySettle) {
+  const Table table = table_of(run_quick("sources", {}), "sources_restatements");
+  ASSERT_EQ(table.rows.size(), restatements().size());
+  for (const Restatement& one : restatements()) {
+    EXPECT_FALSE(one.text.empty() || one.says.empty() || one.settles.empty()) << one.text;
+  }
+}
+
 TEST(Sources, TheRemarkCountsWhatTheTableSays) {
   const Result result = run_quick("sources", {});
   const Table table = table_of(result, "sources_options");

@@ -11,7 +11,7 @@ REQUIRED = {"cff-version", "message", "title", "authors"}
 KEYS = REQUIRED | {"abstract", "type", "version", "license", "keywords", "references", "date-released",
                    "repository-code", "url", "doi", "identifiers", "preferred-citation", "contact", "commit"}
 OF_REFERENCES = {"type", "title", "authors", "institution", "year", "thesis-type", "url", "doi", "notes",
-                 "abstract", "languages"}
+                 "abstract", "languages", "journal", "volume", "issue", "start", "end"}
 OF_PERSONS = {"family-names", "given-names", "name-particle", "name-suffix", "affiliation", "orcid"}
 
 
