@@ -1,6 +1,7 @@
 #include "soms/base/text.h"
 
 #include "apps/support/look.h"
+#include "reproduce/claims_overview.h"
 #include "reproduce/claims_section.h"
 #include "reproduce/html.h"
 #include "reproduce/page_style.h"
@@ -55,8 +56,9 @@ class Page {
   std::string write() {
     head();
     out_ += load_warning(report_.load);
-    out_ += claims_section(report_);
+    out_ += claims_overview(report_);
     out_ += questions_section(report_);
+    out_ += claims_section(report_);
     contents();
     how_it_was_run();
     out_ += report_.golden ? markup_of(*report_.golden) : std::string();

@@ -61,6 +61,17 @@ summary{cursor:pointer;color:var(--link)}
 details.item{margin:.15rem 0}details.item>summary>h3{display:inline;margin:0;font-size:1rem;
 font-weight:500}details.item[open]>summary>h3{font-size:1.12rem;font-weight:700}
 details.item[open]{margin:1rem 0 2rem}.anchor{scroll-margin-top:3rem}
+table.overview{width:100%}table.overview td:first-child{min-width:14rem}
+td.cells{line-height:1.2}
+.cell{display:inline-block;width:1.15rem;height:1.15rem;margin:1px;border-radius:.2rem;
+text-align:center;font-size:.75rem;line-height:1.15rem;font-weight:700;text-decoration:none;
+color:var(--paper)}
+.cell.holds{background:var(--good);color:var(--paper)}
+.cell.holds_on_some{background:var(--part);color:var(--paper)}
+.cell.undecided{background:var(--link);color:var(--paper)}
+.cell.does_not_hold{background:var(--bad);color:var(--paper)}
+.cell.cannot_be_checked{background:none;color:var(--open);box-shadow:inset 0 0 0 1px var(--open)}
+.cell.nearest{outline:2px solid var(--ink);outline-offset:-1px;margin:3px 2px}
 ol.questions{max-width:52rem;padding-left:1.6rem}ol.questions li{margin:.5rem 0}
 .changed{background:var(--soft);border-left:4px solid var(--link);padding:.6rem .9rem;
 max-width:none}
