@@ -218,15 +218,4 @@ const Race* find_race(std::span<const Race> races, const RaceTask& task, Builder
   return found == races.end() ? nullptr : &*found;
 }
 
-std::string not_the_object_of_948(const Model& model) {
-  constexpr std::size_t kTriangles = 948;
-  if (model.stand_in) {
-    return "the object of the thesis was not given; a stand-in was built";
-  }
-  const std::size_t triangles = model.mesh->triangles.size();
-  return triangles == kTriangles
-             ? ""
-             : fmt::format("the object has {} triangles, not {}", words(triangles), kTriangles);
-}
-
 }  // namespace soms::reproduce

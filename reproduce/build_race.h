@@ -103,7 +103,4 @@ struct RaceTask {
 [[nodiscard]] const Race* find_race(std::span<const Race> races, const RaceTask& task,
                                     Builder builder);
 
-/// Why nothing can be said here about the object of 948 triangles; empty if this may be it.
-[[nodiscard]] std::string not_the_object_of_948(const Model& model);
-
 }  // namespace soms::reproduce

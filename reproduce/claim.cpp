@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -75,42 +76,48 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
-/// " Nearest to the text (stop, inner axis): in 3 of 7."
-std::string nearest_words(const Claim& claim) {
+/// True if whole lines have enough rows together: one chance line decides nothing.
+bool has_whole_lines(const Claim& claim) {
   std::size_t rows = 0;
-  std::size_t hold = 0;
-  for (const ClaimRow& row : claim.rows) {
-    if (row.unjudged.empty() && is_nearest(claim, row)) {
-      ++rows;
-      hold += stand_of(row) == Verdict::holds ? 1U : 0U;
+  for (const std::vector<const ClaimRow*>& line : lines_of(claim)) {
+    std::size_t hold = 0;
+    std::size_t judged = 0;
+    std::set<std::string_view> subjects;
+    for (const ClaimRow* const row : line) {
+      if (row->unjudged.empty()) {
+        ++judged;
+        hold += stand_of(*row) == Verdict::holds ? 1U : 0U;
+        subjects.insert(row->subject);
+      }
     }
+    const bool enough = claim.scope == Scope::figure || subjects.size() >= kLeastSubjects;
+    rows += hold == judged && enough ? hold : 0;
   }
-  return rows == 0
-             ? std::string()
-             : fmt::format(" Nearest to the text ({}): in {} of {}.", claim.nearest, hold, rows);
-}
-
-/// True if all rows of a line that are judged hold, and there are some.
-bool has_whole_line(const Claim& claim) {
-  const auto lines = lines_of(claim);
-  return std::any_of(lines.begin(), lines.end(), [](const std::vector<const ClaimRow*>& line) {
-    const auto with = [&](Verdict stand) {
-      return std::count_if(line.begin(), line.end(),
-                           [&](const ClaimRow* row) { return stand_of(*row) == stand; });
-    };
-    return with(Verdict::holds) > 0 && with(Verdict::undecided) + with(Verdict::does_not_hold) == 0;
-  });
+  return rows >= kLeastRows;
 }
 
 }  // namespace
 
 bool is_nearest(const Claim& claim, const ClaimRow& row) {
-  return !claim.nearest.empty() && row.reading.starts_with(claim.nearest);
+  if (row.is_nearest || claim.nearest.empty() || !row.reading.starts_with(claim.nearest)) {
+    return row.is_nearest;
+  }
+  // "level 1" is not how "level 12" begins.
+  const std::string_view rest = std::string_view(row.reading).substr(claim.nearest.size());
+  return rest.empty() || std::isalnum(static_cast<unsigned char>(rest.front())) == 0;
+}
+
+bool rests_on_enough(const ClaimRow& /*row*/) {
+  return true;
 }
 
 Verdict stand_of(const ClaimRow& row) {
-  if (!row.unjudged.empty()) {
-    return Verdict::cannot_be_checked;
+  return row.unjudged.empty() ? stand_of_number(row) : Verdict::cannot_be_checked;
+}
+
+Verdict stand_of_number(const ClaimRow& row) {
+  if (!rests_on_enough(row)) {
+    return Verdict::undecided;
   }
   const Interval range = row.interval.value_or(Interval{row.value, row.value});
   const double low = written(range.low);
@@ -143,32 +150,54 @@ Verdict verdict_of(const Claim& claim) {
     return Verdict::cannot_be_checked;
   }
   if (hold > 0) {
-    return open + fail == 0        ? Verdict::holds
-           : has_whole_line(claim) ? Verdict::holds_under
-                                   : Verdict::holds_on_some;
+    return open + fail == 0         ? Verdict::holds
+           : has_whole_lines(claim) ? Verdict::holds_under
+                                    : Verdict::holds_on_some;
   }
   return open > 0 ? Verdict::undecided : Verdict::does_not_hold;
 }
 
+OnStandIns on_stand_ins(const Claim& claim) {
+  OnStandIns found;
+  for (const ClaimRow& row : claim.rows) {
+    if (row.on_stand_in) {
+      ++found.rows;
+      found.hold += stand_of_number(row) == Verdict::holds ? 1U : 0U;
+    }
+  }
+  return found;
+}
+
+std::string stand_in_words(const Claim& claim) {
+  const OnStandIns found = on_stand_ins(claim);
+  return found.rows == 0
+             ? std::string()
+             : fmt::format("On stand-ins, which decide nothing: {} of {} rows would hold.",
+                           found.hold, found.rows);
+}
+
+JudgedRows judged_rows(const Claim& claim) {
+  return {claim.rows.size() - count_of(claim, Verdict::cannot_be_checked),
+          count_of(claim, Verdict::holds)};
+}
+
 std::string share_words(const Claim& claim) {
-  const std::size_t judged = claim.rows.size() - count_of(claim, Verdict::cannot_be_checked);
-  return judged == 0 ? std::string()
-                     : fmt::format("{} of {} rows", count_of(claim, Verdict::holds), judged);
+  const JudgedRows rows = judged_rows(claim);
+  return rows.judged == 0 ? std::string() : fmt::format("{} of {} rows", rows.hold, rows.judged);
 }
 
 std::string where(const Claim& claim) {
-  const std::size_t judged = claim.rows.size() - count_of(claim, Verdict::cannot_be_checked);
+  const auto [judged, hold] = judged_rows(claim);
   if (judged == 0) {
     return "No row of its matrix can be judged.";
   }
   const std::size_t open = count_of(claim, Verdict::undecided);
-  std::string text = fmt::format("Holds in {} of {} rows{}.", count_of(claim, Verdict::holds),
-                                 judged, open == 0 ? "" : fmt::format(", undecided in {}", open));
+  std::string text = fmt::format("Holds in {} of {} rows{}.", hold, judged,
+                                 open == 0 ? "" : fmt::format(", undecided in {}", open));
   const Verdict verdict = verdict_of(claim);
   if (verdict != Verdict::holds_under && verdict != Verdict::holds_on_some) {
     return text;
   }
-  text += nearest_words(claim);
   std::vector<std::string> everywhere;
   std::vector<std::string> somewhere;
   std::vector<std::string> nowhere;
@@ -226,6 +255,10 @@ std::string_view name(Verdict verdict) {
       "holds on some subjects",       "undecided",
       "does not hold in any reading", "cannot be checked"};
   return kNames[static_cast<std::size_t>(verdict)];
+}
+
+std::string_view name(Scope scope) {
+  return scope == Scope::figure ? "figure" : "comparison";
 }
 
 ClaimRow counted_row(std::string reading, std::string metric, std::string subject, std::string unit,

@@ -4,6 +4,7 @@
 
 #include "reproduce/claim.h"
 #include "reproduce/html.h"
+#include "reproduce/nearest_verdict.h"
 
 #include <fmt/format.h>
 
@@ -99,12 +100,18 @@ std::string cells_of(const Claim& claim, std::string_view item) {
   return html;
 }
 
+std::string verdict_cell(const std::string& badge, const std::string& share) {
+  return fmt::format("<td class=\"verdict\">{}<br><span class=\"faint\">{}</span></td>", badge,
+                     share);
+}
+
 std::string row_of(const Claim& claim, std::string_view item) {
+  const NearestVerdict nearest = nearest_of(claim);
   return fmt::format(
-      "<tr><td><a href=\"#claim-{}\">{}</a></td><td class=\"verdict\">{}<br><span "
-      "class=\"faint\">{}</span></td><td class=\"cells\">{}</td></tr>\n",
-      xml_text(claim.id), xml_text(claim.statement), badge(verdict_of(claim)), share_words(claim),
-      cells_of(claim, item));
+      "<tr><td><a href=\"#claim-{}\">{}</a></td>{}{}<td class=\"cells\">{}</td></tr>\n",
+      xml_text(claim.id), xml_text(claim.statement),
+      verdict_cell(badge(nearest.stand), share_words(nearest)),
+      verdict_cell(badge(verdict_of(claim)), share_words(claim)), cells_of(claim, item));
 }
 
 /// What cells mean, each sign once.
@@ -132,7 +139,8 @@ std::string claims_overview(const Report& report) {
   return rows.empty() ? rows
                       : fmt::format(
                             "<h2 id=\"overview\">All claims, reading by reading</h2>\n"
-                            "<table class=\"overview\">\n<thead><tr><th>claim</th><th>verdict</th>"
+                            "<table class=\"overview\">\n<thead><tr><th>claim</th><th>nearest to "
+                            "the text</th><th>over all readings</th>"
                             "<th>readings</th></tr></thead>\n<tbody>\n{}</tbody>\n</table>\n{}",
                             rows, key());
 }

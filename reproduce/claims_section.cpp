@@ -3,12 +3,14 @@
 #include "soms/base/text.h"
 
 #include "reproduce/html.h"
+#include "reproduce/nearest_verdict.h"
 #include "reproduce/page_table.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <iterator>
 #include <string_view>
 #include <utility>
@@ -18,23 +20,42 @@ namespace soms::reproduce {
 
 namespace {
 
-/// How a verdict follows, for the reader; the header of claim.h has the same rule.
+/// How a verdict follows, for the reader; the headers of claim.h, nearest_verdict.h and
+/// judged_subjects.h have the same rules.
 constexpr std::string_view kRule =
     "<p>A claim is read in every way that the thesis leaves open and by every metric that fits its "
     "words. Each row of its matrix is one reading by one metric on one subject, a model or a trip: "
     "a number, the range that the claim demands of it and, where it is measured, its interval of "
-    "95 "
-    "% (seeded bootstrap over paired rounds of processor time, ratios widened by 2 % at either end "
-    "for what differs from process to process). A row holds if all of the interval lies in the "
-    "range, fails if all of it lies outside, and is undecided if it lies across an end. The claim "
-    "<em>holds in all readings</em> if every row holds; <em>holds under some readings</em> if a "
-    "reading by a metric holds on all its subjects; <em>holds on some subjects</em> if rows hold, "
-    "but no reading by a metric does on all of them; <em>does not hold in any reading</em> if "
-    "every "
-    "row fails; is <em>undecided</em> if no row holds and some are undecided; and <em>cannot be "
-    "checked</em> if there is no row to judge. Rows that are shown but not judged say why. Counts "
-    "are the same in every run. Of measured rows a few in a hundred may stand otherwise in another "
-    "run, and more on another machine or with another compiler.</p>\n";
+    "95 % (seeded bootstrap over paired rounds of processor time, ratios widened by 2 % at either "
+    "end for what differs from process to process). A row holds if all of the interval lies in the "
+    "range, fails if all of it lies outside, and is undecided if it lies across an end. A claim "
+    "has "
+    "two verdicts.</p>\n"
+    "<p><strong>Nearest to the text</strong>: of the readings that take all that the text or a "
+    "caption states as it states it, and the rest at the defaults. The share is that of the judged "
+    "rows that hold, with its Wilson interval of 95 %: its low end counts the rows that hold, its "
+    "high end those that are undecided, too. Rows of one model are not independent draws, so the "
+    "interval is at least so wide. The claim <em>holds</em> if every row holds and <em>fails</em> "
+    "if every row fails; else it <em>mostly holds</em> if the low end is above one half, "
+    "<em>mostly "
+    "fails</em> if the high end is below it, is <em>mixed</em> if rows hold and fail, and "
+    "<em>undecided</em> otherwise. A comparison on fewer than three subjects or in fewer than "
+    "three "
+    "rows has <em>too few rows</em>; a figure needs one.</p>\n"
+    "<p><strong>Over all readings</strong>: the claim <em>holds in all readings</em> if every row "
+    "holds; <em>holds under some readings</em> if readings by a metric hold on all their subjects, "
+    "with at least three rows together and, for a comparison, three subjects each; <em>holds on "
+    "some subjects</em> if rows hold, but too few in such readings; <em>does not hold in any "
+    "reading</em> if every row fails; is <em>undecided</em> if no row holds and some are "
+    "undecided. Either verdict is <em>cannot be checked</em> if there is no row to judge.</p>\n"
+    "<p><strong>What is judged</strong> follows one rule in every claim. A figure, a number that "
+    "the thesis states of a model, is judged only on the model that it names, if it is given. A "
+    "comparison speaks of models in general and is judged on every model, stand-ins included. Rows "
+    "that are left out only because their model is a stand-in are counted beside the verdict. Toy "
+    "sets, which this project made to show a picture, are shown and never judged. Rows that are "
+    "shown but not judged say why. Counts are the same in every run. Of measured rows a few in a "
+    "hundred may stand otherwise in another run, and more on another machine or with another "
+    "compiler.</p>\n";
 
 /// The words of the matrices, for a reader who meets them here first.
 constexpr std::string_view kWords =
@@ -135,34 +156,55 @@ std::string unjudged_words(const Claim& claim) {
   return html;
 }
 
+/// Those that are not empty, one after the other.
+std::string joined_sentences(const std::vector<std::string>& sentences) {
+  std::string text;
+  for (const std::string& one : sentences) {
+    text += fmt::format("{}{}", text.empty() || one.empty() ? "" : " ", one);
+  }
+  return text;
+}
+
 std::string row_of(const Tested& tested) {
   const auto& [claim, experiment] = tested;
+  const NearestVerdict nearest = nearest_of(*claim);
   return fmt::format(
       "<tr id=\"claim-{}\"><td>{} <span class=\"faint\">({})</span></td>"
-      "<td class=\"verdict\">{}<br><span class=\"faint\">{}</span></td><td>{}{} <a "
+      "<td class=\"verdict\">{}<br><span class=\"faint\">{}</span></td>"
+      "<td class=\"verdict\">{}<br><span class=\"faint\">{}</span></td><td>{} {} <a "
       "href=\"#item-{}\">Matrix of {}, and "
       "why</a></td></tr>\n",
       xml_text(claim->id), xml_text(claim->statement), xml_text(claim->source),
-      badge(verdict_of(*claim)), share_words(*claim), xml_text(where(*claim)),
-      claim->note.empty() ? std::string() : fmt::format(" {}", xml_text(claim->note)),
+      badge(nearest.stand), share_words(nearest), badge(verdict_of(*claim)), share_words(*claim),
+      xml_text(words_of(nearest)),
+      xml_text(joined_sentences({where(*claim), stand_in_words(*claim), claim->note})),
       xml_text(experiment->item), counted(claim->rows.size(), "row"));
 }
 
-/// "3 hold in all readings, ...": how many claims have each verdict.
-std::string tally(const std::vector<Tested>& claims) {
-  std::array<std::size_t, kVerdictCount> counts = {};
+/// How many claims have each verdict: "3 [holds], 2 [mixed]".
+template <typename Stand, std::size_t kCount, typename StandOf>
+std::string tally(const std::vector<Tested>& claims, const StandOf& stand_of_claim) {
+  std::array<std::size_t, kCount> counts = {};
   for (const Tested& tested : claims) {
-    ++counts[static_cast<std::size_t>(verdict_of(*tested.first))];
+    ++counts.at(static_cast<std::size_t>(stand_of_claim(*tested.first)));
   }
-  std::string html = fmt::format("<p>{}:", counted(claims.size(), "claim"));
-  std::string_view comma;
+  std::string html;
   for (std::size_t k = 0; k < counts.size(); ++k) {
-    if (counts[k] > 0) {
-      html += fmt::format("{} {} {}", comma, counts[k], badge(static_cast<Verdict>(k)));
-      comma = ",";
+    if (counts.at(k) > 0) {
+      html += fmt::format("{}{} {}", html.empty() ? "" : ", ", counts.at(k),
+                          badge(static_cast<Stand>(k)));
     }
   }
-  return html + ".</p>\n";
+  return html;
+}
+
+std::string tallies(const std::vector<Tested>& claims) {
+  return fmt::format(
+      "<p>{}. Nearest to the text: {}. Over all readings: {}.</p>\n",
+      counted(claims.size(), "claim"),
+      tally<NearestStand, kNearestStandCount>(
+          claims, [](const Claim& claim) { return nearest_of(claim).stand; }),
+      tally<Verdict, kVerdictCount>(claims, [](const Claim& claim) { return verdict_of(claim); }));
 }
 
 /// How the first edition of the page named a verdict.
@@ -195,10 +237,13 @@ std::string revisions(const std::vector<Tested>& claims) {
 }  // namespace
 
 std::string claim_part(const Claim& claim, PageFiles files) {
-  std::string html =
-      fmt::format("<p><strong>{}</strong> <span class=\"faint\">({})</span> {}</p>\n<p>{}</p>\n",
-                  xml_text(sentence(claim.statement)), xml_text(claim.source),
-                  badge(verdict_of(claim)), xml_text(where(claim)));
+  const NearestVerdict nearest = nearest_of(claim);
+  std::string html = fmt::format(
+      "<p><strong>{}</strong> <span class=\"faint\">({})</span></p>\n<p>{} {}</p>\n"
+      "<p>Over all readings: {} {}</p>\n",
+      xml_text(sentence(claim.statement)), xml_text(claim.source), badge(nearest.stand),
+      xml_text(words_of(nearest)), badge(verdict_of(claim)),
+      xml_text(joined_sentences({where(claim), stand_in_words(claim)})));
   if (!claim.note.empty()) {
     html += fmt::format("<p>{}</p>\n", xml_text(claim.note));
   }
@@ -225,20 +270,21 @@ std::string claims_section(const Report& report) {
   if (claims.empty()) {
     return html + "<p>None of the experiments of this run tests a claim of the thesis.</p>\n";
   }
-  html += tally(claims) + revisions(claims);
+  html += tallies(claims) + revisions(claims);
   html += fmt::format(
       "<details>\n<summary>How a verdict follows, and what the words mean</summary>\n"
       "{}{}</details>\n",
       kRule, kWords);
   html +=
-      "<table class=\"claims\">\n<thead><tr><th>claim</th><th>verdict</th><th>where it holds</th>"
-      "</tr></thead>\n<tbody>\n";
+      "<details>\n<summary>Each claim in words: where it holds</summary>\n<table "
+      "class=\"claims\">\n<thead><tr><th>claim</th><th>nearest to the text</th><th>over all "
+      "readings</th><th>where it holds</th></tr></thead>\n<tbody>\n";
   for (const Tested& tested : claims) {
     html += row_of(tested);
   }
   return html +
-         "</tbody>\n</table>\n<p class=\"note\">Times are in italics: they differ from run to "
-         "run and from machine to machine.</p>\n";
+         "</tbody>\n</table>\n</details>\n<p class=\"note\">Times are in italics: they differ from "
+         "run to run and from machine to machine.</p>\n";
 }
 
 }  // namespace soms::reproduce

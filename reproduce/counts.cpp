@@ -258,11 +258,4 @@ std::string short_title(const Model& model) {
   return model.title.empty() ? model.name : model.title.substr(0, model.title.find(" ("));
 }
 
-const Model* original_of(std::span<const Model> models, std::size_t triangles) {
-  const auto found = std::find_if(models.begin(), models.end(), [&](const Model& model) {
-    return !model.stand_in && model.mesh->triangles.size() == triangles;
-  });
-  return found == models.end() ? nullptr : &*found;
-}
-
 }  // namespace soms::reproduce

@@ -94,8 +94,4 @@ struct Counted {
 /// The model's title without what stands in brackets; its name if it has no title.
 [[nodiscard]] std::string short_title(const Model& model);
 
-/// The model of this number of triangles that is not known to be a stand-in: the first of `models`
-/// that has it, or nullptr.
-[[nodiscard]] const Model* original_of(std::span<const Model> models, std::size_t triangles);
-
 }  // namespace soms::reproduce

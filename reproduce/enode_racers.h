@@ -46,6 +46,11 @@ struct Pairing {
 inline constexpr std::string_view kNearestEnode =
     "family test, both nodes, against Larsson's (simultaneous)";
 
+inline constexpr std::string_view kWhyNearestEnode =
+    "The caption of figure 5.10 names Larsson's traversal as the opponent, and the name of E-Node "
+    "says that nodes are detected earlier, by testing a family before entering it; the text does "
+    "not say how either is programmed, so all four ways are alike near.";
+
 /// "family test, both nodes, against Larsson's (simultaneous): stack / stack".
 [[nodiscard]] std::string reading_of(const Pairing& pairing);
 

@@ -16,6 +16,16 @@ constexpr std::array<std::string_view, kVerdictCount> kSigns{"&#10003;", "&#8776
 constexpr std::array<std::string_view, kVerdictCount> kClasses{
     "holds", "holds_under", "holds_on_some", "undecided", "does_not_hold", "cannot_be_checked"};
 
+constexpr std::array<std::string_view, kNearestStandCount> kNearestSigns{
+    "&#10003;", "&#8776;", "&#8764;", "&#177;", "&#8777;", "&#10007;", "&#8230;", "&#63;"};
+constexpr std::array<std::string_view, kNearestStandCount> kNearestClasses{
+    "holds",        "mostly_holds",  "mixed",        "undecided",
+    "mostly_fails", "does_not_hold", "too_few_rows", "cannot_be_checked"};
+
+std::string badge_of(std::string_view style, std::string_view sign, std::string_view words) {
+  return fmt::format("<span class=\"badge {}\">{} {}</span>", style, sign, words);
+}
+
 }  // namespace
 
 std::string counted(std::size_t count, std::string_view noun) {
@@ -24,12 +34,19 @@ std::string counted(std::size_t count, std::string_view noun) {
 }
 
 std::string badge(Verdict verdict) {
-  return fmt::format("<span class=\"badge {}\">{} {}</span>", class_of(verdict),
-                     kSigns[static_cast<std::size_t>(verdict)], name(verdict));
+  return badge_of(class_of(verdict), kSigns[static_cast<std::size_t>(verdict)], name(verdict));
+}
+
+std::string badge(NearestStand stand) {
+  return badge_of(class_of(stand), kNearestSigns[static_cast<std::size_t>(stand)], name(stand));
 }
 
 std::string_view class_of(Verdict verdict) {
   return kClasses[static_cast<std::size_t>(verdict)];
+}
+
+std::string_view class_of(NearestStand stand) {
+  return kNearestClasses[static_cast<std::size_t>(stand)];
 }
 
 std::string sentence(std::string words) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "reproduce/claim.h"
+#include "reproduce/nearest_verdict.h"
 
 #include <cstddef>
 #include <string>
@@ -15,9 +16,11 @@ namespace soms::reproduce {
 
 /// A verdict in a colored frame, with a sign so that color is not all that tells them apart.
 [[nodiscard]] std::string badge(Verdict verdict);
+[[nodiscard]] std::string badge(NearestStand stand);
 
 /// A class of style sheet for a verdict: its color.
 [[nodiscard]] std::string_view class_of(Verdict verdict);
+[[nodiscard]] std::string_view class_of(NearestStand stand);
 
 /// Words as a sentence: with a stop at the end.
 [[nodiscard]] std::string sentence(std::string words);

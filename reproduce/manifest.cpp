@@ -1,4 +1,5 @@
 #include "reproduce/latex.h"
+#include "reproduce/nearest_verdict.h"
 #include "reproduce/report.h"
 
 #include <fmt/format.h>
@@ -71,15 +72,36 @@ Json files_of(const Entry& entry, bool latex) {
   return files;
 }
 
+Json nearest_json(const NearestVerdict& nearest) {
+  const NearestRows& rows = nearest.rows;
+  return {{"options", nearest.options},
+          {"why", nearest.why},
+          {"verdict", name(nearest.stand)},
+          {"rows", rows.judged()},
+          {"hold", rows.hold},
+          {"undecided", rows.open},
+          {"fail", rows.fail},
+          {"subjects", rows.subjects},
+          {"share", rows.judged() == 0 ? Json(nullptr)
+                                       : Json::array({nearest.share.low, nearest.share.high})}};
+}
+
 Json claims_of(const Result& result) {
   Json list = Json::array();
   for (const Claim& claim : result.claims) {
+    const OnStandIns stand_ins = on_stand_ins(claim);
+    const JudgedRows rows = judged_rows(claim);
     list.push_back({{"id", claim.id},
                     {"claim", claim.statement},
                     {"source", claim.source},
+                    {"scope", name(claim.scope)},
+                    {"nearest", nearest_json(nearest_of(claim))},
                     {"verdict", name(verdict_of(claim))},
                     {"where", where(claim)},
+                    {"on_stand_ins", {{"rows", stand_ins.rows}, {"hold", stand_ins.hold}}},
                     {"rows", claim.rows.size()},
+                    {"judged", rows.judged},
+                    {"hold", rows.hold},
                     {"matrix", file_of(claim_table(claim)).generic_string()},
                     {"timed", is_timed(claim)}});
   }

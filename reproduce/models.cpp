@@ -335,11 +335,15 @@ std::vector<fs::path> Finder::city_files() {
   if (folder_.empty()) {
     return {};
   }
-  std::error_code error;
-  const bool apart = fs::is_directory(folder_ / "cities", error);
-  std::vector<fs::path> files = files_in(apart ? folder_ / "cities" : folder_, ".ply");
-  files.erase(std::remove_if(files.begin(), files.end(), is_object), files.end());
-  return files;
+  std::vector<fs::path> others = files_in(folder_, ".ply");
+  others.erase(std::remove_if(others.begin(), others.end(), is_object), others.end());
+  if (!others.empty()) {
+    models_.remarks.push_back(
+        joined({folder_.string(), ": its other .ply files (", std::to_string(others.size()),
+                ") were not used as cities; cities are read from its folder "
+                "cities"}));
+  }
+  return files_in(folder_ / "cities", ".ply");
 }
 
 void Finder::find_cities(const std::vector<fs::path>& files) {

@@ -81,8 +81,7 @@ inline constexpr std::string_view kModelsHelp =
     "  objects   bun_zipper_res4.ply, venus.ply, teapot_1177.ply, teapot.ply,\n"
     "            there or in its folder ply\n"
     "  scenes    all .3ds files there or in its folder scenes\n"
-    "  cities    all .ply files in its folder cities; if it has none, the other\n"
-    "            .ply files there\n"
+    "  cities    all .ply files in its folder cities\n"
     "A missing object and the scenes are generated, and the page says so.\n";
 
 /// Finds the models.
@@ -90,8 +89,8 @@ inline constexpr std::string_view kModelsHelp =
 /// Objects are read from the files of their names in `folder` or its subfolder `ply`. Scenes are
 /// all .3ds files of `folder` and of its subfolder `scenes`; other subfolders may hold anything and
 /// are left alone, which a remark tells of `3ds`. Cities are all .ply files of the subfolder
-/// `cities` or, where there is none, those of `folder` that are no objects. An empty path means
-/// that all is generated.
+/// `cities`; a remark tells of those of `folder` that are no objects. An empty path means that all
+/// is generated.
 ///
 /// A file that is missing or cannot be read is named in Model::trouble of the stand-in that takes
 /// its place (of two teapots one may be missing; for scenes of the user that cannot be read u_mixed

@@ -3,7 +3,6 @@
 #include "soms/tree/build.h"
 #include "soms/tree/option_names.h"
 
-#include "reproduce/counts.h"
 #include "reproduce/levels.h"
 
 #include <fmt/format.h>
@@ -49,20 +48,6 @@ TreeStatistics counts_of(const Mesh& mesh, Rule rule, int level, const OpenOptio
                          const Parallel& parallel) {
   const BuildOptions options = options_of(rule, level, open);
   return statistics(build(mesh, options, {1, parallel.stop, {}}), options);
-}
-
-std::string not_of_thesis(const Model& model, std::size_t triangles) {
-  if (model.stand_in) {
-    return fmt::format(
-        "the thesis' own model of {} triangles was not given, and a stand-in shows "
-        "nothing about it",
-        words(triangles));
-  }
-  if (model.mesh->triangles.size() != triangles) {
-    return fmt::format("the claim is about a model of {} triangles, and this is another",
-                       words(triangles));
-  }
-  return "";
 }
 
 }  // namespace soms::reproduce

@@ -61,8 +61,4 @@ struct Leveled {
 [[nodiscard]] TreeStatistics counts_of(const Mesh& mesh, Rule rule, int level,
                                        const OpenOptions& open, const Parallel& parallel);
 
-/// Why a row about the thesis' own model of so many triangles is not judged on this one; empty if
-/// it may be that model.
-[[nodiscard]] std::string not_of_thesis(const Model& model, std::size_t triangles);
-
 }  // namespace soms::reproduce

@@ -44,8 +44,9 @@ table.claims td.verdict{min-width:0}
 table.claims tbody tr:nth-child(even){background:var(--soft)}
 .badge{display:inline-block;border:1.5px solid currentColor;border-radius:1rem;
 padding:.05rem .6rem;font-size:.85rem;font-weight:600;white-space:nowrap}
-.holds{color:var(--good)}.holds_under,.holds_on_some{color:var(--part)}.undecided{color:var(--link)}
-.does_not_hold{color:var(--bad)}.cannot_be_checked{color:var(--open)}
+.holds,.mostly_holds{color:var(--good)}.holds_under,.holds_on_some,.mixed{color:var(--part)}
+.undecided{color:var(--link)}.does_not_hold,.mostly_fails{color:var(--bad)}
+.cannot_be_checked,.too_few_rows{color:var(--open)}.mostly_holds,.mostly_fails{border-style:dashed}
 .mark{display:inline-block;border:1px dashed var(--warn-line);background:var(--warn);
 border-radius:.3rem;padding:0 .4rem;font-size:.82rem;white-space:nowrap}
 nav ul{list-style:none;padding:0;columns:22rem;column-gap:2rem;max-width:none;margin:.3rem 0 1rem}
@@ -80,7 +81,8 @@ table.matrix td{min-width:0}table.matrix td:nth-child(-n+2){min-width:11rem}tabl
 @media (max-width:40rem){table.claims,table.claims tbody,table.claims tr,table.claims td
 {display:block}table.claims thead{display:none}table.claims tr{padding:.6rem 0}
 table.claims td{border:0;padding:.15rem .25rem}table.claims td:first-child{font-weight:600}
-table.claims td:nth-child(2)::before{content:"Measured: ";color:var(--faint)}}
+table.claims td:nth-child(2)::before{content:"Nearest to the text: ";color:var(--faint)}
+table.claims td:nth-child(3)::before{content:"Over all readings: ";color:var(--faint)}}
 )css";
 
 }  // namespace soms::reproduce

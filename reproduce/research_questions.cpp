@@ -3,6 +3,7 @@
 #include "soms/base/text.h"
 
 #include "reproduce/html.h"
+#include "reproduce/nearest_verdict.h"
 
 #include <fmt/format.h>
 
@@ -86,15 +87,16 @@ class NamedRow {
   const std::vector<Cell>& row_;
 };
 
-/// "that ... (abstract): holds, in 7 of 7 rows": how a claim stands; empty if it was not tested.
+/// How the reading nearest to the text stands of a claim; empty if it was not tested.
 std::string stand_words(const Report& report, std::string_view id) {
   const Claim* const claim = claim_of(report, id);
   if (claim == nullptr) {
     return "";
   }
-  const std::string share = share_words(*claim);
-  return fmt::format(" &#8220;<a href=\"#claim-{}\">{}</a>&#8221; {}{}.", xml_text(id),
-                     xml_text(claim->statement), name(verdict_of(*claim)),
+  const NearestVerdict nearest = nearest_of(*claim);
+  const std::string share = share_words(nearest);
+  return fmt::format(" &#8220;<a href=\"#claim-{}\">{}</a>&#8221;: {}{}.", xml_text(id),
+                     xml_text(claim->statement), name(nearest.stand),
                      share.empty() ? "" : fmt::format(" ({})", share));
 }
 
@@ -261,7 +263,8 @@ std::string links(const Report& report, const Question& question) {
 std::string questions_section(const Report& report) {
   std::string html =
       "<h2 id=\"questions\">The research questions, answered</h2>\n<p class=\"note\">Section 1.2 "
-      "of the thesis asks seven; they are shortened here.</p>\n<ol class=\"questions\">\n";
+      "of the thesis asks seven; they are shortened here. "
+      "Claims stand by the reading nearest to the text.</p>\n<ol class=\"questions\">\n";
   for (const Question& question : kQuestions) {
     const std::string tables = links(report, question);
     html +=

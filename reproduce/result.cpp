@@ -90,17 +90,19 @@ Table claim_table(const Claim& claim) {
                   {"high", "", kind},
                   {"rounds"},
                   {"stands", "", kind},
-                  {"unjudged"}}};
+                  {"unjudged"},
+                  {"on_stand_in"}}};
   for (const ClaimRow& row : claim.rows) {
     const auto bound = [](double end) { return std::isinf(end) ? Cell{} : Cell{end}; };
+    const auto yes_if = [](bool is) { return std::string(is ? "yes" : ""); };
     const auto end_of = [&](double Interval::*end) {
       return row.interval ? Cell{(*row.interval).*end} : Cell{};
     };
-    table.rows.push_back({row.metric, row.reading, std::string(is_nearest(claim, row) ? "yes" : ""),
-                          row.subject, row.unit, bound(row.demand.above), bound(row.demand.below),
-                          row.value, end_of(&Interval::low), end_of(&Interval::high),
+    table.rows.push_back({row.metric, row.reading, yes_if(is_nearest(claim, row)), row.subject,
+                          row.unit, bound(row.demand.above), bound(row.demand.below), row.value,
+                          end_of(&Interval::low), end_of(&Interval::high),
                           row.rounds == 0 ? Cell{} : Cell{std::int64_t{row.rounds}},
-                          std::string(stand_word(row)), row.unjudged});
+                          std::string(stand_word(row)), row.unjudged, yes_if(row.on_stand_in)});
   }
   return table;
 }

@@ -53,8 +53,10 @@ struct Result {
 };
 
 /// The matrix of a claim as a table "claim_ID": a row for each of its rows, with the ends of the
-/// range that is demanded (`above`, `below`; empty where there is none) and how the row stands. The
-/// verdict follows from the columns `value`, `low`, `high`, `above`, `below` and `unjudged` alone.
+/// range that is demanded (`above`, `below`; empty where there is none) and how the row stands.
+/// Both verdicts follow from the columns `value`, `low`, `high`, `above`, `below`, `unjudged`,
+/// `subject` and `nearest` and from the claim's scope; `on_stand_in` marks rows that are not judged
+/// for no other reason than that their model is a stand-in.
 [[nodiscard]] Table claim_table(const Claim& claim);
 
 /// The same for readers on paper, "matrix_ID": a line for each metric and reading, a column for

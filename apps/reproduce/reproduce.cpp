@@ -10,6 +10,7 @@
 #include "apps/support/parse.h"
 #include "apps/support/suggest.h"
 #include "apps/support/text.h"
+#include "reproduce/nearest_verdict.h"
 #include "reproduce/report.h"
 
 #include <CLI/CLI.hpp>
@@ -154,13 +155,14 @@ reproduce::Report run_experiments(const ReproduceOptions& options, const reprodu
   });
 }
 
-/// The verdicts, a line each; what was measured, and why, is on the page.
+/// The verdicts, a line each: of the reading nearest to the text, and over all readings. What was
+/// measured, and why, is on the page.
 std::string summary(const reproduce::Report& report, const ReproduceOptions& options) {
   std::string text;
   for (const reproduce::Entry& entry : report.entries) {
     for (const reproduce::Claim& claim : entry.result.claims) {
-      text += fmt::format("{:<31}{:<24}{}\n", name(verdict_of(claim)), entry.experiment->item,
-                          claim.statement);
+      text += fmt::format("{:<19}{:<31}{:<24}{}\n", name(nearest_of(claim).stand),
+                          name(verdict_of(claim)), entry.experiment->item, claim.statement);
     }
   }
   if (report.golden) {

@@ -12,6 +12,7 @@
 #include "reproduce/counts.h"
 #include "reproduce/experiments/experiments.h"
 #include "reproduce/grouped_bars.h"
+#include "reproduce/judged_subjects.h"
 #include "reproduce/open_options.h"
 #include "reproduce/steps.h"
 
@@ -19,6 +20,7 @@
 
 #include <array>
 #include <string_view>
+#include <utility>
 
 namespace soms::reproduce {
 
@@ -84,9 +86,9 @@ std::vector<ClaimRow> rows_of(std::span<const MeasuredBalance> measured) {
   std::vector<ClaimRow> rows;
   for (const Metric& metric : kMetrics) {
     for (const MeasuredBalance& one : measured) {
-      rows.push_back(counted_row(fmt::format("{}{}", metric.reading, one.reading), metric.name,
-                                 label_of(*one.model), "", {.above = 0},
-                                 metric.lead(one.soms, one.spatial)));
+      rows.push_back(counted_row(fmt::format("{}{}", metric.reading, one.reading), metric.name, {},
+                                 "", {.above = 0}, metric.lead(one.soms, one.spatial)));
+      set_subject(rows.back(), *one.model);
       rows.back().unjudged = axis_unjudged(one.soms_axis);
     }
   }
@@ -164,26 +166,31 @@ Result claim_balance(const Context& context) {
   const std::vector<Leveled> models = at_greatest_level(context.models);
   const std::vector<MeasuredBalance> measured = measure_all(models, context.parallel);
   const std::string usual = words_of(EmptySide::stop, AxisFrom::inner);
-  return {
-      .tables = {table_of(measured)},
-      .figures = {figure_of(measured, usual)},
-      .claims = {
-          {.id = "more_balanced",
-           .statement = "SOMS makes a more balanced tree than spatial median",
-           .source = "abstract; tables 5.4 and 5.10 and figure 4.2 by their captions",
-           .rows = rows_of(measured),
-           .nearest = fmt::format("{}{}", kBalanceMode, usual),
-           .note = fmt::format("With the reading {}: {}.", usual, leads_of(measured, usual)),
-           .why = fmt::format(
-               "Both rules halve a length, and neither counts triangles: which of the two halves "
-               "is fuller is a matter of the model. What SOMS has ahead is that it is not stuck "
-               "where one large triangle keeps spatial median from dividing at all, and there it "
-               "has more leaves with few triangles. Table claim_balance has the measures "
-               "themselves.{} Nor is a balanced level deeper with it; by even sides each node of a "
-               "chain counts like the undivided node at its head.",
-               kReadingWords),
-           .settles = "tables 5.4 and 5.10, which have the counts, and section 3.5.3, which says "
-                      "what a balanced level is"}}};
+  Claim claim{
+      .id = "more_balanced",
+      .statement = "SOMS makes a more balanced tree than spatial median",
+      .source = "abstract; tables 5.4 and 5.10 and figure 4.2 by their captions",
+      .rows = rows_of(measured),
+      .nearest = fmt::format("{}{}", kBalanceMode, usual),
+      .why_nearest =
+          "Tables 5.4 and 5.10 measure balance by leaves of fewer than five triangles; table 5.5 "
+          "counts nodes that cannot be divided, and the axis is that of the abstract in Malay.",
+      .note = fmt::format("With the reading {}: {}.", usual, leads_of(measured, usual)),
+      .why = fmt::format(
+          "Both rules halve a length, and neither counts triangles: which of the two halves is "
+          "fuller is a matter of the model. What SOMS has ahead is that it is not stuck where one "
+          "large triangle keeps spatial median from dividing at all, and there it has more leaves "
+          "with few triangles. Table claim_balance has the measures themselves.{} Nor is a "
+          "balanced level deeper with it; by even sides each node of a chain counts like the "
+          "undivided node at its head.",
+          kReadingWords),
+      .settles =
+          "tables 5.4 and 5.10, which have the counts, and section 3.5.3, which says what a "
+          "balanced level is"};
+  judge_subjects(claim);
+  return {.tables = {table_of(measured)},
+          .figures = {figure_of(measured, usual)},
+          .claims = {std::move(claim)}};
 }
 
 }  // namespace soms::reproduce

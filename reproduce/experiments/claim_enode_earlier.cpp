@@ -2,6 +2,7 @@
 #include "reproduce/enode_racers.h"
 #include "reproduce/experiments/experiments.h"
 #include "reproduce/interval_chart.h"
+#include "reproduce/judged_subjects.h"
 #include "reproduce/steps.h"
 #include "reproduce/traversal_tables.h"
 #include "reproduce/until_hit.h"
@@ -208,6 +209,7 @@ Claim claim_of(const std::vector<Kind>& kinds) {
       .source = "name of E-Node: heading of section 5.5",
       .rows = rows_of(kinds),
       .nearest = std::string(kNearestEnode),
+      .why_nearest = std::string(kWhyNearestEnode),
       .why =
           "The text has neither E-Node nor its opponent: we take Larsson's traversal to descend "
           "both nodes at once. A family is tested as a whole before one of its pairs is entered. "
@@ -223,6 +225,7 @@ Claim claim_of(const std::vector<Kind>& kinds) {
           "other trees, and the larger node from the last front.",
       .settles = "the pseudo code of E-Node in chapter 4: what it does earlier, and than what",
   };
+  judge_subjects(claim);
   claim.note = ericson_words(claim.rows, fmt::format("box tests up to {}", kHits.front().until));
   claim.revision = revision_of(
       claim.rows,

@@ -2,6 +2,7 @@
 #include "reproduce/enode_racers.h"
 #include "reproduce/experiments/experiments.h"
 #include "reproduce/interval_chart.h"
+#include "reproduce/judged_subjects.h"
 #include "reproduce/steps.h"
 #include "reproduce/traversal_tables.h"
 
@@ -180,6 +181,7 @@ Claim claim_of(const std::vector<Kind>& kinds) {
       .source = "abstract (\"more efficient and faster\"); the opponent: caption of figure 5.10",
       .rows = rows_of(kinds),
       .nearest = std::string(kNearestEnode),
+      .why_nearest = std::string(kWhyNearestEnode),
       .why =
           "The text has neither E-Node nor its opponent: we take Larsson's traversal to descend "
           "both nodes at once. The family test makes the same box tests, one for one. It saves "
@@ -194,6 +196,7 @@ Claim claim_of(const std::vector<Kind>& kinds) {
           "the pseudo code of E-Node and of Larsson's traversal in chapter 4, and whether "
           "the program of the thesis recurses",
   };
+  judge_subjects(claim);
   claim.note = ericson_words(claim.rows, "time of the traversal");
   claim.revision = revision_of(
       claim.rows, [](const ClaimRow& row) { return row.reading.ends_with("stack / stack"); },

@@ -6,8 +6,8 @@
 // count for neither rule. The claim joins two statements, so a row judges both: its number is above
 // zero only if SOMS is stuck nowhere and spatial median somewhere. The counts of each rule are a
 // table. Trying the other axes (`next_axis`) may be called a fallback or not, so both are readings;
-// object median in the place of the rule is a fallback without doubt and none. A toy set that was
-// made to stop spatial median is judged only where the other axes are tried.
+// object median in the place of the rule is a fallback without doubt and none. Toy sets are shown
+// and not judged, as in every claim.
 #include "soms/generate/spread.h"
 #include "soms/tree/build.h"
 #include "soms/tree/option_names.h"
@@ -16,6 +16,7 @@
 #include "reproduce/counts.h"
 #include "reproduce/experiments/experiments.h"
 #include "reproduce/grouped_bars.h"
+#include "reproduce/judged_subjects.h"
 #include "reproduce/open_options.h"
 #include "reproduce/steps.h"
 #include "reproduce/stuck_nodes.h"
@@ -40,8 +41,8 @@ struct StuckSubject {
   std::string name;
   Model model = {};
   int level = kObjectLevel;
-  std::string unjudged = {};         ///< why it is judged in no reading
-  std::string decided_by_stop = {};  ///< why it is not judged under empty side `stop`
+  std::string unjudged = {};  ///< why it is judged in no reading
+  SubjectKind kind = SubjectKind::given;
 };
 
 /// Where both rules are stuck on a subject under one reading.
@@ -61,7 +62,11 @@ Model model_of(Mesh mesh) {
 std::vector<StuckSubject> stuck_subjects(const Models& models) {
   std::vector<StuckSubject> subjects;
   for (const auto& [model, level] : at_greatest_level(models)) {
-    subjects.push_back({label_of(*model), *model, level});
+    subjects.push_back({label_of(*model),
+                        *model,
+                        level,
+                        {},
+                        model->stand_in ? SubjectKind::stand_in : SubjectKind::given});
   }
   for (const double ratio : {1.0, 10.0, 100.0, 1000.0, 10'000.0}) {
     subjects.push_back(
@@ -74,9 +79,11 @@ std::vector<StuckSubject> stuck_subjects(const Models& models) {
   for (ToySet& toy : toys) {
     const ToySplit split = split_toy(toy.mesh, Rule::soms);
     if (toy.unlike && split.inner.lower != split.inner.upper) {
-      StuckSubject subject{"toy set " + toy.name, model_of(std::move(toy.mesh))};
-      subject.decided_by_stop = "it was made so that the first plane of spatial median fails";
-      subjects.push_back(std::move(subject));
+      subjects.push_back({fmt::format("toy set {}", toy.name),
+                          model_of(std::move(toy.mesh)),
+                          kObjectLevel,
+                          {},
+                          SubjectKind::toy_set});
     }
   }
   return subjects;
@@ -124,16 +131,13 @@ std::vector<Stuck> count_stuck(std::span<const StuckSubject> subjects, const Par
   return all;
 }
 
-/// Why a row is not judged; empty if it is.
+/// Why a row is not judged, whatever its subject's kind.
 std::string unjudged_of(const Stuck& one) {
   if (one.open.midpoint != Midpoint::thesis) {
     return "figure 4.23 constructs the midpoint of the thesis";
   }
   const std::string axis = axis_unjudged(one.open.soms_axis);
-  if (!axis.empty() || !one.subject->unjudged.empty()) {
-    return axis.empty() ? one.subject->unjudged : axis;
-  }
-  return one.open.empty_side == EmptySide::stop ? one.subject->decided_by_stop : "";
+  return axis.empty() ? one.subject->unjudged : axis;
 }
 
 ClaimRow row_of(const Stuck& one) {
@@ -144,6 +148,7 @@ ClaimRow row_of(const Stuck& one) {
                   one.subject->name, "", {.above = 0},
                   one.soms.partable == 0 ? count(one.spatial) : -count(one.soms));
   row.unjudged = unjudged_of(one);
+  row.kind = one.subject->kind;
   return row;
 }
 
@@ -172,18 +177,31 @@ Table table_of(std::span<const Stuck> all) {
   return table;
 }
 
-/// Where a judged subject leaves spatial median stuck nowhere: "... on toy set a (next_axis)."
-std::string note_of(std::span<const Stuck> all) {
+/// Subjects on which spatial median is stuck nowhere: "toy set a (next_axis)"; toy sets alone, or
+/// all others.
+std::string stuck_nowhere(std::span<const Stuck> all, bool toys) {
   std::string text;
   for (const Stuck& one : all) {
-    if (unjudged_of(one).empty() && one.spatial.partable == 0) {
+    if (unjudged_of(one).empty() && one.spatial.partable == 0 &&
+        (one.subject->kind == SubjectKind::toy_set) == toys) {
       text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", one.subject->name,
                           words_of(one.open.empty_side));
     }
   }
-  return text.empty()
-             ? "Spatial median is stuck somewhere on all that is judged."
-             : fmt::format("Of what is judged, spatial median is stuck nowhere on {}.", text);
+  return text;
+}
+
+std::string note_of(std::span<const Stuck> all) {
+  const std::string judged = stuck_nowhere(all, false);
+  const std::string toys = stuck_nowhere(all, true);
+  std::string text =
+      judged.empty()
+          ? "Spatial median is stuck somewhere on all that is judged."
+          : fmt::format("Of what is judged, spatial median is stuck nowhere on {}.", judged);
+  if (!toys.empty()) {
+    text += fmt::format(" Of the toy sets, which are not judged, it is stuck nowhere on {}.", toys);
+  }
+  return text;
 }
 
 /// Nodes where each rule is stuck with the midpoint of the thesis, over all that is of unlike size.
@@ -238,7 +256,11 @@ Claim claim_of(std::span<const StuckSubject> subjects, std::span<const Stuck> al
   for (const Stuck& one : all) {
     claim.rows.push_back(row_of(one));
   }
+  judge_subjects(claim);
   claim.nearest = "stop, inner axis, midpoint thesis";
+  claim.why_nearest =
+      "Trying the other axes may be a fallback itself; the axis between the midpoints is that of "
+      "the abstract in Malay, and the midpoint that of figure 4.23.";
   claim.note = note_of(all);
   claim.why = fmt::format(
       "A rule is stuck at a node if its plane leaves one side empty although the midpoints of the "
@@ -253,9 +275,8 @@ Claim claim_of(std::span<const StuckSubject> subjects, std::span<const Stuck> al
   claim.settles =
       "whether trying the other axes is one of the heuristics that chapter 1 speaks of, or what "
       "spatial median does without one: tables 5.5 and 5.11 have the counts";
-  claim.revision = Revision{Verdict::holds,
-                            "spatial median was not judged where it tries the other axes, which "
-                            "on some set of triangles is all it needs"};
+  claim.revision =
+      Revision{Verdict::holds, "spatial median was not judged where it tries the other axes"};
   return claim;
 }
 

@@ -9,6 +9,7 @@
 
 #include "reproduce/counts.h"
 #include "reproduce/experiments/experiments.h"
+#include "reproduce/judged_subjects.h"
 #include "reproduce/open_options.h"
 
 #include <fmt/format.h>
@@ -21,7 +22,7 @@ namespace soms::reproduce {
 namespace {
 
 constexpr int kClaimedLevel = 7;
-constexpr std::size_t kObjectTriangles = 5672;
+constexpr std::size_t kSceneTriangles = 5672;
 constexpr std::array kRootLevels{1, 0};
 
 std::vector<ClaimRow> rows_of(std::span<const Model> scenes, const Parallel& parallel) {
@@ -34,13 +35,11 @@ std::vector<ClaimRow> rows_of(std::span<const Model> scenes, const Parallel& par
                 .balanced_level);
         ClaimRow row = counted_row(fmt::format("{} axis, the root is level {}{}", name(axis), root,
                                                root == 1 ? "" : " (ours)"),
-                                   "balanced level (complete and filled, ours)", label_of(scene),
-                                   "", {.above = kClaimedLevel - 0.5, .below = kClaimedLevel + 0.5},
+                                   "balanced level (complete and filled, ours)", {}, "",
+                                   {.above = kClaimedLevel - 0.5, .below = kClaimedLevel + 0.5},
                                    level - (1 - root));
-        row.unjudged = not_of_thesis(scene, kObjectTriangles);
-        if (row.unjudged.empty()) {
-          row.unjudged = root == 1 ? axis_unjudged(axis) : "figure 4.30 has the root as level 1";
-        }
+        set_subject(row, scene);
+        row.unjudged = root == 1 ? axis_unjudged(axis) : "figure 4.30 has the root as level 1";
         rows.push_back(std::move(row));
       }
     }
@@ -65,8 +64,14 @@ Result claim_level_7(const Context& context) {
   Claim claim{.id = "balanced_level_7",
               .statement = "The balanced level of SOMS on the urban scene is 7",
               .source = "figure 5.5 by its caption",
-              .rows = rows_of(scenes, {1, context.parallel.stop, {}})};
+              .rows = rows_of(scenes, {1, context.parallel.stop, {}}),
+              .scope = Scope::figure,
+              .named_triangles = kSceneTriangles};
+  judge_subjects(claim);
   claim.nearest = "inner axis, the root is level 1";
+  claim.why_nearest =
+      "The axis between the midpoints is that of the abstract in Malay, and figure 4.30 has the "
+      "root as level 1.";
   claim.note =
       fmt::format("Inner axis, root at level 1: {}.", levels_of(claim.rows, scenes.size()));
   claim.why =

@@ -1,10 +1,9 @@
 // An object has 948 triangles, and the urban scene 5,672 (abstract).
 //
 // Two claims about files. A row for each model of that size, none of which can be judged: one that
-// was generated to have the size shows nothing, and one that was given was chosen for having it.
-#include "reproduce/counts.h"
+// was generated was made to have the size, and one that was given was chosen for having it.
 #include "reproduce/experiments/experiments.h"
-#include "reproduce/open_options.h"
+#include "reproduce/judged_subjects.h"
 
 #include <utility>
 
@@ -14,21 +13,28 @@ namespace {
 
 Claim claim_of(std::string id, std::string statement, std::span<const Model> models,
                std::size_t triangles) {
-  Claim claim{.id = std::move(id), .statement = std::move(statement), .source = "abstract"};
+  Claim claim{.id = std::move(id),
+              .statement = std::move(statement),
+              .source = "abstract",
+              .scope = Scope::figure,
+              .named_triangles = triangles,
+              .nearest = "triangles of the file",
+              .why_nearest = "The count is all that the abstract says."};
   const auto size = static_cast<double>(triangles);
   for (const Model& model : models) {
     if (model.mesh->triangles.size() == triangles) {
-      ClaimRow row = counted_row("", "triangles", label_of(model), "",
+      ClaimRow row = counted_row("triangles of the file", "triangles", {}, "",
                                  {.above = size - 0.5, .below = size + 0.5}, size);
-      row.unjudged = not_of_thesis(model, triangles);
-      if (row.unjudged.empty()) {
-        row.unjudged = "it was chosen for having this count, so the count shows nothing";
+      set_subject(row, model);
+      row.unjudged = "it was chosen or made for having this count, so the count shows nothing";
+      if (!model.stand_in) {
         claim.revision = Revision{Verdict::holds,
                                   "a model that was chosen for its count was taken to confirm it"};
       }
       claim.rows.push_back(std::move(row));
     }
   }
+  judge_subjects(claim);
   return claim;
 }
 

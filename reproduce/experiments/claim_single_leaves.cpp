@@ -8,6 +8,7 @@
 #include "reproduce/chart.h"
 #include "reproduce/counts.h"
 #include "reproduce/experiments/experiments.h"
+#include "reproduce/judged_subjects.h"
 #include "reproduce/open_options.h"
 #include "reproduce/steps.h"
 
@@ -43,8 +44,9 @@ Both both_of(const Model& model, int level, const OpenOptions& open, const Paral
 }
 
 ClaimRow row_of(std::string reading, const Model& model, const Both& both, std::string unjudged) {
-  ClaimRow row = counted_row(std::move(reading), "lead of SOMS in leaves with one triangle",
-                             label_of(model), "", {.above = 0}, both.lead());
+  ClaimRow row = counted_row(std::move(reading), "lead of SOMS in leaves with one triangle", {}, "",
+                             {.above = 0}, both.lead());
+  set_subject(row, model);
   row.unjudged = std::move(unjudged);
   return row;
 }
@@ -242,19 +244,24 @@ Result claim_single_leaves(const Context& context) {
   std::vector<ClaimRow> rows = rows_at_greatest(models, steps);
   const std::vector<ClaimRow> below = rows_below(models, ladders, steps);
   rows.insert(rows.end(), below.begin(), below.end());
+  Claim claim{
+      .id = "more_single_leaves",
+      .statement = "SOMS produces more leaf nodes with a single triangle than spatial median",
+      .source = "abstract; levels by the captions of tables 5.3 and 5.9",
+      .rows = std::move(rows),
+      .nearest = "greatest level, stop, inner axis",
+      .why_nearest =
+          "Tables 5.3 and 5.9 count at the greatest level, table 5.5 counts nodes that "
+          "cannot be divided, and the axis is that of the abstract in Malay.",
+      .note = note_of(ladders),
+      .why = why_of(ladders),
+      .settles =
+          "what the thesis' program does with a node that spatial median cannot "
+          "divide: tables 5.3 and 5.9 have the counts",
+      .revision = Revision{Verdict::holds, "it was judged on the objects alone, not on scenes"}};
+  judge_subjects(claim);
   return {.figures = {difference_figure(ladders), ratio_figure(ladders)},
-          .claims = {{.id = "more_single_leaves",
-                      .statement = "SOMS produces more leaf nodes with a single triangle than "
-                                   "spatial median",
-                      .source = "abstract; levels by the captions of tables 5.3 and 5.9",
-                      .rows = std::move(rows),
-                      .nearest = "greatest level, stop, inner axis",
-                      .note = note_of(ladders),
-                      .why = why_of(ladders),
-                      .settles = "what the thesis' program does with a node that spatial median "
-                                 "cannot divide: tables 5.3 and 5.9 have the counts",
-                      .revision = Revision{Verdict::holds,
-                                           "it was judged on the objects alone, not on scenes"}}}};
+          .claims = {std::move(claim)}};
 }
 
 }  // namespace soms::reproduce

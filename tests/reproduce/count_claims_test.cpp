@@ -5,6 +5,7 @@
 
 #include "reproduce/claim.h"
 #include "reproduce/experiments/experiments.h"
+#include "reproduce/nearest_verdict.h"
 #include "reproduce/open_options.h"
 #include "tests/reproduce/trips.h"
 #include "tests/support/slow_build.h"
@@ -83,10 +84,10 @@ TEST(CountClaims, FallbackJudgesBothRulesInOneRow) {
   // SOMS is stuck on the outer axis: the number is that of its nodes, below zero.
   EXPECT_EQ(values("stop, outer axis, midpoint thesis"), (Three{-145, -316, -308}));
   EXPECT_EQ(values("next_axis, outer axis, midpoint thesis"), (Three{129, 122, 163}));
-  EXPECT_EQ(verdict_of(claim), Verdict::holds_under);
+  EXPECT_EQ(verdict_of(claim), Verdict::holds);
   EXPECT_EQ(claim.note,
-            "Of what is judged, spatial median is stuck nowhere on toy set each_larger "
-            "(next_axis).");
+            "Spatial median is stuck somewhere on all that is judged. Of the toy sets, which are "
+            "not judged, it is stuck nowhere on toy set each_larger (next_axis).");
 }
 
 TEST(CountClaims, FallbackTableHasTheCountsOfEachRule) {
@@ -108,20 +109,19 @@ TEST(CountClaims, FallbackTableHasTheCountsOfEachRule) {
   EXPECT_EQ(found, 2U);
 }
 
-TEST(CountClaims, FallbackIsJudgedWhereTheTextSpeaksAndNothingIsDecidedBefore) {
+TEST(CountClaims, FallbackIsJudgedWhereTheTextSpeaksAndOnNoToySet) {
   const Claim claim = claim_by(claim_fallback, Models{});
   for (const ClaimRow& row : claim.rows) {
     const bool of_text = row.reading.ends_with("inner axis, midpoint thesis");
     const bool alike = row.subject == "spread of edges 1 to 1";
-    const bool made_to_stop = row.subject.starts_with("toy set") && row.reading.starts_with("stop");
-    EXPECT_EQ(row.unjudged.empty(), of_text && !alike && !made_to_stop)
-        << row.subject << " " << row.reading;
-    if (of_text && stand_of(row) == Verdict::does_not_hold) {
-      EXPECT_EQ(row.subject + row.reading.substr(0, 9), "toy set each_largernext_axis");
-    }
+    const bool toy = row.subject.starts_with("toy set");
+    EXPECT_EQ(row.kind == SubjectKind::toy_set, toy) << row.subject;
+    EXPECT_EQ(row.unjudged.empty(), of_text && !alike && !toy) << row.subject << " " << row.reading;
+    EXPECT_NE(stand_of(row), Verdict::does_not_hold) << row.subject << " " << row.reading;
   }
   const auto toys = std::count_if(claim.rows.begin(), claim.rows.end(), [](const ClaimRow& row) {
-    return row.subject.starts_with("toy set") && row.unjudged.empty();
+    return row.kind == SubjectKind::toy_set &&
+           row.reading == "next_axis, inner axis, midpoint thesis";
   });
   EXPECT_EQ(toys, 3);
 }
@@ -208,27 +208,46 @@ TEST(CountClaims, TwentySixPercentIsReadAsAPercentageAndAsPoints) {
   const ClaimRow from_none = relative("one tree, " + stop, kClaimScenes[0]);
   EXPECT_TRUE(std::isinf(from_none.value));
   EXPECT_FALSE(from_none.unjudged.empty());
-  EXPECT_EQ(verdict_of(claim), Verdict::holds_under);
   EXPECT_TRUE(claim.note.starts_with(
-      "Of the rows that are judged, nearest to 26: +23.9 points (u_mixed (stand-in)"))
+      "Of the rows on stand-ins, nearest to 26: +23.9 points (u_mixed (stand-in)"))
       << claim.note;
 }
 
+TEST(CountClaims, TwentySixPercentIsNotJudgedOnStandIns) {
+  Models models = scenes_of_claims();
+  const Claim on_generated = claim_by(claim_26_percent, models);
+  EXPECT_EQ(verdict_of(on_generated), Verdict::cannot_be_checked);
+  EXPECT_EQ(nearest_of(on_generated).stand, NearestStand::cannot_be_checked);
+  EXPECT_EQ(stand_in_words(on_generated),
+            "On stand-ins, which decide nothing: 12 of 44 rows would hold.");
+  models.scenes.back().stand_in = false;
+  const Claim on_given = claim_by(claim_26_percent, models);
+  // "About 26 %" on its one tree; every other reading is judged, too, but is not nearest.
+  EXPECT_EQ(nearest_of(on_given).rows.fail, 1U);
+  EXPECT_EQ(nearest_of(on_given).rows.judged(), 1U);
+  EXPECT_EQ(nearest_of(on_given).stand, NearestStand::fails);
+  EXPECT_NE(verdict_of(on_given), Verdict::cannot_be_checked);
+}
+
 TEST(CountClaims, TwentySixPercentIsReadAsAFloorAndAsAFigure) {
-  const Models models = scenes_of_claims();
+  Models models = scenes_of_claims();
+  for (Model& scene : models.scenes) {
+    scene.stand_in = false;
+  }
+  const std::array<std::string, 3> scenes{"u_mixed", "u_boxes", "u_plain"};
   const Claim claim = claim_by(claim_26_percent, models);
   const std::string next = "one tree, next_axis, inner axis";
-  const ClaimRow mixed = row_of(claim, "relative", next + kAtLeast, kClaimScenes[0]);
+  const ClaimRow mixed = row_of(claim, "relative", next + kAtLeast, scenes[0]);
   EXPECT_EQ(stand_of(mixed), Verdict::holds);
-  EXPECT_EQ(stand_of(row_of(claim, "relative", next + kAbout, kClaimScenes[0])),
+  EXPECT_EQ(stand_of(row_of(claim, "relative", next + kAbout, scenes[0])), Verdict::does_not_hold);
+  EXPECT_EQ(stand_of(row_of(claim, "relative", next + kAtLeast, scenes[2])),
             Verdict::does_not_hold);
-  EXPECT_EQ(stand_of(row_of(claim, "relative", next + kAtLeast, kClaimScenes[2])),
-            Verdict::does_not_hold);
-  EXPECT_EQ(stand_of(row_of(claim, "relative", next + kAbout, kClaimScenes[2])), Verdict::holds);
+  EXPECT_EQ(stand_of(row_of(claim, "relative", next + kAbout, scenes[2])), Verdict::holds);
   for (const ClaimRow& row : claim.rows) {
     EXPECT_FALSE(row.unjudged.empty() && row.reading.find("outer axis") != std::string::npos);
-    // Points of all triangles are not what the words say.
-    EXPECT_FALSE(is_nearest(claim, row) && row.unit == "points");
+    // Points of all triangles are not what the words say, nor is a floor.
+    EXPECT_EQ(is_nearest(claim, row),
+              row.unit == "%" && row.reading == std::string("one tree, stop, inner axis") + kAbout);
   }
 }
 

@@ -266,16 +266,23 @@ TEST(Models, FindCitiesBySizeAndTellOfThoseThatAreBroken) {
   folder.put("elsewhere.ply", 30);
   const Models models = find_models(folder.path(), kCities);
   EXPECT_EQ(names_of(models.cities), (Names{"small", "large"}));
-  ASSERT_EQ(models.remarks.size(), 1U);
-  EXPECT_TRUE(holds(models.remarks[0], "cities that were not used: ")) << models.remarks[0];
-  EXPECT_TRUE(holds(models.remarks[0], "broken.ply")) << models.remarks[0];
+  ASSERT_EQ(models.remarks.size(), 2U);
+  EXPECT_TRUE(holds(models.remarks[0], "its other .ply files (1) were not used as cities"))
+      << models.remarks[0];
+  EXPECT_TRUE(holds(models.remarks[1], "cities that were not used: ")) << models.remarks[1];
+  EXPECT_TRUE(holds(models.remarks[1], "broken.ply")) << models.remarks[1];
 }
 
-TEST(Models, TakeOtherFilesAsCitiesWhereThereIsNoFolderOfThem) {
+TEST(Models, TakeNoOtherFileForACityWhereThereIsNoFolderOfThem) {
   const Folder folder;
   folder.put("venus.ply", 30);
+  EXPECT_TRUE(find_models(folder.path(), kCities).remarks.empty());
   folder.put("town.ply", 20);
-  EXPECT_EQ(names_of(find_models(folder.path(), kCities).cities), (Names{"town"}));
+  const Models models = find_models(folder.path(), kCities);
+  EXPECT_TRUE(models.cities.empty());
+  ASSERT_EQ(models.remarks.size(), 1U);
+  EXPECT_TRUE(holds(models.remarks[0], "cities are read from its folder cities"))
+      << models.remarks[0];
 }
 
 TEST(Models, WantAFolder) {

@@ -44,6 +44,9 @@ Report small_report() {
        .source = "abstract",
        .rows = {counted_row("next axis", "relative", "bunny", "%", {.above = 21, .below = 31}, 25),
                 counted_row("stop", "relative", "bunny", "%", {.above = 21, .below = 31}, 114)},
+       .scope = Scope::figure,
+       .nearest = "stop",
+       .why_nearest = "As it is said.",
        .why = "Only with the next axis."},
       {.id = "balanced",
        .statement = "more balanced",
@@ -125,12 +128,22 @@ TEST(Page, KeepsIdsOfDrawingsApart) {
 TEST(Page, PutsClaimsBesideTheirMatrixWithTheVerdictInWords) {
   const std::string html = page(small_report());
   for (const char* words :
-       {"26 % more", "+25.0 %", "holds under some readings", "does not hold in any reading",
+       {"26 % more", "+25.0 %", "holds on some subjects", "does not hold in any reading",
+        "&#10007; fails</span>", "0 of 1 rows hold, on 1 subject; the share is 0 to 79 %. As it is",
         "Only with the next axis.", "Object median balances better.", "What would settle it:",
         "Holds in 1 of 2 rows. On every subject: next axis (1). On none: stop."}) {
     EXPECT_GE(test::count_of(html, words), 1U) << words;
   }
   EXPECT_EQ(test::count_of(html, "2 claims"), 1U);
+}
+
+TEST(Page, PutsTheNearestVerdictBeforeThatOverAllReadings) {
+  const std::string html = page(small_report());
+  const std::size_t row = html.find("<tr id=\"claim-more\"");
+  ASSERT_NE(row, std::string::npos);
+  EXPECT_LT(html.find("fails</span>", row), html.find("holds on some subjects</span>", row));
+  EXPECT_GE(test::count_of(html, "Toy sets, which this project made to show a picture"), 1U);
+  EXPECT_GE(test::count_of(html, "not independent draws"), 1U);
 }
 
 TEST(Page, SaysInOneParagraphWhichVerdictsChanged) {
