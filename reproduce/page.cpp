@@ -42,6 +42,18 @@ std::string inlined(const Figure& figure) {
   return svg;
 }
 
+/// Bytes of the drawings that are part of a page with files beside it. Pictures of whole models are
+/// larger, and would make it several megabytes that most readers never unfold.
+constexpr std::size_t kMostInlined = std::size_t{40} << 10U;
+
+/// A drawing as the page has it: its markup or, if it is large and lies beside the page, its file.
+std::string drawing_of(const Figure& figure, PageFiles files) {
+  return files == PageFiles::beside && figure.svg.size() > kMostInlined
+             ? fmt::format("<img src=\"{}\" alt=\"\" loading=\"lazy\">\n",
+                           xml_text(file_of(figure).generic_string()))
+             : inlined(figure);
+}
+
 /// True if a table is the matrix of a claim, which the page shows with the claim.
 bool is_matrix(const Table& table, const Result& result) {
   return std::any_of(result.claims.begin(), result.claims.end(),
@@ -275,7 +287,7 @@ class Page {
         "aria-label=\"{}\">\n{}</div>\n<figcaption>{} {}{}</figcaption>\n"
         "</figure>\n",
         xml_text(figure.id), xml_text(figure.alt.empty() ? figure.caption : figure.alt),
-        inlined(figure), xml_text(figure.caption),
+        drawing_of(figure, files_), xml_text(figure.caption),
         figure.timed ? "<em>Times: differ from run to run.</em> " : "", link);
   }
 

@@ -55,7 +55,7 @@ nav b{font-weight:600}
 figure{margin:1.25rem 0 1.75rem}
 figure .picture{overflow-x:auto;border:1px solid var(--line);border-radius:.4rem;
 max-width:60rem}
-figure svg{display:block;width:100%;min-width:36rem;height:auto}
+figure svg,figure img{display:block;width:100%;min-width:36rem;height:auto}
 figcaption{max-width:46rem;padding-top:.5rem;font-size:.95rem}
 details{margin:.75rem 0}
 summary{cursor:pointer;color:var(--link)}

@@ -15,6 +15,14 @@ PHONE = (390, 800)
 DESK = (1200, 900)
 A4 = (595.28, 841.89)  # points
 
+# Pictures that are read when they come into sight: all of them now.
+LOAD = """
+document.querySelectorAll('details').forEach(d => d.open = true);
+document.querySelectorAll('img').forEach(i => i.loading = 'eager');
+const done = arguments[0];
+Promise.all([...document.images].map(i => i.decode().catch(() => {}))).then(() => done());
+"""
+
 # Everything about the page that is to be judged, in one answer.
 LOOK = """
 document.querySelectorAll('details').forEach(d => d.open = true);
@@ -31,7 +39,9 @@ return {
   ids: [...document.querySelectorAll('[id]')].map(e => e.id),
   figures: Object.fromEntries([...document.querySelectorAll('figure')].map(f => {
     const svg = f.querySelector('svg');
-    return [f.id, {box: box(svg), shapes: svg.querySelectorAll('path,rect,circle').length,
+    const image = f.querySelector('img');
+    return [f.id, image ? {box: box(image), shapes: image.naturalWidth, clipped: []} :
+                  {box: box(svg), shapes: svg.querySelectorAll('path,rect,circle').length,
                    clipped: clipped(svg)}];
   })),
   tables: Object.fromEntries([...document.querySelectorAll('table[id]')].map(t =>
@@ -92,6 +102,7 @@ def page_faults(browser, folder):
         browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
             "width": size[0], "height": size[1], "deviceScaleFactor": 1, "mobile": size == PHONE})
         browser.get((folder / "index.html").as_uri())
+        browser.execute_async_script(LOAD)
         look = browser.execute_script(LOOK)
         where = f"{scheme}, {size[0]} pixels: "
         for fault in (*content_faults(look, manifest), *link_faults(look, folder)):

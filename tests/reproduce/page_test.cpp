@@ -99,6 +99,18 @@ TEST(Page, HasEveryFigureAndTableOfTheReport) {
   EXPECT_EQ(test::count_of(html, "<svg "), 2U);
 }
 
+TEST(Page, OpensLargeDrawingsFromTheirFilesBesideIt) {
+  Report report = small_report();
+  report.entries[0].result.figures[0].svg += "<!--" + std::string(100'000, 'x') + "-->";
+  const std::string beside = page(report);
+  EXPECT_EQ(test::count_of(beside, "<img src=\"figures/figure_a.svg\""), 1U);
+  EXPECT_EQ(test::count_of(beside, " src="), 1U);
+  EXPECT_LT(beside.size(), 100'000U);
+  EXPECT_EQ(test::markup_fault(beside, {"meta", "link", "br", "img"}), "");
+  EXPECT_EQ(test::count_of(page(report, PageFiles::inside), " src="), 0U);
+  EXPECT_EQ(test::count_of(page(report, PageFiles::inside), "<svg "), 2U);
+}
+
 TEST(Page, HasEachIdOnceAndEveryInnerLinkAnEnd) {
   const std::string html = page(small_report());
   const std::vector<std::string> ids = test::values_of(html, "id");
