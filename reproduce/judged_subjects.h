@@ -15,6 +15,11 @@
 
 namespace soms::reproduce {
 
+/// Triangles of the object and of the urban scene that the figures of the thesis name.
+/// \source thesis, abstract.
+inline constexpr std::size_t kObjectTriangles = 948;
+inline constexpr std::size_t kSceneTriangles = 5672;
+
 /// Makes a model the subject of a row: its label, whether it is a stand-in, and its triangles.
 void set_subject(ClaimRow& row, const Model& model);
 

@@ -33,7 +33,6 @@ constexpr Demand kAbout{.above = kClaimedPercent - kNear, .below = kClaimedPerce
 constexpr std::string_view kAboutWords = "about 26 %, within 5 points (ours)";
 constexpr Demand kAtLeast{.above = kClaimedPercent - 0.5};
 constexpr std::string_view kAtLeastWords = "at least 26 % (25.5)";
-constexpr std::size_t kTriangles = 5672;
 constexpr double kMostDrawn = 150;  ///< a dot at +557 % would press the others together
 constexpr const char* kRelative = "relative gain";
 constexpr const char* kPoints = "gain in points of all triangles (the words hardly allow it)";
@@ -182,7 +181,7 @@ Claim claim_of(std::span<const Gain> gains) {
               .source = "abstract; level by the caption of table 5.9",
               .rows = matrix_of(gains),
               .scope = Scope::figure,
-              .named_triangles = kTriangles};
+              .named_triangles = kSceneTriangles};
   judge_subjects(claim);
   claim.nearest = fmt::format("one tree, stop, inner axis, {}", kAboutWords);
   claim.why_nearest =

@@ -13,7 +13,6 @@ namespace soms::reproduce {
 namespace {
 
 constexpr double kClaimedBuildMs = 43;
-constexpr std::size_t kTriangles = 948;
 
 /// 43 ms is a rounded number.
 constexpr Demand kRounded{.above = kClaimedBuildMs - 0.5, .below = kClaimedBuildMs + 0.5};
@@ -40,7 +39,7 @@ std::vector<ClaimRow> rows_of(std::span<const Race> races, const Model& object) 
 }  // namespace
 
 Result claim_build_43_ms(const Context& context) {
-  const Model* const given = named_model(context.models.objects, kTriangles);
+  const Model* const given = named_model(context.models.objects, kObjectTriangles);
   const Model& object = given != nullptr ? *given : context.models.objects.front();
   const int rounds = context.quick ? 20 : 100;
   Steps steps(context.parallel, 2 * race_steps(rounds));
@@ -55,7 +54,7 @@ Result claim_build_43_ms(const Context& context) {
               .source = "abstract",
               .rows = rows_of(races, object),
               .scope = Scope::figure,
-              .named_triangles = kTriangles,
+              .named_triangles = kObjectTriangles,
               .nearest = reading_of(Builder::thesis_like, balanced),
               .why_nearest =
                   "The captions of chapter 4 describe a builder that copies lists, and figure 5.3 "

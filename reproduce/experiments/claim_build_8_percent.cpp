@@ -16,8 +16,6 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr std::size_t kTriangles = 948;
-
 /// From where the trees begin to have more than a handful of nodes.
 constexpr int kLeastLevel = 4;
 
@@ -56,7 +54,7 @@ struct RacedObject {
 };
 
 RacedObject subject_of(std::span<const Model> objects, const Parallel& parallel) {
-  const Model* const given = named_model(objects, kTriangles);
+  const Model* const given = named_model(objects, kObjectTriangles);
   const Model& model = given != nullptr ? *given : objects.front();
   return {&model, balanced_level(model, thesis_rules(kObjectLevel).back(), parallel)};
 }
@@ -201,7 +199,7 @@ Claim claim_of(std::span<const Race> races, const RacedObject& subject) {
       .source = "abstract",
       .rows = rows_of(races, subject),
       .scope = Scope::figure,
-      .named_triangles = kTriangles,
+      .named_triangles = kObjectTriangles,
       .nearest = fmt::format("{}, level {}; {}", reading_of(Builder::thesis_like),
                              subject.balanced_level, kMeanings[1].words),
       .why_nearest =

@@ -19,8 +19,6 @@ namespace {
 
 constexpr double kClaimedMilliseconds = 0.2;
 
-constexpr std::size_t kSceneTriangles = 5672;
-
 constexpr std::string_view kThesisUnavailable =
     "a time of a program on a machine of its time, and neither is available";
 

@@ -22,7 +22,6 @@ namespace soms::reproduce {
 namespace {
 
 constexpr int kClaimedLevel = 7;
-constexpr std::size_t kSceneTriangles = 5672;
 constexpr std::array kRootLevels{1, 0};
 
 std::vector<ClaimRow> rows_of(std::span<const Model> scenes, const Parallel& parallel) {

@@ -41,14 +41,15 @@ Claim claim_of(std::string id, std::string statement, std::span<const Model> mod
 }  // namespace
 
 Result claim_models(const Context& context) {
-  Claim object = claim_of("object_948", "An object has 948 triangles", context.models.objects, 948);
+  Claim object = claim_of("object_948", "An object has 948 triangles", context.models.objects,
+                          kObjectTriangles);
   object.why =
       "The thesis names the Stanford bunny and this count; of the four resolutions of the bunny in "
       "the Stanford repository bun_zipper_res4.ply is the one of 948 triangles. That one of them "
       "has the count speaks for this file as the object, and this program took it for that reason.";
   object.settles = "table 3.1 of the thesis, which says which object has which count";
-  Claim scene =
-      claim_of("scene_5672", "The urban scene has 5,672 triangles", context.models.scenes, 5672);
+  Claim scene = claim_of("scene_5672", "The urban scene has 5,672 triangles", context.models.scenes,
+                         kSceneTriangles);
   scene.why = "The generated scenes were made to have this count.";
   scene.settles = "the scene of the thesis, which is not available";
   return {.claims = {std::move(object), std::move(scene)}};
