@@ -244,6 +244,7 @@ ClaimRow measured_row(std::string reading, std::string metric, std::string subje
                              std::move(unit), demand, estimate.value);
   row.interval = estimate.interval;
   row.rounds = estimate.rounds;
+  row.processes = estimate.processes;
   return row;
 }
 

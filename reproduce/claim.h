@@ -57,6 +57,7 @@ struct ClaimRow {
   double value = 0;
   std::optional<Interval> interval = std::nullopt;  ///< of a measured value; nothing for a count
   int rounds = 0;                                   ///< measurements behind it; 0 for a count
+  int processes = 0;                                ///< that they come from; 0 for a count
   std::string unjudged = {};  ///< why this row is shown but not judged; empty if it is judged
 };
 

@@ -89,6 +89,7 @@ Table claim_table(const Claim& claim) {
                   {"low", "", kind},
                   {"high", "", kind},
                   {"rounds"},
+                  {"processes"},
                   {"stands", "", kind},
                   {"unjudged"}}};
   for (const ClaimRow& row : claim.rows) {
@@ -100,6 +101,7 @@ Table claim_table(const Claim& claim) {
                           row.subject, row.unit, bound(row.demand.above), bound(row.demand.below),
                           row.value, end_of(&Interval::low), end_of(&Interval::high),
                           row.rounds == 0 ? Cell{} : Cell{std::int64_t{row.rounds}},
+                          row.processes == 0 ? Cell{} : Cell{std::int64_t{row.processes}},
                           std::string(stand_word(row)), row.unjudged});
   }
   return table;

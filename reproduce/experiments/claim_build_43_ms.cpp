@@ -26,7 +26,7 @@ std::vector<ClaimRow> rows_of(std::span<const Race> races, const Model& object) 
   for (const Race& one : races) {
     rows.push_back(measured_row(fmt::format("{}, level {}", title_of(one.builder), one.level),
                                 "time of the tree by SOMS", label_of(object), "ms", kRounded,
-                                estimate(one.soms.timing.rounds)));
+                                estimate(one.soms.timing.rounds, one.soms.timing.processes)));
     rows.back().unjudged =
         fmt::format("a time of a program on a machine of its time, and neither is available{}{}",
                     trouble.empty() ? "" : "; ", trouble);
@@ -40,10 +40,10 @@ Result claim_build_43_ms(const Context& context) {
   const Model* const given = original_of(context.models.objects, 948);
   const Model& object = given != nullptr ? *given : context.models.objects.front();
   const int rounds = context.quick ? 20 : 100;
-  Steps steps(context.parallel, 2 * race_steps(rounds));
+  Steps steps(context.parallel, 2 * race_steps(*context.races, rounds));
   std::vector<Race> races;
   for (const int level : {soms_balanced_level(object, steps.quiet()), kObjectLevel}) {
-    const std::vector<Race> of_level = race({&object, level}, rounds, steps);
+    const std::vector<Race> of_level = race(*context.races, {&object, level}, rounds, steps);
     races.insert(races.end(), of_level.begin(), of_level.end());
   }
   return {.claims = {{.id = "build_43_ms",
