@@ -22,7 +22,8 @@ namespace {
 constexpr std::size_t kBetweenReadings = 4000;
 constexpr std::size_t kMostBuilds = 4;
 
-constexpr int kUncountedBuilds = 4;
+/// Rounds before the clock counts, of all processes together.
+constexpr int kUncountedBuilds = 5;
 
 constexpr std::array kRacedRules{Rule::spatial_median, Rule::soms};
 
@@ -61,15 +62,17 @@ Timing per_build(const Timing& timing, std::size_t builds) {
   for (double& round : rounds) {
     round /= static_cast<double>(builds);
   }
-  return summarize(std::move(rounds));
+  return summarize(std::move(rounds), timing.processes);
 }
 
 Estimate gain_of(const Race& race, double factor) {
-  const Estimate ratio = paired_ratio(race.soms.timing.rounds, race.spatial_median.timing.rounds);
+  const Estimate ratio = paired_ratio(race.soms.timing.rounds, race.spatial_median.timing.rounds,
+                                      race.soms.timing.processes);
   const auto percent = [&](double value) { return 100 * (1 - factor * value); };
   return {percent(ratio.value),
           {percent(ratio.interval.high), percent(ratio.interval.low)},
-          ratio.rounds};
+          ratio.rounds,
+          ratio.processes};
 }
 
 void add(std::vector<Cell>& row, const Estimate& estimate) {
@@ -93,7 +96,8 @@ std::vector<Cell> row_of(const Race& race, Rule rule) {
     row.push_back(race.builder == Builder::library ? Cell{} : count(grown));
   }
   row.emplace_back(std::int64_t{racer.timing.repetitions});
-  add(row, estimate(racer.timing.rounds));
+  row.emplace_back(std::int64_t{racer.timing.processes});
+  add(row, estimate(racer.timing.rounds, racer.timing.processes));
   if (soms) {
     add(row, gain(race));
     add(row, gain_per_node(race));
@@ -136,11 +140,12 @@ bool has_empty_sides(const Model& model, int level, const Parallel& parallel) {
   });
 }
 
-std::size_t race_steps(int rounds) {
-  return static_cast<std::size_t>(rounds) + kUncountedBuilds;
+std::size_t race_steps(const RaceProcess& process, int rounds) {
+  return static_cast<std::size_t>(rounds_of_each(process, rounds) +
+                                  rounds_of_each(process, kUncountedBuilds));
 }
 
-std::vector<Race> race(const RaceTask& task, int rounds, Steps& steps) {
+std::vector<Race> race(RaceProcess& process, const RaceTask& task, int rounds, Steps& steps) {
   const Mesh& mesh = *task.model->mesh;
   const std::size_t builds = std::clamp<std::size_t>(
       kBetweenReadings / std::max<std::size_t>(1, mesh.triangles.size()), 1, kMostBuilds);
@@ -155,7 +160,11 @@ std::vector<Race> race(const RaceTask& task, int rounds, Steps& steps) {
     });
   }
   works.emplace_back([&steps] { steps.done_one(); });
-  const std::vector<Timing> timings = time_in_turn(rounds, steps.quiet(), works, kUncountedBuilds);
+  const RaceRounds shared{
+      .label = fmt::format("{}, level {}, {}", task.model->name, task.level, name(task.empty_side)),
+      .rounds = rounds,
+      .warm_up = rounds_of_each(process, kUncountedBuilds)};
+  const std::vector<Timing> timings = time_in_turn(process, shared, steps.quiet(), works);
   std::vector<Race> races;
   for (std::size_t b = 0; b < kBuilders.size(); ++b) {
     Race& one = races.emplace_back(
@@ -193,7 +202,7 @@ double gain_in_work(const Race& race) {
 Table race_table(std::string id, std::string caption, std::span<const Race> races) {
   Table table{std::move(id), std::move(caption)};
   for (const char* const column : {"model", "builder", "rule", "empty_side", "level", "nodes",
-                                   "compared", "outer", "inner", "merged", "rounds"}) {
+                                   "compared", "outer", "inner", "merged", "rounds", "processes"}) {
     table.columns.push_back({column});
   }
   for (const char* const column : {"median", "low", "high"}) {

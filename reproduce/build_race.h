@@ -8,6 +8,7 @@
 
 #include "reproduce/models.h"
 #include "reproduce/neutral_builders.h"
+#include "reproduce/race_process.h"
 #include "reproduce/result.h"
 #include "reproduce/statistics.h"
 #include "reproduce/steps.h"
@@ -79,13 +80,14 @@ struct RaceTask {
   EmptySide empty_side = EmptySide::stop;
 };
 
-/// Steps that `race` takes.
-[[nodiscard]] std::size_t race_steps(int rounds);
+/// Steps that `race` takes in this process.
+[[nodiscard]] std::size_t race_steps(const RaceProcess& process, int rounds);
 
 /// Races both rules by all builders, in the order of `kBuilders`: from the triangles in memory to
 /// the finished tree, midpoints included, on one thread. A round has up to four builds of each
 /// kind between two readings of the clock, for small models. \errors cancelled.
-[[nodiscard]] std::vector<Race> race(const RaceTask& task, int rounds, Steps& steps);
+[[nodiscard]] std::vector<Race> race(RaceProcess& process, const RaceTask& task, int rounds,
+                                     Steps& steps);
 
 /// How much less time SOMS takes than spatial median, in percent of the latter's: 100 * (1 - SOMS /
 /// spatial median), over pairs of rounds; for the whole tree, or for a node of each tree.

@@ -126,7 +126,7 @@ Table time_table(std::string id, std::string caption, std::span<const TimedBuild
          {t.median, t.lower_quartile, t.upper_quartile, t.mean, t.min, t.deviation}) {
       row.emplace_back(ms);
     }
-    const Interval interval = estimate(t.rounds).interval;
+    const Interval interval = estimate(t.rounds, t.processes).interval;
     row.emplace_back(interval.low);
     row.emplace_back(interval.high);
     row.push_back(per_node(one, t.mean));

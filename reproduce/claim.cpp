@@ -107,8 +107,8 @@ bool is_nearest(const Claim& claim, const ClaimRow& row) {
   return rest.empty() || std::isalnum(static_cast<unsigned char>(rest.front())) == 0;
 }
 
-bool rests_on_enough(const ClaimRow& /*row*/) {
-  return true;
+bool rests_on_enough(const ClaimRow& row) {
+  return !row.interval || row.processes >= kLeastProcesses;
 }
 
 Verdict stand_of(const ClaimRow& row) {
@@ -277,6 +277,7 @@ ClaimRow measured_row(std::string reading, std::string metric, std::string subje
                              std::move(unit), demand, estimate.value);
   row.interval = estimate.interval;
   row.rounds = estimate.rounds;
+  row.processes = estimate.processes;
   return row;
 }
 

@@ -81,6 +81,7 @@ struct ClaimRow {
   double value = 0;
   std::optional<Interval> interval = std::nullopt;  ///< of a measured value; nothing for a count
   int rounds = 0;                                   ///< measurements behind it; 0 for a count
+  int processes = 0;                                ///< that they come from; 0 for a count
   std::string unjudged = {};  ///< why this row is shown but not judged; empty if it is judged
   SubjectKind kind = SubjectKind::given;
   std::size_t triangles = 0;  ///< of the subject's model, where a figure names it by them

@@ -91,8 +91,22 @@ bool meets(const Trip& trip) {
   return false;
 }
 
-void add_kind(std::vector<TripKind>& kinds, TripKind kind) {
-  std::erase_if(kind.trips, [](const Trip& trip) { return !meets(trip); });
+void add_kind(const Context& context, std::vector<TripKind>& kinds, TripKind kind) {
+  const Decision met = context.races->decide(
+      fmt::format("trips of {} that meet, {}", kind.subject(), kind.rule), [&] {
+        Decision each;
+        for (const Trip& trip : kind.trips) {
+          each.push_back(meets(trip) ? 1 : 0);
+        }
+        return each;
+      });
+  std::vector<Trip> meeting;
+  for (std::size_t i = 0; i < kind.trips.size(); ++i) {
+    if (met.at(i) != 0) {
+      meeting.push_back(std::move(kind.trips[i]));
+    }
+  }
+  kind.trips = std::move(meeting);
   if (!kind.trips.empty()) {
     kinds.push_back(std::move(kind));
   }
@@ -127,7 +141,7 @@ TripKind drive_kind(const Context& context, const Model& object, std::string_vie
 
 void add_kinds_of(EnodeTrips& all, const Context& context, const Model& object) {
   for (const char* const rule : {kEnodeRule, "spatial_median"}) {
-    add_kind(all.kinds, orientation_kind(object, rule));
+    add_kind(context, all.kinds, orientation_kind(object, rule));
   }
   std::vector<TouchingDrive> touching;
   for (const Model& scene : context.models.scenes) {
@@ -135,9 +149,9 @@ void add_kinds_of(EnodeTrips& all, const Context& context, const Model& object) 
     all.remarks.push_back(touching_drive_remark(scene, object, touching.back()));
   }
   for (const char* const rule : {kEnodeRule, "object_median"}) {
-    add_kind(all.kinds, drive_kind(context, object, rule, {}));
+    add_kind(context, all.kinds, drive_kind(context, object, rule, {}));
     if (!touching.empty()) {
-      add_kind(all.kinds, drive_kind(context, object, rule, touching));
+      add_kind(context, all.kinds, drive_kind(context, object, rule, touching));
     }
   }
 }

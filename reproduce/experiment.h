@@ -6,6 +6,7 @@
 
 #include "reproduce/drawn_frames.h"
 #include "reproduce/models.h"
+#include "reproduce/race_process.h"
 #include "reproduce/result.h"
 
 #include <cstddef>
@@ -28,6 +29,7 @@ struct Context {
   Parallel parallel = {};
   DrawFrames draw = {};                ///< what draws; empty where nothing does
   TouchingDrives* touching = nullptr;  ///< those that the run has found; may be null
+  RaceProcess* races = &sole_process();  ///< how rounds of races are shared; never null
 
   /// `whole` repetitions, or a tenth of them (at least 5) in a quick run.
   [[nodiscard]] int repetitions(int whole) const;

@@ -132,33 +132,39 @@ std::vector<std::size_t> middle_of(std::span<const std::size_t> frames, std::siz
   return {first, first + static_cast<std::ptrdiff_t>(count)};
 }
 
-std::vector<Timing> race(const MovedTrip& moved, std::span<const TripRacer> racers,
-                         Question question, std::span<const std::size_t> frames, int rounds,
-                         const Parallel& parallel, std::size_t passes) {
+std::vector<Timing> race(RaceProcess& process, const MovedTrip& moved, const TripRace& race,
+                         const Parallel& parallel) {
+  const Trip& trip = moved.trip();
   std::vector<FrameTraversal> traversals;
-  for (const TripRacer& racer : racers) {
+  for (const TripRacer& racer : race.racers) {
     traversals.emplace_back(moved, racer);
   }
-  std::vector<std::uint64_t> answers(racers.size());
+  std::vector<std::uint64_t> answers(race.racers.size());
   std::vector<std::function<void()>> works;
-  for (std::size_t i = 0; i < racers.size(); ++i) {
+  for (std::size_t i = 0; i < race.racers.size(); ++i) {
     works.emplace_back([&, i] {
-      for (std::size_t pass = 0; pass < passes; ++pass) {
-        answers[i] = ask(moved, traversals[i], question, frames);
+      for (std::size_t pass = 0; pass < race.passes; ++pass) {
+        answers[i] = ask(moved, traversals[i], race.question, race.frames);
       }
     });
   }
-  std::vector<Timing> timings = time_in_turn(rounds, parallel, works, kWarmUp);
-  for (std::size_t i = 1; i < racers.size(); ++i) {
+  const RaceRounds shared{
+      .label = fmt::format("{} of {} past {}, {}, question {}, {} frames {} times", trip.test,
+                           trip.moving, trip.still, trip.rule, static_cast<int>(race.question),
+                           race.frames.size(), race.passes),
+      .rounds = race.rounds,
+      .warm_up = rounds_of_each(process, kWarmUp)};
+  std::vector<Timing> timings = time_in_turn(process, shared, parallel, works);
+  for (std::size_t i = 1; i < answers.size(); ++i) {
     require(answers[i] == answers[0],
-            fmt::format("{} of {} past {}: answers by {} and by {}", moved.trip().test,
-                        moved.trip().moving, moved.trip().still, racers[i].name, racers[0].name));
+            fmt::format("{} of {} past {}: answers by {} and by {}", trip.test, trip.moving,
+                        trip.still, race.racers[i].name, race.racers[0].name));
   }
   for (Timing& timing : timings) {
     for (double& round : timing.rounds) {
-      round /= static_cast<double>(passes);
+      round /= static_cast<double>(race.passes);
     }
-    timing = summarize(std::move(timing.rounds));
+    timing = summarize(std::move(timing.rounds), timing.processes);
   }
   return timings;
 }

@@ -11,6 +11,7 @@
 #include "soms/thesis/traversals.h"
 
 #include "reproduce/frames.h"
+#include "reproduce/race_process.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -96,14 +97,20 @@ std::uint64_t ask(const MovedTrip& moved, FrameTraversal& traversal, Question qu
 [[nodiscard]] std::vector<std::size_t> middle_of(std::span<const std::size_t> frames,
                                                  std::size_t share);
 
+/// What is timed on a trip.
+struct TripRace {
+  std::span<const TripRacer> racers;
+  Question question = Question::leaf_pairs;
+  std::span<const std::size_t> frames;
+  int rounds = 0;          ///< of all processes
+  std::size_t passes = 1;  ///< through the frames, where they take less time than would be seen
+};
+
 /// Times the question by several traversals in turn, one reading of the processor clock before and
-/// one after all of the frames, which are gone through `passes` times where they take less time
-/// than would be seen.
+/// one after all of the frames.
 /// \shape one Timing a racer, of the frames once.
 /// \errors std::logic_error where answers disagree; ErrorKind::cancelled.
-[[nodiscard]] std::vector<Timing> race(const MovedTrip& moved, std::span<const TripRacer> racers,
-                                       Question question, std::span<const std::size_t> frames,
-                                       int rounds, const Parallel& parallel,
-                                       std::size_t passes = 1);
+[[nodiscard]] std::vector<Timing> race(RaceProcess& process, const MovedTrip& moved,
+                                       const TripRace& race, const Parallel& parallel);
 
 }  // namespace soms::reproduce

@@ -38,17 +38,26 @@ std::string now() {
 /// Wall and processor time since it was made.
 class Stopwatch {
  public:
+  /// Also of the processes of a leader; may be null.
+  explicit Stopwatch(const RaceLeader* leader)
+      : leader_(leader), processor_start_(processor_seconds_of_all()) {}
+
   [[nodiscard]] double seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }
 
   [[nodiscard]] double processor_seconds() const {
-    return reproduce::processor_seconds() - processor_start_;
+    return processor_seconds_of_all() - processor_start_;
   }
 
  private:
+  [[nodiscard]] double processor_seconds_of_all() const {
+    return reproduce::processor_seconds() + (leader_ == nullptr ? 0 : leader_->processor_seconds());
+  }
+
+  const RaceLeader* leader_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  double processor_start_ = reproduce::processor_seconds();
+  double processor_start_;
 };
 
 /// Fills in what is known at the end of a run only.
@@ -89,8 +98,9 @@ void write_scenes(Report& report, const RunVisitor& visitor) {
 /// Runs experiments one by one and knows the share of all that is done.
 class Runner {
  public:
-  Runner(const RunOptions& options, const RunVisitor& visitor, const Parallel& parallel)
-      : options_(options), visitor_(visitor), parallel_(parallel) {
+  Runner(const RunOptions& options, const RunVisitor& visitor, const Parallel& parallel,
+         RaceLeader* leader)
+      : options_(options), visitor_(visitor), parallel_(parallel), leader_(leader) {
     for (const Experiment* experiment : options.experiments) {
       all_ += experiment->weight;
     }
@@ -101,7 +111,11 @@ class Runner {
     Context context{
         .models = models, .quick = options_.quick, .draw = options_.draw, .touching = &touching_};
     context.parallel = watched(experiment.item, experiment.weight);
-    const Stopwatch watch;
+    if (leader_ != nullptr) {
+      leader_->begin(experiment.item);
+      context.races = leader_;
+    }
+    const Stopwatch watch(leader_);
     Entry entry{.experiment = &experiment, .result = experiment.run(context)};
     for (const Claim& claim : entry.result.claims) {
       entry.result.tables.push_back(claim_table(claim));
@@ -134,6 +148,7 @@ class Runner {
   const RunOptions& options_;
   const RunVisitor& visitor_;
   const Parallel& parallel_;
+  RaceLeader* leader_;
   TouchingDrives touching_;
   int all_ = 0;
   int done_ = 0;
@@ -149,14 +164,15 @@ std::filesystem::path file_of(const Figure& figure) {
   return std::filesystem::path("figures") / (figure.id + ".svg");
 }
 
-Report run(const RunOptions& options, const RunVisitor& visitor, const Parallel& parallel) {
-  const Stopwatch watch;
+Report run(const RunOptions& options, const RunVisitor& visitor, const Parallel& parallel,
+           RaceLeader* leader) {
+  const Stopwatch watch(leader);
   Report report{.machine = this_machine(), .date = now(), .quick = options.quick};
   report.missing = options.experiments;
   report.command = command_line();
   report.load = {.start = load_averages(), .processors = report.machine.processors};
   report.latex = options.latex;
-  Runner runner(options, visitor, parallel);
+  Runner runner(options, visitor, parallel, leader);
   try {
     report.models = find_models(options.models, all_needs(options), parallel);
     if (visitor.found) {

@@ -5,6 +5,7 @@
 #include "reproduce/experiment.h"
 #include "reproduce/golden.h"
 #include "reproduce/load.h"
+#include "reproduce/race_team.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -98,8 +99,10 @@ struct RunVisitor {
 /// each one's files as soon as it ends, compares with the golden tables if there are any, then
 /// writes the page and the list of files. A stop request ends it early: what is written is whole,
 /// and the page names what is missing. \errors Those of find_models but cancelled; those of
-/// `visitor`.
-Report run(const RunOptions& options, const RunVisitor& visitor, const Parallel& parallel = {});
+/// `visitor` and of `leader`, which shares the rounds of races with other processes; without one
+/// this process times all.
+Report run(const RunOptions& options, const RunVisitor& visitor, const Parallel& parallel = {},
+           RaceLeader* leader = nullptr);
 
 /// Where the reader of the page finds tables as CSV and the list of files.
 enum class PageFiles {

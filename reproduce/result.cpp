@@ -89,6 +89,7 @@ Table claim_table(const Claim& claim) {
                   {"low", "", kind},
                   {"high", "", kind},
                   {"rounds"},
+                  {"processes"},
                   {"stands", "", kind},
                   {"unjudged"},
                   {"on_stand_in"}}};
@@ -102,6 +103,7 @@ Table claim_table(const Claim& claim) {
                           row.unit, bound(row.demand.above), bound(row.demand.below), row.value,
                           end_of(&Interval::low), end_of(&Interval::high),
                           row.rounds == 0 ? Cell{} : Cell{std::int64_t{row.rounds}},
+                          row.processes == 0 ? Cell{} : Cell{std::int64_t{row.processes}},
                           std::string(stand_word(row)), row.unjudged, yes_if(row.on_stand_in)});
   }
   return table;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace soms::reproduce {
@@ -14,25 +15,69 @@ namespace soms::reproduce {
 namespace {
 
 /// A ride that is timed, and the frames of each of its trips.
-struct TimedTrip {
+struct TimedRide {
   Ride* ride = nullptr;
   std::vector<std::vector<Frame>> frames = {};
 };
 
-Ride count_ride(const Context& context, const RideCourse& course, const BuildPairing& build,
-                const NamedTraversal& traversal, std::vector<std::vector<Frame>>& frames) {
+Ride ride_of(const RideCourse& course, const BuildPairing& build, const NamedTraversal& traversal) {
   Ride ride{.model = course.model,
             .subject = course.subject,
             .build = build,
             .traversal = traversal.name};
   for (const auto& trip : course.trips) {
     ride.trips.push_back(trip(build));
-    frames.push_back(traverse_frames(ride.trips.back(), traversal, context.parallel));
-    for (const Frame& frame : frames.back()) {
-      ride.sum.add(frame);
-    }
   }
   return ride;
+}
+
+/// Counts a ride and answers whether it is timed, then of each frame whether the roots overlap.
+Decision count(Ride& ride, const NamedTraversal& traversal, const Parallel& parallel) {
+  Decision decision{0};
+  for (const Trip& trip : ride.trips) {
+    for (const Frame& frame : traverse_frames(trip, traversal, parallel)) {
+      ride.sum.add(frame);
+      decision.push_back(frame.roots_overlap ? 1 : 0);
+    }
+  }
+  decision.front() =
+      ride.sum.counts.triangle_pairs <= kManyTrianglePairs && ride.sum.root_overlap_frames > 0;
+  return decision;
+}
+
+/// The frames that a decision tells of, trip by trip.
+std::vector<std::vector<Frame>> frames_of(const Ride& ride, const Decision& decision) {
+  std::vector<std::vector<Frame>> frames;
+  std::size_t next = 1;
+  for (const Trip& trip : ride.trips) {
+    std::vector<Frame>& of_trip = frames.emplace_back(trip.offsets.size());
+    for (Frame& frame : of_trip) {
+      frame.roots_overlap = decision.at(next++) != 0;
+    }
+  }
+  return frames;
+}
+
+/// Milliseconds of each ride by round.
+RoundsByWork time_rides(std::span<const TimedRide> rides, const NamedTraversal& traversal,
+                        int rounds, const Context& context) {
+  std::vector<TripRun> runs;
+  for (const TimedRide& one : rides) {
+    for (const Trip& trip : one.ride->trips) {
+      runs.push_back({&trip, traversal, context.timed_step(trip.is_drive())});
+    }
+  }
+  const std::vector<FrameTimes> times = time_trips(runs, rounds, context.parallel);
+  RoundsByWork all;
+  std::size_t next = 0;
+  for (const TimedRide& one : rides) {
+    std::vector<double>& of_ride = all.emplace_back(static_cast<std::size_t>(rounds));
+    for (const std::vector<Frame>& frames : one.frames) {
+      const std::vector<double> sums = sums_by_round(times[next++].collision, frames);
+      std::transform(sums.begin(), sums.end(), of_ride.begin(), of_ride.begin(), std::plus<>());
+    }
+  }
+  return all;
 }
 
 RideCourse four_sides(const Model& object) {
@@ -79,31 +124,29 @@ std::vector<RideCourse> thesis_courses(const Context& context) {
 
 std::vector<Ride> ride(const Context& context, const RideCourse& course,
                        std::span<const BuildPairing> builds, const NamedTraversal& traversal) {
+  RaceProcess& process = *context.races;
   std::vector<Ride> rides;
   rides.reserve(builds.size());
-  std::vector<TimedTrip> timed;
-  std::vector<TripRun> runs;
+  std::vector<TimedRide> timed;
   for (const BuildPairing& build : builds) {
-    std::vector<std::vector<Frame>> frames;
-    rides.push_back(count_ride(context, course, build, traversal, frames));
-    Ride& one = rides.back();
-    if (one.sum.counts.triangle_pairs <= kManyTrianglePairs && one.sum.root_overlap_frames > 0) {
-      for (const Trip& trip : one.trips) {
-        runs.push_back({&trip, traversal, context.timed_step(trip.is_drive())});
-      }
-      timed.push_back({&one, std::move(frames)});
+    Ride& one = rides.emplace_back(ride_of(course, build, traversal));
+    const Decision decision =
+        process.decide(fmt::format("frames of {}, {}, {}", one.subject, build.title, one.traversal),
+                       [&] { return count(one, traversal, context.parallel); });
+    if (decision.at(0) != 0) {
+      timed.push_back({&one, frames_of(one, decision)});
     }
   }
-  const std::vector<FrameTimes> times = time_trips(runs, context.rounds(), context.parallel);
-  std::size_t next = 0;
-  for (const TimedTrip& one : timed) {
-    for (const std::vector<Frame>& frames : one.frames) {
-      const std::vector<double> sums = sums_by_round(times[next++].collision, frames);
-      one.ride->rounds.resize(std::max(one.ride->rounds.size(), sums.size()));
-      for (std::size_t i = 0; i < sums.size(); ++i) {
-        one.ride->rounds[i] += sums[i];
-      }
-    }
+  if (timed.empty()) {
+    return rides;
+  }
+  RoundsByWork rounds = process.gather(
+      fmt::format("{}, {}, {} builds", course.subject, traversal.name, timed.size()), [&] {
+        return time_rides(timed, traversal, rounds_of_each(process, context.rounds()), context);
+      });
+  for (std::size_t i = 0; i < timed.size(); ++i) {
+    timed[i].ride->rounds = std::move(rounds[i]);
+    timed[i].ride->processes = process.processes();
   }
   return rides;
 }

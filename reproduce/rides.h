@@ -49,6 +49,7 @@ struct Ride {
   /// Milliseconds of collision detection by round, over the frames in which the roots overlap.
   /// Empty where the leaves hold more than kManyTrianglePairs.
   std::vector<double> rounds = {};
+  int processes = 1;  ///< that the rounds come from
 
   /// Box tests and pairs of triangles together.
   [[nodiscard]] std::uint64_t tests() const {

@@ -48,7 +48,7 @@ double processor_milliseconds() {
   return 1e3 * static_cast<double>(used.tv_sec) + 1e-6 * static_cast<double>(used.tv_nsec);
 }
 
-Timing summarize(std::vector<double> milliseconds) {
+Timing summarize(std::vector<double> milliseconds, int processes) {
   std::vector<double> rounds = milliseconds;
   std::sort(milliseconds.begin(), milliseconds.end());
   const auto count = static_cast<double>(milliseconds.size());
@@ -65,7 +65,8 @@ Timing summarize(std::vector<double> milliseconds) {
           .max = milliseconds.back(),
           .deviation = milliseconds.size() < 2 ? 0 : std::sqrt(squares / (count - 1)),
           .repetitions = static_cast<int>(milliseconds.size()),
-          .rounds = std::move(rounds)};
+          .rounds = std::move(rounds),
+          .processes = processes};
 }
 
 Timing time_repeatedly(int repetitions, const Parallel& parallel, const std::function<void()>& work,

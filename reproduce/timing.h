@@ -25,10 +25,11 @@ struct Timing {
   double deviation = 0;  ///< standard deviation
   int repetitions = 0;
   std::vector<double> rounds = {};  ///< the samples, in the order they were taken
+  int processes = 1;                ///< that took them, one after the other, as many each
 };
 
 /// Order statistics of samples in milliseconds. \pre not empty.
-[[nodiscard]] Timing summarize(std::vector<double> milliseconds);
+[[nodiscard]] Timing summarize(std::vector<double> milliseconds, int processes = 1);
 
 /// Runs `work` `warm_up` times unmeasured, then `repetitions` times by the thread's processor time.
 /// \errors ErrorKind::cancelled between runs; those of `work`.

@@ -73,6 +73,26 @@ std::size_t off_half(std::size_t contact_frames, std::size_t frames) {
   return twice < frames ? frames - twice : twice - frames;
 }
 
+/// A drive as processes tell it to one another.
+Decision numbers_of(const TouchingDrive& drive) {
+  Decision numbers{static_cast<double>(drive.contact_frames), static_cast<double>(drive.lines),
+                   static_cast<double>(drive.touching_lines)};
+  for (const Vec3& by : drive.offsets) {
+    numbers.insert(numbers.end(), {by.x, by.y, by.z});
+  }
+  return numbers;
+}
+
+TouchingDrive drive_of(const Decision& numbers) {
+  TouchingDrive drive{.contact_frames = static_cast<std::size_t>(numbers.at(0)),
+                      .lines = static_cast<std::size_t>(numbers.at(1)),
+                      .touching_lines = static_cast<std::size_t>(numbers.at(2))};
+  for (std::size_t i = 3; i + 2 < numbers.size(); i += 3) {
+    drive.offsets.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
+  }
+  return drive;
+}
+
 }  // namespace
 
 TouchingDrive find_touching_drive(const Model& scene, const Model& object,
@@ -118,8 +138,12 @@ const TouchingDrive& TouchingDrives::of(const Model& scene, const Model& object,
 
 TouchingDrive touching_drive(const Context& context, const Model& scene, const Model& object) {
   const Parallel quiet{1, context.parallel.stop, {}};
-  return context.touching != nullptr ? context.touching->of(scene, object, quiet)
-                                     : find_touching_drive(scene, object, quiet);
+  const Decision decision = context.races->decide(
+      fmt::format("touching drive of {} through {}", object.name, scene.name), [&] {
+        return numbers_of(context.touching != nullptr ? context.touching->of(scene, object, quiet)
+                                                      : find_touching_drive(scene, object, quiet));
+      });
+  return drive_of(decision);
 }
 
 std::string touching_drive_remark(const Model& scene, const Model& object,

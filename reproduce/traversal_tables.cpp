@@ -83,12 +83,12 @@ void add_estimate_columns(Table& table, std::string_view unit) {
   }
 }
 
-void add_estimate_cells(std::vector<Cell>& row, std::span<const double> rounds) {
+void add_estimate_cells(std::vector<Cell>& row, std::span<const double> rounds, int processes) {
   if (rounds.empty()) {
     row.resize(row.size() + 3);
     return;
   }
-  const Estimate time = estimate(rounds);
+  const Estimate time = estimate(rounds, processes);
   for (const double number : {time.value, time.interval.low, time.interval.high}) {
     row.emplace_back(number);
   }

@@ -54,8 +54,9 @@ void add_rate_cells(std::vector<Cell>& row, const std::vector<double>& milliseco
 /// run to run.
 void add_estimate_columns(Table& table, std::string_view unit);
 
-/// Appends the cells of those columns; empty ones where there are no rounds.
-void add_estimate_cells(std::vector<Cell>& row, std::span<const double> rounds);
+/// Appends the cells of those columns; empty ones where there are no rounds. So many processes
+/// measured them.
+void add_estimate_cells(std::vector<Cell>& row, std::span<const double> rounds, int processes);
 
 /// Medians of the timings of those timed frames in which the roots overlap.
 [[nodiscard]] std::vector<double> medians_where_roots_overlap(std::span<const Timing> timings,

@@ -6,4 +6,6 @@ set(SOMS_REPRODUCE_FILES
   print_pdf.h
   reproduce.cpp
   reproduce.h
+  timing_process.cpp
+  timing_process.h
 )

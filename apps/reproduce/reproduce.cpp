@@ -4,6 +4,7 @@
 
 #include "apps/reproduce/draw_frames.h"
 #include "apps/reproduce/print_pdf.h"
+#include "apps/reproduce/timing_process.h"
 #include "apps/support/console.h"
 #include "apps/support/exit_status.h"
 #include "apps/support/output.h"
@@ -151,7 +152,12 @@ reproduce::Report run_experiments(const ReproduceOptions& options, const reprodu
   return console.run("reproducing", [&](const Parallel& limits) {
     Parallel one_thread = limits;
     one_thread.threads = 1;
-    return reproduce::run(run, visitor, one_thread);
+    const int processes = possible_timing_processes();
+    reproduce::RaceLeader leader(processes, [&] {
+      return start_timing_processes(processes - 1, {options.models, options.quick},
+                                    console.shared(), limits);
+    });
+    return reproduce::run(run, visitor, one_thread, &leader);
   });
 }
 

@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 
 #include "apps/support/console.h"
+#include "apps/support/spawn.h"
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -15,7 +16,6 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
-#include <cstring>
 #include <exception>
 #include <initializer_list>
 #include <sstream>
@@ -48,97 +48,6 @@ std::vector<std::filesystem::path> folders() {
   return all;
 }
 
-/// Words as a program takes them; pointers last as long as the object.
-class Arguments {
- public:
-  Arguments(const std::string& first, std::vector<std::string> words)
-      : Arguments(with_first(first, std::move(words))) {}
-
-  explicit Arguments(std::vector<std::string> words) : words_(std::move(words)) {
-    for (std::string& word : words_) {
-      pointers_.push_back(word.data());
-    }
-    pointers_.push_back(nullptr);
-  }
-
-  [[nodiscard]] char* const* get() { return pointers_.data(); }
-
- private:
-  static std::vector<std::string> with_first(const std::string& first,
-                                             std::vector<std::string> words) {
-    words.insert(words.begin(), first);
-    return words;
-  }
-
-  std::vector<std::string> words_;
-  std::vector<char*> pointers_;
-};
-
-Error not_started(const std::filesystem::path& program, int fault) {
-  if (fault == ENOMEM) {
-    return Error(ErrorKind::out_of_memory,
-                 program.string() + " cannot be started: " + std::strerror(fault),
-                 "allow more with --max-memory, or free some");
-  }
-  return Error(ErrorKind::unsupported,
-               program.string() + " cannot be started: " + std::strerror(fault),
-               "rebuild or reinstall it");
-}
-
-/// The environment, for a child with a home of its own with that in the place of the user's.
-std::vector<std::string> environment_of(const std::filesystem::path& home) {
-  std::vector<std::string> variables;
-  for (char* const* variable = environ; *variable != nullptr; ++variable) {
-    const std::string_view text = *variable;
-    if (home.empty() || !(text.starts_with("HOME=") || text.starts_with("XDG_"))) {
-      variables.emplace_back(text);
-    }
-  }
-  if (!home.empty()) {
-    variables.push_back("HOME=" + home.string());
-  }
-  return variables;
-}
-
-/// What a child has for standard streams, and who it is.
-struct Surroundings {
-  const posix_spawn_file_actions_t* files = nullptr;
-  std::filesystem::path home = {};  ///< as ChildOptions has it; then it leads a process group
-};
-
-/// Starts a child to which signals mean what they usually do.
-pid_t start(const std::filesystem::path& program, const std::vector<std::string>& words,
-            const std::string& called, const Surroundings& around) {
-  Arguments arguments(called.empty() ? program.string() : called, words);
-  Arguments variables(environment_of(around.home));
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  sigset_t none;
-  sigemptyset(&none);
-  sigset_t usual;
-  sigemptyset(&usual);
-  sigaddset(&usual, SIGPIPE);
-  sigaddset(&usual, SIGXFSZ);
-  posix_spawnattr_setsigmask(&attributes, &none);
-  posix_spawnattr_setsigdefault(&attributes, &usual);
-  posix_spawnattr_setpgroup(&attributes, 0);
-  const int group = around.home.empty() ? 0 : POSIX_SPAWN_SETPGROUP;
-  posix_spawnattr_setflags(
-      &attributes, static_cast<short>(POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | group));
-  pid_t child = -1;
-  const int fault = posix_spawn(&child, program.c_str(), around.files, &attributes, arguments.get(),
-                                variables.get());
-  posix_spawnattr_destroy(&attributes);
-  if (fault != 0) {
-    throw not_started(program, fault);
-  }
-  return child;
-}
-
-int exit_status_of(int status) {
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-}
-
 /// True once a child has ended, which stays to be collected.
 bool has_ended(pid_t child) {
   siginfo_t info{};
@@ -156,7 +65,7 @@ pid_t start_at_home(const std::filesystem::path& program, const std::vector<std:
   posix_spawn_file_actions_addopen(&files, 1, said.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   posix_spawn_file_actions_adddup2(&files, 1, 2);
   try {
-    const pid_t child = start(program, words, options.called, {&files, options.home});
+    const pid_t child = start_program(program, words, options.called, {&files, options.home});
     posix_spawn_file_actions_destroy(&files);
     return child;
   } catch (...) {
@@ -182,7 +91,7 @@ ChildAnswer read_child(const std::filesystem::path& program, const std::vector<s
   pid_t child = -1;
   std::exception_ptr fault;
   try {
-    child = start(program, words, called, {&files});
+    child = start_program(program, words, called, {&files});
   } catch (const Error&) {
     fault = std::current_exception();
   }
@@ -266,7 +175,7 @@ int run_child(const std::filesystem::path& program, const std::vector<std::strin
               const Console& console, const ChildOptions& options) {
   const bool stranger = !options.home.empty();
   const pid_t child =
-      stranger ? start_at_home(program, words, options) : start(program, words, options.called, {});
+      stranger ? start_at_home(program, words, options) : start_program(program, words, options.called, {});
   int status = 0;
   bool terminated = false;
   while (!has_ended(child)) {

@@ -60,6 +60,8 @@ set(SOMS_SUPPORT_FILES
   row_source.h
   shared.cpp
   shared.h
+  spawn.cpp
+  spawn.h
   spooled_bytes.cpp
   spooled_bytes.h
   standard_input.cpp

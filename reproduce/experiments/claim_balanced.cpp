@@ -93,7 +93,7 @@ void add_comparison(std::vector<ClaimRow>& rows, const Ride& more, const Ride& l
   rows.back().unjudged = unjudged;
   if (!more.rounds.empty() && !less.rounds.empty()) {
     rows.push_back(measured_row(reading, "processor time", more.subject, "", cheaper,
-                                paired_ratio(more.rounds, less.rounds)));
+                                paired_ratio(more.rounds, less.rounds, more.processes)));
     rows.back().unjudged = unjudged;
   }
   for (std::size_t i = before; i < rows.size(); ++i) {
@@ -147,7 +147,7 @@ Table pairs_table(const std::vector<Ride>& rides, const Context& context) {
     std::vector<Cell> row{ride.model, ride.subject, ride.build.title,
                           count_cell(ride_balanced_level(ride))};
     add_count_cells(row, ride.sum.counts);
-    add_estimate_cells(row, ride.rounds);
+    add_estimate_cells(row, ride.rounds, ride.processes);
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -179,7 +179,7 @@ Result claim_balanced(const Context& context) {
   std::vector<Ride> all;
   for (const RideCourse& course : courses) {
     std::vector<Ride> rides = ride(context, course, pairings, generic_traversal());
-    if (rides[0].sum.root_overlap_frames > 0) {
+    if (rides[0].sum.root_overlap_frames > 0 && !context.races->times_only()) {
       for (const Ride& more : rides) {
         for (const Ride& less : rides) {
           if (ride_balanced_level(more) > ride_balanced_level(less)) {
@@ -189,7 +189,7 @@ Result claim_balanced(const Context& context) {
       }
     }
     steps.done_one();
-    if (rides[0].sum.root_overlap_frames > 0) {
+    if (rides[0].sum.root_overlap_frames > 0 && !context.races->times_only()) {
       compare_shares(claim.rows, rides[0], steps.quiet());
     }
     std::move(rides.begin(), rides.end(), std::back_inserter(all));

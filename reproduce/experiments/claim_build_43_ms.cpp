@@ -29,7 +29,8 @@ std::vector<ClaimRow> rows_of(std::span<const Race> races, const Model& object) 
   std::vector<ClaimRow> rows;
   for (const Race& one : races) {
     rows.push_back(measured_row(reading_of(one.builder, one.level), "time of the tree by SOMS", {},
-                                "ms", kRounded, estimate(one.soms.timing.rounds)));
+                                "ms", kRounded,
+                                estimate(one.soms.timing.rounds, one.soms.timing.processes)));
     set_subject(rows.back(), object);
     rows.back().unjudged = "a time of a program on a machine of its time, and neither is available";
   }
@@ -42,11 +43,11 @@ Result claim_build_43_ms(const Context& context) {
   const Model* const given = named_model(context.models.objects, kObjectTriangles);
   const Model& object = given != nullptr ? *given : context.models.objects.front();
   const int rounds = context.quick ? 20 : 100;
-  Steps steps(context.parallel, 2 * race_steps(rounds));
+  Steps steps(context.parallel, 2 * race_steps(*context.races, rounds));
   std::vector<Race> races;
   const int balanced = soms_balanced_level(object, steps.quiet());
   for (const int level : {balanced, kObjectLevel}) {
-    const std::vector<Race> of_level = race({&object, level}, rounds, steps);
+    const std::vector<Race> of_level = race(*context.races, {&object, level}, rounds, steps);
     races.insert(races.end(), of_level.begin(), of_level.end());
   }
   Claim claim{.id = "build_43_ms",

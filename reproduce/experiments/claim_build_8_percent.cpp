@@ -228,12 +228,12 @@ std::vector<Race> races_of(const Context& context, const RacedObject& subject) {
   for (const Model& model : objects) {
     const std::vector<RaceTask> of_model = tasks_of(model, subject, quiet);
     tasks.insert(tasks.end(), of_model.begin(), of_model.end());
-    count += of_model.size() * race_steps(rounds_of(model));
+    count += of_model.size() * race_steps(*context.races, rounds_of(model));
   }
   Steps steps(context.parallel, count);
   std::vector<Race> races;
   for (const RaceTask& task : tasks) {
-    const std::vector<Race> of_task = race(task, rounds_of(*task.model), steps);
+    const std::vector<Race> of_task = race(*context.races, task, rounds_of(*task.model), steps);
     races.insert(races.end(), of_task.begin(), of_task.end());
   }
   return races;

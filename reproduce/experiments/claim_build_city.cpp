@@ -229,7 +229,8 @@ std::string draw_ratios(std::span<const Race> races) {
       .below = 1};
   for (const Race& one : races) {
     if (one.level == kSceneLevel) {
-      const Estimate ratio = paired_ratio(one.soms.timing.rounds, one.spatial_median.timing.rounds);
+      const Estimate ratio = paired_ratio(one.soms.timing.rounds, one.spatial_median.timing.rounds,
+                                          one.soms.timing.processes);
       chart.marks.push_back({one.model->name, std::string(name(one.empty_side)),
                              std::string(title_of(one.builder)), ratio.value, ratio.interval});
     }
@@ -263,10 +264,10 @@ Result claim_build_city(const Context& context) {
   const Parallel quiet{1, context.parallel.stop, {}};
   const std::vector<Entrant> entrants = entrants_of(scenes, quiet);
   const int rounds = context.quick ? kQuickRounds : kRounds;
-  Steps steps(context.parallel, entrants.size() * race_steps(rounds));
+  Steps steps(context.parallel, entrants.size() * race_steps(*context.races, rounds));
   std::vector<Race> races;
   for (const Entrant& one : entrants) {
-    const std::vector<Race> of_task = race(one.task, rounds, steps);
+    const std::vector<Race> of_task = race(*context.races, one.task, rounds, steps);
     races.insert(races.end(), of_task.begin(), of_task.end());
   }
   const std::string note = note_on_stand_ins(scenes);

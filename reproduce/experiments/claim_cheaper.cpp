@@ -61,7 +61,8 @@ void add_rows(std::vector<ClaimRow>& rows, const Ride& soms, const Ride& spatial
                              soms.subject, "", less, over(soms.tests(), spatial.tests())));
   if (!soms.rounds.empty() && !spatial.rounds.empty()) {
     rows.push_back(measured_row(reading, "processor time, SOMS over spatial median", soms.subject,
-                                "", less, paired_ratio(soms.rounds, spatial.rounds)));
+                                "", less,
+                                paired_ratio(soms.rounds, spatial.rounds, soms.processes)));
   }
 }
 
@@ -110,7 +111,7 @@ Table cheaper_table(const std::vector<Ride>& rides, const Context& context) {
                           count_cell(ride.sum.frames),
                           count_cell(ride.sum.root_overlap_frames)};
     add_count_cells(row, ride.sum.counts);
-    add_estimate_cells(row, ride.rounds);
+    add_estimate_cells(row, ride.rounds, ride.processes);
     table.rows.push_back(std::move(row));
   }
   return table;

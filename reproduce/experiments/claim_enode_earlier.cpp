@@ -64,8 +64,8 @@ struct Kind {
 using Counter = std::uint64_t UntilHit::*;
 using Regime = std::vector<UntilHit> UpToHit::*;
 
-UpToHit up_to_hit(const MovedTrip& moved, const HitWords& words, const Context& context,
-                  const Parallel& quiet) {
+/// Counts of all racers. \errors std::logic_error where their frames with a hit differ.
+UpToHit counts_up_to_hit(const MovedTrip& moved, const HitWords& words, const Parallel& quiet) {
   UpToHit result;
   const std::vector<std::size_t> all = moved.all_frames();
   for (const TripRacer& racer : enode_racers()) {
@@ -80,17 +80,50 @@ UpToHit up_to_hit(const MovedTrip& moved, const HitWords& words, const Context& 
             fmt::format("{} of {} past {}: frames with a hit by {} and by another",
                         moved.trip().test, moved.trip().moving, moved.trip().still, racer.name));
   }
-  const std::vector<std::size_t>& hits = result.stopped.front().frames;
-  if (!hits.empty() && moved.trip().rule == kEnodeRule) {
-    result.timed = context.quick ? middle_of(hits, kQuickShare) : hits;
-    const std::size_t passes = 1 + kBoxTestsARound / result.stopped.front().box_tests;
-    result.times = race(moved, enode_racers(), words.question, result.timed, enode_rounds(context),
-                        quiet, passes);
+  return result;
+}
+
+/// What is to be timed, as processes tell it to one another: passes, then frames; empty if nothing
+/// is.
+Decision to_time(const UpToHit& counts, const Context& context) {
+  const UntilHit& first = counts.stopped.front();
+  if (first.frames.empty()) {
+    return {};
+  }
+  const std::vector<std::size_t> frames =
+      context.quick ? middle_of(first.frames, kQuickShare) : first.frames;
+  Decision decision{static_cast<double>(1 + kBoxTestsARound / first.box_tests)};
+  decision.insert(decision.end(), frames.begin(), frames.end());
+  return decision;
+}
+
+UpToHit up_to_hit(const MovedTrip& moved, const HitWords& words, const Context& context,
+                  const Parallel& quiet) {
+  if (moved.trip().rule != kEnodeRule) {
+    return counts_up_to_hit(moved, words, quiet);
+  }
+  UpToHit result;
+  const Decision decision = context.races->decide(fmt::format("frames up to {}", words.until), [&] {
+    result = counts_up_to_hit(moved, words, quiet);
+    return to_time(result, context);
+  });
+  if (!decision.empty()) {
+    result.timed.assign(decision.begin() + 1, decision.end());
+    result.times = race(*context.races, moved,
+                        {.racers = enode_racers(),
+                         .question = words.question,
+                         .frames = result.timed,
+                         .rounds = enode_rounds(context),
+                         .passes = static_cast<std::size_t>(decision.front())},
+                        quiet);
   }
   return result;
 }
 
 Raced raced(const Trip& trip, const Context& context, Steps& steps) {
+  if (context.races->times_only() && trip.rule != kEnodeRule) {
+    return {&trip};
+  }
   const MovedTrip moved(trip, steps.quiet());
   Raced result{&trip};
   for (std::size_t i = 0; i < kHits.size(); ++i) {
@@ -117,14 +150,16 @@ std::optional<double> ratio_of(const Kind& kind, std::size_t hit, const Pairing&
 std::optional<Estimate> time_ratio(const Kind& kind, std::size_t hit, const Pairing& pairing) {
   std::vector<double> one;
   std::vector<double> other;
+  int processes = 1;
   for (const Raced& trip : kind.raced) {
     const std::vector<Timing>& times = trip.hits[hit].times;
     if (!times.empty()) {
+      processes = times.front().processes;
       add_rounds(one, times[static_cast<std::size_t>(pairing.one)].rounds);
       add_rounds(other, times[static_cast<std::size_t>(pairing.other)].rounds);
     }
   }
-  return one.empty() ? std::nullopt : std::optional(paired_ratio(one, other));
+  return one.empty() ? std::nullopt : std::optional(paired_ratio(one, other, processes));
 }
 
 /// E-Node in three readings by a count. From a fresh start a query that stops does the same work up

@@ -86,21 +86,31 @@ TraversalCounts racer_counts(const MovedTrip& moved, const TripRacer& racer,
 }
 
 Raced raced(const Trip& trip, const Context& context, Steps& steps) {
+  const bool timed = trip.rule == kEnodeRule || !context.quick;
+  if (context.races->times_only() && !timed) {
+    return {&trip};
+  }
   const Parallel quiet = steps.quiet();
   const MovedTrip moved(trip, quiet);
   const std::vector<std::size_t> frames = timed_frames(moved, context.quick);
   Raced result{&trip, frames.size()};
   std::vector<std::uint64_t> leaf_pairs;
   for (const TripRacer& racer : enode_racers()) {
-    result.counts.push_back(racer_counts(moved, racer, leaf_pairs, quiet));
+    if (!context.races->times_only()) {
+      result.counts.push_back(racer_counts(moved, racer, leaf_pairs, quiet));
+    }
   }
-  const int rounds = enode_rounds(context);
-  if (trip.rule == kEnodeRule || !context.quick) {
-    result.traversal = race(moved, enode_racers(), Question::leaf_pairs, frames, rounds, quiet);
+  TripRace task{.racers = enode_racers(),
+                .question = Question::leaf_pairs,
+                .frames = frames,
+                .rounds = enode_rounds(context)};
+  if (timed) {
+    result.traversal = race(*context.races, moved, task, quiet);
   }
   steps.done_one();
+  task.question = Question::contacts;
   if (trip.rule == kEnodeRule) {
-    result.collision = race(moved, enode_racers(), Question::contacts, frames, rounds, quiet);
+    result.collision = race(*context.races, moved, task, quiet);
   }
   steps.done_one();
   return result;
@@ -124,11 +134,14 @@ ClaimRow count_row(const Kind& kind, const Pairing& pairing, std::string metric,
 Estimate ratio_of(std::span<const Raced> trips, const Pairing& pairing, TripTimes timed) {
   std::vector<double> one;
   std::vector<double> other;
+  int processes = 1;
   for (const Raced& trip : trips) {
-    add_rounds(one, (trip.*timed)[static_cast<std::size_t>(pairing.one)].rounds);
-    add_rounds(other, (trip.*timed)[static_cast<std::size_t>(pairing.other)].rounds);
+    const std::vector<Timing>& timings = trip.*timed;
+    add_rounds(one, timings[static_cast<std::size_t>(pairing.one)].rounds);
+    add_rounds(other, timings[static_cast<std::size_t>(pairing.other)].rounds);
+    processes = timings.front().processes;
   }
-  return paired_ratio(one, other);
+  return paired_ratio(one, other, processes);
 }
 
 ClaimRow time_row(const Kind& kind, const Pairing& pairing, std::string_view what,

@@ -58,11 +58,11 @@ std::vector<TripRacer> racers_of_readings() {
   return racers;
 }
 
-Estimate mean_of_frames(std::vector<double> rounds, std::size_t frames) {
+Estimate mean_of_frames(std::vector<double> rounds, std::size_t frames, int processes) {
   for (double& round : rounds) {
     round /= static_cast<double>(frames);
   }
-  return estimate(rounds);
+  return estimate(rounds, processes);
 }
 
 /// Frames with contact and the others are timed apart; all frames are the sum of both.
@@ -73,14 +73,23 @@ void add_means(std::vector<Mean>& means, const std::string& subject, const Moved
   if (context.quick) {
     std::erase_if(all, [](std::size_t frame) { return frame % 4 != 0; });
   }
-  const std::vector<std::size_t> contact =
-      until_hit(moved, racers.back(), Hit::contact, true, all, quiet).frames;
+  const Decision decision = context.races->decide("frames with contact", [&] {
+    const std::vector<std::size_t> frames =
+        until_hit(moved, racers.back(), Hit::contact, true, all, quiet).frames;
+    return Decision(frames.begin(), frames.end());
+  });
+  const std::vector<std::size_t> contact(decision.begin(), decision.end());
   std::vector<std::size_t> others;
   std::set_difference(all.begin(), all.end(), contact.begin(), contact.end(),
                       std::back_inserter(others));
   for (const QuestionWords& question : kQuestions) {
     const auto time = [&](const std::vector<std::size_t>& frames) {
-      return race(moved, racers, question.question, frames, enode_rounds(context), quiet);
+      return race(*context.races, moved,
+                  {.racers = racers,
+                   .question = question.question,
+                   .frames = frames,
+                   .rounds = enode_rounds(context)},
+                  quiet);
     };
     const std::vector<Timing> with = time(contact);
     const std::vector<Timing> without = time(others);
@@ -88,7 +97,8 @@ void add_means(std::vector<Mean>& means, const std::string& subject, const Moved
       const auto add = [&](std::string_view which, const std::vector<double>& rounds,
                            std::size_t frames) {
         means.push_back({subject, fmt::format("mean time of {}, {}", question.words, which),
-                         std::string(kEnodeReadings[i].words), mean_of_frames(rounds, frames)});
+                         std::string(kEnodeReadings[i].words),
+                         mean_of_frames(rounds, frames, with[i].processes)});
       };
       if (!contact.empty()) {
         add("frames with contact", with[i].rounds, contact.size());

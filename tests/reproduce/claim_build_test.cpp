@@ -218,9 +218,8 @@ TEST(ClaimBuild, GainIsTimeSavedOverPairs) {
   race.soms.timing.rounds = {0.5, 1.8, 1.1};
   const Estimate spread = gain(race);
   EXPECT_NEAR(spread.value, 10, 1e-9);
-  // At least as wide as the rounds; `paired_ratio` may add what differs from process to process.
-  EXPECT_LE(spread.interval.low, -10 + 1e-9);
-  EXPECT_GE(spread.interval.high, 50 - 1e-9);
+  EXPECT_NEAR(spread.interval.low, -10, 1e-9);
+  EXPECT_NEAR(spread.interval.high, 50, 1e-9);
 }
 
 }  // namespace
