@@ -11,7 +11,8 @@ namespace {
 constexpr Demand kMore{.above = 0};
 
 ClaimRow measured(double low, double value, double high) {
-  return measured_row("", "time", "bunny", "%", {.above = 8}, {value, {low, high}, 20});
+  return measured_row("", "time", "bunny", "%", {.above = 8},
+                      {value, {low, high}, 20, kLeastProcesses});
 }
 
 ClaimRow count_row(double value, const std::string& reading = "stop",
@@ -138,6 +139,15 @@ TEST(Claim, TableHasAllThatTheVerdictNeeds) {
 TEST(Claim, NumbersAreReadable) {
   EXPECT_EQ(words_of(measured(7, 9.04, 10)), "+9.0 (+7.0 to +10.0) %");
   EXPECT_EQ(words_of(count_row(12)), "12");
+}
+
+TEST(ClaimRow, FewerThanFiveProcessesDecideNothing) {
+  ClaimRow row = measured(9, 10, 11);
+  ASSERT_EQ(stand_of(row), Verdict::holds);
+  row.processes = kLeastProcesses - 1;
+  EXPECT_EQ(stand_of(row), Verdict::undecided);
+  row.interval.reset();
+  EXPECT_EQ(stand_of(row), Verdict::holds) << "a count needs no process";
 }
 
 }  // namespace
