@@ -197,6 +197,8 @@ constexpr std::array kExperiments{
                Chapter::beyond, kObjectsAndScenes, 1, options},
     Experiment{"readings", "What else SOMS might be, and what speaks against it", Chapter::beyond,
                kObjectsAndScenes, 1, readings},
+    Experiment{"readings-e-node", "What else E-Node might be, and what speaks against it",
+               Chapter::beyond, kObjectsAndScenes, 6, readings_e_node},
     Experiment{"modern", "The models and scenes by modern measures", Chapter::beyond,
                kObjectsAndScenes, 20, modern},
     Experiment{"cities", "Real cities by modern measures", Chapter::beyond, kCities, 60, cities},

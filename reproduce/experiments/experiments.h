@@ -75,6 +75,10 @@ namespace soms::reproduce {
 /// figures 4.6, 4.23.
 [[nodiscard]] Result readings(const Context& context);
 
+/// Other readings of E-Node, what speaks for and against them, and what each does and gets wrong.
+/// \source thesis, section 5.5 by its headings, abstract, section 1.2, research question 7.
+[[nodiscard]] Result readings_e_node(const Context& context);
+
 /// Which rule balances best, on objects and scenes. \source thesis, abstract.
 [[nodiscard]] Result balance(const Context& context);
 

@@ -54,9 +54,10 @@ struct Reading {
   std::string_view speaks_for;  ///< quotation, with its place
   std::string_view thesis_says;
   Midpoint midpoint = Midpoint::thesis;
-  RuleFunction rule = nullptr;  ///< nullptr for SOMS itself
+  RuleFunction rule = nullptr;  ///< nullptr for SOMS itself, and with `tree`
   AxisFrom axis = AxisFrom::inner;
-  bool by_object = false;  ///< a tree for each object of the file
+  Tree (*tree)(const Mesh& mesh, int level) = nullptr;  ///< makes the tree where no rule can
+  bool by_object = false;                               ///< a tree for each object of the file
   /// The reading taken comes second. \pre As many of one as of the other.
   Judgment (*judge)(std::span<const Read> own, std::span<const Read> taken) = nullptr;
 };
@@ -124,6 +125,33 @@ Judgment judge_pair(std::span<const Read> own, std::span<const Read> taken) {
         taken_misses ? ", so the level excludes neither." : ".");
   }
   return {"against", why};
+}
+
+/// "95 nodes on bunny (as taken 20)": the models on which more nodes stay whole than as taken.
+std::string stuck_words(std::span<const Read> own, std::span<const Read> taken) {
+  std::string text;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    if (own[i].counts.undividable > taken[i].counts.undividable) {
+      text += fmt::format("{}{} on {} (as taken {})", text.empty() ? "" : ", ",
+                          words(own[i].counts.undividable), own[i].model->name,
+                          words(taken[i].counts.undividable));
+    }
+  }
+  return text;
+}
+
+/// It gets stuck where midpoints differ.
+Judgment judge_corners(std::span<const Read> own, std::span<const Read> taken) {
+  const std::string more = names_with_more(own);
+  const std::string stuck = stuck_words(own, taken);
+  return {"against",
+          fmt::format("One large triangle may hold both corners. The plane is then at its own "
+                      "midpoint, and where none is less, one side is empty though midpoints "
+                      "differ: the rule needs the fallback that SOMS is to do without. Nodes that "
+                      "stay whole: {}. It has more "
+                      "leaves with one triangle than spatial median on {}, as the abstract has it.",
+                      stuck.empty() ? "no more than as taken on these models" : stuck,
+                      more.empty() ? "no model" : more)};
 }
 
 /// It begins with another plane.
@@ -212,6 +240,17 @@ constexpr std::array kReadings{
                 "abstract: \"based on their minimum and maximum points\".",
             .rule = middle_pair,
             .judge = judge_pair},
+    Reading{.name = "corner_pair",
+            .title = "pair of outermost corners",
+            .speaks_for = "Figure 4.6, caption: \"the Spatial Midpoint between Midpoints of Two "
+                          "Triangles which will become their Separating Plane\", the two being "
+                          "those that hold the \"Minimum and Maximum points\" of figure 4.4.",
+            .thesis_says =
+                "Section 1.2: \"increasing the level of BVH that can be generated automatically "
+                "without using heuristic at the earlier phase\"; abstract: \"so that each of them "
+                "can be bounded with single Axis-Aligned Bounding Box\".",
+            .tree = corner_pair_tree,
+            .judge = judge_corners},
     Reading{
         .name = "spatial_then_soms",
         .title = "spatial median, then SOMS",
@@ -259,6 +298,10 @@ void add(TreeStatistics& sum, const TreeStatistics& one) {
 
 TreeStatistics counts_by(const Reading& reading, const Mesh& mesh, int level,
                          const Parallel& parallel) {
+  if (reading.tree != nullptr) {
+    check_stop(parallel);
+    return statistics(reading.tree(mesh, level), options_of(Rule::soms, level, {}));
+  }
   if (reading.rule == nullptr) {
     return counts_of(mesh, Rule::soms, level, {.midpoint = reading.midpoint}, parallel);
   }

@@ -16,6 +16,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 
 namespace soms::reproduce {
@@ -60,7 +61,7 @@ TEST(Readings, AlternativeRulesOnTheBunnyAreGolden) {
   EXPECT_EQ(pair_numbers(bunny, 15), (Numbers{904, 1847, 10}));
   EXPECT_EQ(hybrid_numbers(bunny, 15), (Numbers{899, 1841, 6}));
   const Result result = readings({.models = models});
-  const std::string why = cell(table_of(result, "readings_reasons"), 3, "why");
+  const std::string why = cell(table_of(result, "readings_reasons"), 4, "why");
   EXPECT_NE(why.find("same midpoint on bunny, venus, teapot_1177, teapot, as"), std::string::npos)
       << why;
 }
@@ -76,6 +77,72 @@ TEST(Readings, MiddlePairPartsWhatSharesItsLeastMidpoint) {
   EXPECT_EQ(split.value, 2);
   primitives[3].midpoint = {0, 0, 0};
   EXPECT_EQ(middle_pair({primitives, {}, {}, 1}, 0).value, 0);  // nothing lies below
+}
+
+/// Compares the rows of these models with what an independent program counted; returns how many.
+std::size_t compare_corner_pairs(std::span<const Model> models) {
+  std::size_t compared = 0;
+  for (const auto& row : soms::test::read_csv(soms::test::data("thesis/corner_pair.csv"))) {
+    for (const Model& model : models) {
+      if (model.name != row.front()) {
+        continue;
+      }
+      const int level = std::stoi(row.at(2));
+      const TreeStatistics s =
+          statistics(corner_pair_tree(*model.mesh, level), thesis_options(Rule::soms, level));
+      const std::array counts{s.nodes,          s.leaves,         s.one,          s.lt5,
+                              s.undividable,    s.capped,         s.empty,        s.depth,
+                              s.min_leaf_depth, s.max_leaf_depth, s.largest_leaf, s.balanced_level};
+      for (std::size_t k = 0; k < counts.size(); ++k) {
+        EXPECT_EQ(std::to_string(counts.at(k)), row.at(3 + k)) << model.name << " level " << level;
+      }
+      ++compared;
+    }
+  }
+  return compared;
+}
+
+TEST(Readings, CornerPairsOnTheScenesAreGolden) {
+  EXPECT_EQ(compare_corner_pairs(find_models({}, {.scenes = true}).scenes), 48U);
+}
+
+TEST(Readings, CornerPairsOnTheObjectsAreGolden) {
+  SOMS_NEEDS_OUTSIDE_DATA("64 rows of corner_pair.csv");
+  const Models models = find_models(*soms::test::outside_data(""), {.objects = true});
+  EXPECT_EQ(compare_corner_pairs(models.objects), 64U);
+}
+
+/// Triangles along x, of which only that coordinate differs.
+Mesh along_x(std::span<const std::array<double, 3>> corners) {
+  Mesh mesh;
+  for (const std::array<double, 3>& x : corners) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), {{x[0], 0, 0}, {x[1], 1, 0}, {x[2], 0, 1}});
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  return mesh;
+}
+
+TEST(Readings, CornerPairTakesTheFirstOfEqualCorners) {
+  // Midpoints 7.5, 8, 11.5 and 5; the first and the last share the least corner.
+  const std::array<std::array<double, 3>, 4> corners{
+      {{0, 10, 10}, {8, 8, 8}, {11, 11, 12}, {0, 0, 10}}};
+  const Mesh mesh = along_x(corners);
+  const std::array<TriangleId, 4> forward{0, 1, 2, 3};
+  EXPECT_EQ(corner_pair(mesh, forward).axis, 0U);
+  EXPECT_EQ(corner_pair(mesh, forward).value, 9.5);
+  const std::array<TriangleId, 4> last_first{3, 0, 1, 2};
+  EXPECT_EQ(corner_pair(mesh, last_first).value, 8.25);
+}
+
+TEST(Readings, CornerPairIsStuckWhereOneTriangleHoldsBothCorners) {
+  const std::array<std::array<double, 3>, 3> corners{{{0, 20, 2}, {8, 8, 8}, {9, 9, 9}}};
+  const Mesh mesh = along_x(corners);  // midpoints 6, 8 and 9
+  const Tree tree = corner_pair_tree(mesh, 15);
+  ASSERT_EQ(tree.nodes.size(), 1U);
+  EXPECT_TRUE(tree.nodes.front().undividable);
+  const BuildOptions options = thesis_options(Rule::soms, 15);
+  EXPECT_EQ(statistics(build(mesh, options), options).one, 3U);
 }
 
 TEST(Readings, HybridDividesWhereSpatialMedianStops) {
@@ -99,16 +166,19 @@ TEST(Readings, EachIsTakenOpenSpokenAgainstOrExcludedByWords) {
   }
   EXPECT_EQ(stands, (std::map<std::string, std::string>{{"soms", "taken"},
                                                         {"middle_pair", "against"},
+                                                        {"corner_pair", "against"},
                                                         {"spatial_then_soms", "excluded by words"},
                                                         {"aabb_midpoint", "against"},
                                                         {"centroid", "excluded by words"},
                                                         {"tree_per_object", "open"}}));
   const Table& counts = table_of(result, "readings");
-  EXPECT_EQ(counts.rows.size(), 5 * models.scenes.size() + 1);
+  EXPECT_EQ(counts.rows.size(), 6 * models.scenes.size() + 1);
   std::map<std::string, std::string> one;
   for (std::size_t i = 0; i < counts.rows.size(); ++i) {
     one[cell(counts, i, "reading") + " " + cell(counts, i, "model")] = cell(counts, i, "one");
   }
+  EXPECT_EQ(one["corner_pair u_mixed"], "550");
+  EXPECT_EQ(one["corner_pair u_plain"], "1419");
   EXPECT_EQ(one["aabb_midpoint u_boxes"], "0");
   EXPECT_EQ(one["aabb_midpoint u_plain"], "0");
   EXPECT_EQ(one["aabb_midpoint u_mixed"], "278");
@@ -127,8 +197,9 @@ TEST(Readings, WhatSpeaksAgainstOneNamesTheModels) {
                   "10 on u_mixed, 10 on u_boxes, 9 on u_plain, so the level excludes neither."),
       std::string::npos)
       << why(1);
-  EXPECT_NE(why(3).find("On u_boxes, u_plain it has no leaf"), std::string::npos) << why(3);
-  EXPECT_NE(why(3).find("same midpoint on u_mixed, as"), std::string::npos) << why(3);
+  EXPECT_NE(why(2).find("152 on u_mixed (as taken 2)"), std::string::npos) << why(2);
+  EXPECT_NE(why(4).find("On u_boxes, u_plain it has no leaf"), std::string::npos) << why(4);
+  EXPECT_NE(why(4).find("same midpoint on u_mixed, as"), std::string::npos) << why(4);
 }
 
 TEST(Readings, AMeshComesApartIntoItsInnermostParts) {
