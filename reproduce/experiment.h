@@ -27,15 +27,19 @@ struct Context {
   /// One thread for all that is timed; `stop` and `progress` (0 to 1 of this experiment) are
   /// heeded.
   Parallel parallel = {};
-  DrawFrames draw = {};                ///< what draws; empty where nothing does
-  TouchingDrives* touching = nullptr;  ///< those that the run has found; may be null
+  DrawFrames draw = {};                  ///< what draws; empty where nothing does
+  TouchingDrives* touching = nullptr;    ///< those that the run has found; may be null
   RaceProcess* races = &sole_process();  ///< how rounds of races are shared; never null
+  int counting_threads = 1;              ///< for what is only counted; nothing is timed meanwhile
+
+  /// For work that is only counted: all its threads, heeds a stop request, reports nothing.
+  [[nodiscard]] Parallel counting() const { return {counting_threads, parallel.stop, {}}; }
 
   /// `whole` repetitions, or a tenth of them (at least 5) in a quick run.
   [[nodiscard]] int repetitions(int whole) const;
 
   /// Every so many frames of a trip are timed: in a quick run not all. Counts are of all.
-  [[nodiscard]] std::size_t timed_step(bool drive) const { return !quick ? 1 : drive ? 8 : 4; }
+  [[nodiscard]] std::size_t timed_step(bool drive) const { return !quick ? 1 : drive ? 16 : 8; }
 
   /// That, in a sentence; empty in a whole run.
   [[nodiscard]] std::string timed_step_words() const;

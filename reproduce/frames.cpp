@@ -7,15 +7,83 @@
 
 #include <algorithm>
 #include <functional>
+#include <list>
 #include <memory>
+#include <mutex>
 #include <utility>
 
 namespace soms::reproduce {
 
 namespace {
 
-Shape shape_of(std::shared_ptr<const Mesh> mesh, const Contender& build) {
-  return Shape(std::move(mesh), {.build = build.options, .keep_tree = true});
+/// The last shapes and driven meshes that trips were made of: many trips of a run have the same.
+class RecentShapes {
+ public:
+  Shape of(const std::shared_ptr<const Mesh>& mesh, const BuildOptions& build) {
+    const std::lock_guard lock(mutex_);
+    return recent(
+               shapes_, [&](const Made& made) { return made.mesh == mesh && made.build == build; },
+               [&] {
+                 return Made{mesh, build, Shape(mesh, {.build = build, .keep_tree = true})};
+               })
+        .shape;
+  }
+
+  std::shared_ptr<const Mesh> driven_of(const Model& model) {
+    const std::lock_guard lock(mutex_);
+    return recent(
+               driven_,
+               [&](const Driven& made) {
+                 return made.mesh == model.mesh && made.fit == model.drive;
+               },
+               [&] {
+                 return Driven{model.mesh, model.drive,
+                               std::make_shared<const Mesh>(driven(model))};
+               })
+        .driven;
+  }
+
+ private:
+  /// More than one object and all scenes have by the builds of one claim.
+  static constexpr std::size_t kMost = 40;
+
+  struct Made {
+    std::shared_ptr<const Mesh> mesh = {};
+    BuildOptions build = {};
+    Shape shape = {};
+  };
+
+  struct Driven {
+    std::shared_ptr<const Mesh> mesh = {};
+    DriveFit fit = {};
+    std::shared_ptr<const Mesh> driven = {};
+  };
+
+  /// The one that is sought, made now if it is not there; from now on the first.
+  template <class Entry, class Is, class Make>
+  static const Entry& recent(std::list<Entry>& entries, const Is& is, const Make& make) {
+    const auto found = std::find_if(entries.begin(), entries.end(), is);
+    if (found != entries.end()) {
+      entries.splice(entries.begin(), entries, found);
+    } else {
+      entries.push_front(make());
+      entries.resize(std::min(entries.size(), kMost));
+    }
+    return entries.front();
+  }
+
+  std::mutex mutex_;
+  std::list<Made> shapes_ = {};
+  std::list<Driven> driven_ = {};
+};
+
+RecentShapes& recent_shapes() {
+  static RecentShapes shapes;
+  return shapes;
+}
+
+Shape shape_of(const std::shared_ptr<const Mesh>& mesh, const Contender& build) {
+  return recent_shapes().of(mesh, build.options);
 }
 
 NamedTraversal e_node_traversal(std::string name, Descent descent, EntryOrder order) {
@@ -108,7 +176,7 @@ Trip orientation_trip(const Model& object, Approach from, const Contender& build
 
 Trip drive_trip(const Model& scene, const Model& object, const Contender& build_of_scene,
                 const Contender& build_of_object) {
-  auto mover = std::make_shared<const Mesh>(driven(object));
+  const std::shared_ptr<const Mesh> mover = recent_shapes().driven_of(object);
   return {.model = object.name,
           .still = scene.name,
           .moving = object.drive == DriveFit{}
@@ -117,7 +185,7 @@ Trip drive_trip(const Model& scene, const Model& object, const Contender& build_
           .test = "drive",
           .rule = build_of_scene.name,
           .a = shape_of(scene.mesh, build_of_scene),
-          .b = shape_of(std::move(mover), build_of_object),
+          .b = shape_of(mover, build_of_object),
           .offsets = city_drive()};
 }
 

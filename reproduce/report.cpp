@@ -111,6 +111,7 @@ class Runner {
     Context context{
         .models = models, .quick = options_.quick, .draw = options_.draw, .touching = &touching_};
     context.parallel = watched(experiment.item, experiment.weight);
+    context.counting_threads = parallel_.threads;
     if (leader_ != nullptr) {
       leader_->begin(experiment.item);
       context.races = leader_;
@@ -141,6 +142,7 @@ class Runner {
     };
     show(0);
     Parallel parallel = parallel_;
+    parallel.threads = 1;
     parallel.progress = show;
     return parallel;
   }

@@ -95,6 +95,8 @@ struct RunVisitor {
   std::function<void(std::string_view now, double share)> progress = {};
 };
 
+/// Counts on the threads of `parallel` where counting takes long; all else is on one thread.
+///
 /// Writes the generated scenes as scenes/NAME.3ds, runs experiments one after the other and writes
 /// each one's files as soon as it ends, compares with the golden tables if there are any, then
 /// writes the page and the list of files. A stop request ends it early: what is written is whole,

@@ -31,18 +31,28 @@ Ride ride_of(const RideCourse& course, const BuildPairing& build, const NamedTra
   return ride;
 }
 
-/// Counts a ride and answers whether it is timed, then of each frame whether the roots overlap.
-Decision count(Ride& ride, const NamedTraversal& traversal, const Parallel& parallel) {
-  Decision decision{0};
-  for (const Trip& trip : ride.trips) {
-    for (const Frame& frame : traverse_frames(trip, traversal, parallel)) {
-      ride.sum.add(frame);
-      decision.push_back(frame.roots_overlap ? 1 : 0);
+/// Counts rides and answers of each whether it is timed, then of each of its frames whether the
+/// roots overlap.
+std::vector<Decision> count(std::vector<Ride>& rides, const NamedTraversal& traversal,
+                            const Context& context) {
+  std::vector<Decision> decisions(rides.size());
+  const Parallel quiet{1, context.parallel.stop, {}};
+  for_each_chunk(rides.size(), 1, context.counting(), [&](std::size_t i, std::size_t) {
+    Ride& ride = rides[i];
+    Decision& decision = decisions[i];
+    decision = {0};
+    bool times_show = false;  // a frame is timed in which the roots overlap
+    for (const Trip& trip : ride.trips) {
+      const std::vector<Frame> frames = traverse_frames(trip, traversal, quiet);
+      for (std::size_t k = 0; k < frames.size(); ++k) {
+        ride.sum.add(frames[k]);
+        decision.push_back(frames[k].roots_overlap ? 1 : 0);
+        times_show |= frames[k].roots_overlap && k % context.timed_step(trip.is_drive()) == 0;
+      }
     }
-  }
-  decision.front() =
-      ride.sum.counts.triangle_pairs <= kManyTrianglePairs && ride.sum.root_overlap_frames > 0;
-  return decision;
+    decision.front() = ride.sum.counts.triangle_pairs <= kManyTrianglePairs && times_show ? 1 : 0;
+  });
+  return decisions;
 }
 
 /// The frames that a decision tells of, trip by trip.
@@ -129,10 +139,17 @@ std::vector<Ride> ride(const Context& context, const RideCourse& course,
   rides.reserve(builds.size());
   std::vector<TimedRide> timed;
   for (const BuildPairing& build : builds) {
-    Ride& one = rides.emplace_back(ride_of(course, build, traversal));
-    const Decision decision =
-        process.decide(fmt::format("frames of {}, {}, {}", one.subject, build.title, one.traversal),
-                       [&] { return count(one, traversal, context.parallel); });
+    rides.push_back(ride_of(course, build, traversal));
+  }
+  std::vector<Decision> counted;
+  if (!process.times_only()) {
+    counted = count(rides, traversal, context);
+  }
+  for (std::size_t i = 0; i < rides.size(); ++i) {
+    Ride& one = rides[i];
+    const Decision decision = process.decide(
+        fmt::format("frames of {}, {}, {}", one.subject, one.build.title, one.traversal),
+        [&] { return counted.at(i); });
     if (decision.at(0) != 0) {
       timed.push_back({&one, frames_of(one, decision)});
     }

@@ -104,10 +104,16 @@ TouchingDrive find_touching_drive(const Model& scene, const Model& object,
   if (still.bounds().empty() || mover.bounds().empty()) {
     return best;
   }
-  for (const DriveLine& line : drive_lines()) {
-    check_stop(quiet);
-    std::vector<Vec3> offsets = offsets_along(line, still.bounds(), mover.bounds());
-    const std::size_t count = contact_frames(still, mover, offsets, quiet);
+  const std::vector<DriveLine> lines = drive_lines();
+  std::vector<std::size_t> counts(lines.size());
+  for_each_chunk(lines.size(), 1, {parallel.threads, parallel.stop, {}},
+                 [&](std::size_t i, std::size_t) {
+                   const auto offsets = offsets_along(lines[i], still.bounds(), mover.bounds());
+                   counts[i] = contact_frames(still, mover, offsets, quiet);
+                 });
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    std::vector<Vec3> offsets = offsets_along(lines[i], still.bounds(), mover.bounds());
+    const std::size_t count = counts[i];
     best.touching_lines += count > 0 ? 1U : 0U;
     if (best.lines == 0 ||
         off_half(count, offsets.size()) < off_half(best.contact_frames, offsets.size())) {
@@ -137,11 +143,12 @@ const TouchingDrive& TouchingDrives::of(const Model& scene, const Model& object,
 }
 
 TouchingDrive touching_drive(const Context& context, const Model& scene, const Model& object) {
-  const Parallel quiet{1, context.parallel.stop, {}};
+  const Parallel counting = context.counting();
   const Decision decision = context.races->decide(
       fmt::format("touching drive of {} through {}", object.name, scene.name), [&] {
-        return numbers_of(context.touching != nullptr ? context.touching->of(scene, object, quiet)
-                                                      : find_touching_drive(scene, object, quiet));
+        return numbers_of(context.touching != nullptr
+                              ? context.touching->of(scene, object, counting)
+                              : find_touching_drive(scene, object, counting));
       });
   return drive_of(decision);
 }

@@ -150,14 +150,12 @@ reproduce::Report run_experiments(const ReproduceOptions& options, const reprodu
     bar.show(share);
   };
   return console.run("reproducing", [&](const Parallel& limits) {
-    Parallel one_thread = limits;
-    one_thread.threads = 1;
     const int processes = possible_timing_processes();
     reproduce::RaceLeader leader(processes, [&] {
       return start_timing_processes(processes - 1, {options.models, options.quick},
                                     console.shared(), limits);
     });
-    return reproduce::run(run, visitor, one_thread, &leader);
+    return reproduce::run(run, visitor, limits, &leader);
   });
 }
 

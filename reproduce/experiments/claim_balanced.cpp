@@ -13,8 +13,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <iterator>
+#include <map>
 #include <utility>
 
 namespace soms::reproduce {
@@ -104,11 +107,15 @@ void add_comparison(std::vector<ClaimRow>& rows, const Ride& more, const Ride& l
 /// Box tests of trips on trees that are cut off the middle, both bodies alike.
 std::uint64_t count_uneven(std::span<const Trip> trips, double share, const Parallel& parallel) {
   std::uint64_t box_tests = 0;
+  std::map<const Mesh*, Tree> trees;
+  const auto tree_of = [&](const Mesh& mesh) -> const Tree& {
+    const auto found = trees.find(&mesh);
+    return found != trees.end() ? found->second
+                                : trees.emplace(&mesh, uneven_tree(mesh, share)).first->second;
+  };
   for (const Trip& trip : trips) {
-    const Tree tree_a = uneven_tree(trip.a.mesh(), share);
-    const Tree tree_b = uneven_tree(trip.b.mesh(), share);
-    PosedBoxes a(trip.a.mesh(), tree_a);
-    PosedBoxes b(trip.b.mesh(), tree_b);
+    PosedBoxes a(trip.a.mesh(), tree_of(trip.a.mesh()));
+    PosedBoxes b(trip.b.mesh(), tree_of(trip.b.mesh()));
     a.move(Pose::identity());
     for (std::size_t k = 0; k < trip.offsets.size(); ++k) {
       check_stop(parallel);
@@ -122,13 +129,15 @@ std::uint64_t count_uneven(std::span<const Trip> trips, double share, const Para
 /// The same order, cut in the middle and beside it: nothing differs but balance. Each leaf holds
 /// one triangle, so that all trees leave the same pairs of triangles.
 void compare_shares(std::vector<ClaimRow>& rows, const Ride& ride, const Parallel& parallel) {
-  const std::uint64_t half = count_uneven(ride.trips, 0.5, parallel);
-  for (const Share& share : kShares) {
+  std::array<std::uint64_t, kShares.size() + 1> tests{};  // the last: of nodes cut in the middle
+  for_each_chunk(tests.size(), 1, parallel, [&](std::size_t i, std::size_t) {
+    tests[i] = count_uneven(ride.trips, i < kShares.size() ? kShares[i].share : 0.5, parallel);
+  });
+  for (std::size_t i = 0; i < kShares.size(); ++i) {
     const std::string reading =
-        fmt::format("nodes cut at 1/2 over cut at {}, all else alike (ours)", share.words);
+        fmt::format("nodes cut at 1/2 over cut at {}, all else alike (ours)", kShares[i].words);
     rows.push_back(counted_row(reading, "box tests, one triangle a leaf", ride.subject, "",
-                               {.below = 1},
-                               tests_over(half, count_uneven(ride.trips, share.share, parallel))));
+                               {.below = 1}, tests_over(tests.back(), tests[i])));
   }
 }
 
@@ -180,17 +189,19 @@ Result claim_balanced(const Context& context) {
   for (const RideCourse& course : courses) {
     std::vector<Ride> rides = ride(context, course, pairings, generic_traversal());
     if (rides[0].sum.root_overlap_frames > 0 && !context.races->times_only()) {
-      for (const Ride& more : rides) {
-        for (const Ride& less : rides) {
-          if (ride_balanced_level(more) > ride_balanced_level(less)) {
-            add_comparison(claim.rows, more, less);
+      std::vector<std::uint64_t> levels;
+      std::transform(rides.begin(), rides.end(), std::back_inserter(levels), ride_balanced_level);
+      for (std::size_t more = 0; more < rides.size(); ++more) {
+        for (std::size_t less = 0; less < rides.size(); ++less) {
+          if (levels[more] > levels[less]) {
+            add_comparison(claim.rows, rides[more], rides[less]);
           }
         }
       }
     }
     steps.done_one();
     if (rides[0].sum.root_overlap_frames > 0 && !context.races->times_only()) {
-      compare_shares(claim.rows, rides[0], steps.quiet());
+      compare_shares(claim.rows, rides[0], context.counting());
     }
     std::move(rides.begin(), rides.end(), std::back_inserter(all));
     steps.done_one();

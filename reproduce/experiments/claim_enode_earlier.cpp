@@ -24,7 +24,7 @@ constexpr std::string_view kFewerEntered =
     "one before it, having entered only pairs that the opponent entered too, and not all of them";
 
 /// So small a share of the frames with a hit is timed in a quick run.
-constexpr std::size_t kQuickShare = 4;
+constexpr std::size_t kQuickShare = 8;
 
 /// So much work between two readings of the clock takes far longer than a reading.
 constexpr std::uint64_t kBoxTestsARound = 10'000;
@@ -65,20 +65,27 @@ using Counter = std::uint64_t UntilHit::*;
 using Regime = std::vector<UntilHit> UpToHit::*;
 
 /// Counts of all racers. \errors std::logic_error where their frames with a hit differ.
-UpToHit counts_up_to_hit(const MovedTrip& moved, const HitWords& words, const Parallel& quiet) {
-  UpToHit result;
+UpToHit counts_up_to_hit(const MovedTrip& moved, const HitWords& words, const Parallel& parallel) {
+  const std::span<const TripRacer> racers = enode_racers();
   const std::vector<std::size_t> all = moved.all_frames();
-  for (const TripRacer& racer : enode_racers()) {
-    const std::vector<std::size_t>& with_hit =
-        result.stopped.empty() ? all : result.stopped.front().frames;
-    result.stopped.push_back(until_hit(moved, racer, words.hit, true, with_hit, quiet));
-    result.whole.push_back(racer.options.traversal == Traversal::e_node_front
-                               ? until_hit(moved, racer, words.hit, false, all, quiet)
-                               : result.stopped.back());
-    require(result.whole.back().frames == result.stopped.front().frames &&
-                result.stopped.back().frames == result.stopped.front().frames,
-            fmt::format("{} of {} past {}: frames with a hit by {} and by another",
-                        moved.trip().test, moved.trip().moving, moved.trip().still, racer.name));
+  UpToHit result;
+  result.stopped.resize(racers.size());
+  result.whole.resize(racers.size());
+  result.stopped[0] = until_hit(moved, racers[0], words.hit, true, all, parallel);
+  const std::vector<std::size_t>& hits = result.stopped[0].frames;
+  for_each_chunk(racers.size(), 1, parallel, [&](std::size_t i, std::size_t) {
+    const bool goes_on = racers[i].options.traversal == Traversal::e_node_front;
+    if (i > 0) {
+      result.stopped[i] = until_hit(moved, racers[i], words.hit, true, hits, parallel);
+    }
+    result.whole[i] =
+        goes_on ? until_hit(moved, racers[i], words.hit, false, all, parallel) : result.stopped[i];
+  });
+  for (std::size_t i = 0; i < racers.size(); ++i) {
+    require(
+        result.whole[i].frames == hits && result.stopped[i].frames == hits,
+        fmt::format("{} of {} past {}: frames with a hit by {} and by another", moved.trip().test,
+                    moved.trip().moving, moved.trip().still, racers[i].name));
   }
   return result;
 }
@@ -100,11 +107,11 @@ Decision to_time(const UpToHit& counts, const Context& context) {
 UpToHit up_to_hit(const MovedTrip& moved, const HitWords& words, const Context& context,
                   const Parallel& quiet) {
   if (moved.trip().rule != kEnodeRule) {
-    return counts_up_to_hit(moved, words, quiet);
+    return counts_up_to_hit(moved, words, context.counting());
   }
   UpToHit result;
   const Decision decision = context.races->decide(fmt::format("frames up to {}", words.until), [&] {
-    result = counts_up_to_hit(moved, words, quiet);
+    result = counts_up_to_hit(moved, words, context.counting());
     return to_time(result, context);
   });
   if (!decision.empty()) {

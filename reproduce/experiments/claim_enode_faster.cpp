@@ -26,8 +26,8 @@ constexpr std::string_view kFewerEntered =
 constexpr std::string_view kCount = "a count: faster is judged by time";
 
 /// So small a share of a drive, and of an orientation test, is timed in a quick run.
-constexpr std::size_t kQuickShareOfDrive = 16;
-constexpr std::size_t kQuickShareOfTest = 4;
+constexpr std::size_t kQuickShareOfDrive = 32;
+constexpr std::size_t kQuickShareOfTest = 8;
 
 /// What all racers did on one trip.
 struct Raced {
@@ -65,24 +65,40 @@ std::vector<std::size_t> timed_frames(const MovedTrip& moved, bool quick) {
   return middle_of(near, moved.trip().is_drive() ? kQuickShareOfDrive : kQuickShareOfTest);
 }
 
-/// Counts of all frames. \errors std::logic_error where a frame's leaf pairs differ.
-TraversalCounts racer_counts(const MovedTrip& moved, const TripRacer& racer,
-                             std::vector<std::uint64_t>& leaf_pairs, const Parallel& parallel) {
+/// What a racer counts over all frames.
+struct RacerCounts {
+  TraversalCounts sum = {};
+  std::vector<std::uint64_t> leaf_pairs = {};  ///< by frame
+};
+
+RacerCounts racer_counts(const MovedTrip& moved, const TripRacer& racer, const Parallel& parallel) {
   FrameTraversal traversal(moved, racer);
-  TraversalCounts sum;
-  const bool first = leaf_pairs.empty();
+  RacerCounts result;
   for (std::size_t k = 0; k < moved.frames(); ++k) {
     check_stop(parallel);
     const TraversalCounts counts = traversal.run(k);
-    sum += counts;
-    if (first) {
-      leaf_pairs.push_back(counts.leaf_pairs);
-    }
-    require(counts.leaf_pairs == leaf_pairs[k],
-            fmt::format("{} of {} past {}, frame {}: leaf pairs by {} and by another",
-                        moved.trip().test, moved.trip().moving, moved.trip().still, k, racer.name));
+    result.sum += counts;
+    result.leaf_pairs.push_back(counts.leaf_pairs);
   }
-  return sum;
+  return result;
+}
+
+/// Counts of all racers. \errors std::logic_error where a frame's leaf pairs differ.
+std::vector<TraversalCounts> all_counts(const MovedTrip& moved, const Parallel& parallel) {
+  const std::span<const TripRacer> racers = enode_racers();
+  std::vector<RacerCounts> counted(racers.size());
+  for_each_chunk(racers.size(), 1, parallel, [&](std::size_t i, std::size_t) {
+    counted[i] = racer_counts(moved, racers[i], parallel);
+  });
+  std::vector<TraversalCounts> sums;
+  for (std::size_t i = 0; i < racers.size(); ++i) {
+    require(
+        counted[i].leaf_pairs == counted[0].leaf_pairs,
+        fmt::format("{} of {} past {}: leaf pairs of a frame by {} and by {}", moved.trip().test,
+                    moved.trip().moving, moved.trip().still, racers[i].name, racers[0].name));
+    sums.push_back(counted[i].sum);
+  }
+  return sums;
 }
 
 Raced raced(const Trip& trip, const Context& context, Steps& steps) {
@@ -94,11 +110,8 @@ Raced raced(const Trip& trip, const Context& context, Steps& steps) {
   const MovedTrip moved(trip, quiet);
   const std::vector<std::size_t> frames = timed_frames(moved, context.quick);
   Raced result{&trip, frames.size()};
-  std::vector<std::uint64_t> leaf_pairs;
-  for (const TripRacer& racer : enode_racers()) {
-    if (!context.races->times_only()) {
-      result.counts.push_back(racer_counts(moved, racer, leaf_pairs, quiet));
-    }
+  if (!context.races->times_only()) {
+    result.counts = all_counts(moved, context.counting());
   }
   TripRace task{.racers = enode_racers(),
                 .question = Question::leaf_pairs,

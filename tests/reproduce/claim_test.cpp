@@ -130,10 +130,13 @@ TEST(Claim, TableHasAllThatTheVerdictNeeds) {
   EXPECT_EQ(trips::cell(table, 0, "stands"), "holds");
   EXPECT_EQ(trips::cell(table, 1, "stands"), "undecided");
   EXPECT_EQ(to_csv(table),
-            "metric,reading,nearest,subject,unit,above,below,value,low,high,rounds,stands,unjudged,"
-            "on_stand_in\n"
-            "leaves,stop,,bunny,,0,,12,,,,holds,,\n"
-            "time,,,bunny,%,8,,9,7,10,20,undecided,,\n");
+            "metric,reading,nearest,subject,unit,above,below,value,low,high,rounds,processes,"
+            "stands,unjudged,on_stand_in
+"
+            "leaves,stop,,bunny,,0,,12,,,,,holds,,
+"
+            "time,,,bunny,%,8,,9,7,10,20,5,undecided,,
+");
 }
 
 TEST(Claim, NumbersAreReadable) {
