@@ -47,7 +47,7 @@ Choices<std::string> test_choices() {
 }
 
 void add_tests(CLI::App& app, ThesisOptions& options) {
-  app.add_option("A", options.a, "model that stands still (default: the models of the thesis)")
+  app.add_option("A", options.a, "model that does not move (default: the models of the thesis)")
       ->type_name("");
   app.add_option("B", options.b, "model that moves (A)")->type_name("");
   add_choice<std::string>(app, "--test", options.test, test_choices(),

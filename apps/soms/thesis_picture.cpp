@@ -129,9 +129,9 @@ void add_frame(Words& words, const ThesisTrip& what, std::size_t frame) {
 }
 
 std::string title_of(const ThesisResult& result, std::size_t frame) {
-  return fmt::format("{}, {}: frame {} of 0 to {}, {} touch", result.what.trip.moving,
+  return fmt::format("{}, {}: frame {} of 0 to {}, contacts: {}", result.what.trip.moving,
                      result.what.trip.test, frame, result.frames.size() - 1,
-                     counted(result.frames[frame].contacts.size(), "pair of triangle") + "s");
+                     with_commas(result.frames[frame].contacts.size()));
 }
 
 }  // namespace
