@@ -187,6 +187,18 @@ set(SOMS_COMMAND_FILES
   solid_parts.h
   solid_text.cpp
   solid_text.h
+  thesis.cpp
+  thesis.h
+  thesis_lists.cpp
+  thesis_lists.h
+  thesis_output.cpp
+  thesis_output.h
+  thesis_picture.cpp
+  thesis_picture.h
+  thesis_run.cpp
+  thesis_run.h
+  thesis_trips.cpp
+  thesis_trips.h
   verbs.cpp
   verbs.h
   version.cpp

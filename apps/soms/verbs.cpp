@@ -17,6 +17,7 @@
 #include "apps/soms/robot.h"
 #include "apps/soms/simulate.h"
 #include "apps/soms/solid.h"
+#include "apps/soms/thesis.h"
 #include "apps/soms/version.h"
 #include "apps/soms/within.h"
 
@@ -54,6 +55,8 @@ constexpr std::array kVerbs{
          add_simulate},
     Verb{"solid", "decide whether two closed models are clear, touch, cross or contain each other",
          add_solid},
+    Verb{"thesis", "run the orientation tests of the thesis: counts, times and contacts by frame",
+         add_thesis},
     Verb{"version", "print the version, the instruction set and the file formats", add_version},
     Verb{"view", "fly through a city and see what touches what, and why", nullptr, pass_to_viewer},
     Verb{"within", "decide whether two models are within a clearance of each other", add_within},

@@ -58,6 +58,23 @@ struct ApproachLine {
 [[nodiscard]] std::vector<Vec3> orientation_test(const Box& still, Approach from,
                                                  std::size_t up = 1);
 
+/// The same for an object of any size and place, of bounds `moving`: it starts with its middle in
+/// that of `still`, so that equal models coincide as in the thesis.
+///
+/// \pre Neither box is empty; `up` is 1 (y) or 2 (z).
+[[nodiscard]] std::vector<Vec3> orientation_test(const Box& still, const Box& moving, Approach from,
+                                                 std::size_t up = 1);
+
+/// Offsets of an object of bounds `moving` that drives through `still` along x, through its middle,
+/// in 221 frames from clear to clear, its underside a hundredth of the height below that of
+/// `still`. For a scene of the thesis `city_drive` has the path.
+///
+/// \pre    Neither box is empty; `up` is 1 (y) or 2 (z).
+/// \source ours, after thesis, table 3.3: 5 % of the scene's length before it and behind it; more
+///         for a long object.
+[[nodiscard]] std::vector<Vec3> drive_through(const Box& still, const Box& moving,
+                                              std::size_t up = 2);
+
 /// Offsets of an object that drives through a scene of 4 km by 4 km along y = 2000: frame k is at
 /// x = 20 k - 200. Made for the bunny turned z up and 500 times as large,
 /// `transformed(mesh, 500, UpAxis::y)`.

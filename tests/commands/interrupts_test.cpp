@@ -81,6 +81,7 @@ TEST(Interrupts, AndTheEndOfTimeEndTheWaitForAPipe) {
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"info", model.path()},
         {"info", unopened},
+        {"thesis", unopened},
         {"overlap", box(), box(), "--pose", poses.path()},
         {"simulate", box(), "--mover", box(), "--route", route.path()}}) {
     std::vector<std::string> limited = words;

@@ -65,6 +65,33 @@ TEST(OrientationTests, AreTheSameWhateverTheHostRounds) {
   }
 }
 
+TEST(OrientationTests, BringOtherObjectsToTheMiddle) {
+  constexpr Box kOther{{10, 10, 10}, {11, 12, 14}};
+  for (const auto& [from, name] : kAllApproaches) {
+    const auto alone = orientation_test(kStill, from, 2);
+    EXPECT_EQ(orientation_test(kStill, kStill, from, 2), alone) << name;
+    const auto offsets = orientation_test(kStill, kOther, from, 2);
+    ASSERT_EQ(offsets.size(), alone.size());
+    for (std::size_t k = 0; k < offsets.size(); ++k) {
+      EXPECT_EQ(kOther.center() + offsets[k], kStill.center() + alone[k]) << name << ", " << k;
+    }
+  }
+}
+
+TEST(DriveThrough, GoesFromEndToEndThroughTheMiddle) {
+  constexpr Box kScene{{0, 0, 0}, {100, 40, 10}};
+  constexpr Box kShort{{0, 0, 0}, {2, 2, 2}};
+  constexpr Box kLong{{0, 0, 0}, {60, 2, 2}};
+  const auto offsets = drive_through(kScene, kShort);
+  ASSERT_EQ(offsets.size(), 221U);
+  EXPECT_EQ(offsets.front(), (Vec3{-6, 19, -0.1}));
+  EXPECT_EQ(offsets[110], (Vec3{49, 19, -0.1}));
+  EXPECT_EQ(offsets.back(), (Vec3{104, 19, -0.1}));
+  EXPECT_EQ(drive_through(kScene, kLong).front(), (Vec3{-90, 19, -0.1}));
+  const auto with_y_up = drive_through(kScene, kShort, 1);
+  EXPECT_EQ(with_y_up.front(), (Vec3{-6, -0.4, 4}));
+}
+
 TEST(CityDrive, GoesAlongTheMiddleOfTheCity) {
   const auto offsets = city_drive();
   ASSERT_EQ(offsets.size(), 221U);

@@ -1,0 +1,36 @@
+/// \file
+/// What `thesis` says of its tests, for people.
+#pragma once
+
+#include "apps/soms/thesis.h"
+#include "apps/soms/thesis_run.h"
+
+#include <string>
+#include <vector>
+
+namespace soms::command {
+
+/// All tests of a run.
+struct ThesisReport {
+  const ThesisOptions& options;
+  std::vector<ThesisResult> results = {};
+  std::vector<std::string> remarks = {};  ///< about the models
+};
+
+/// The build of the trees and the traversal: "rule soms, midpoint thesis, ...".
+[[nodiscard]] std::string thesis_options_in_words(const ThesisOptions& options);
+
+/// Boxes of the last level that a tree may have, and leaves of levels above.
+struct LevelOfTree {
+  std::uint64_t level = 0;
+  std::uint64_t boxes = 0;
+  std::uint64_t leaves_above = 0;
+};
+
+/// The level, or the deepest that there is where `levels` is 0 or more than the tree has.
+[[nodiscard]] LevelOfTree last_level(const Tree& tree, int levels);
+
+/// One test: a table of its frames, and what it comes to. Several: a row each.
+[[nodiscard]] std::string thesis_text(const ThesisReport& report);
+
+}  // namespace soms::command
