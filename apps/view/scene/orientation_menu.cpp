@@ -12,6 +12,8 @@ namespace soms::view {
 namespace {
 
 constexpr std::string_view kDrive = "drive";
+constexpr std::size_t kApproachFrames = 49;
+constexpr std::size_t kDriveFrames = 221;
 
 constexpr std::array<OrientationTest, 7> kTests{
     {{"right", "Right", "comes from the right (+x) and ends half inside"},
@@ -22,20 +24,28 @@ constexpr std::array<OrientationTest, 7> kTests{
      {"back", "Back", "comes from the back and ends half inside"},
      {kDrive, "Drive", "drives through the middle along x, partly below the ground"}}};
 
+[[noreturn]] void refuse(std::string_view name) {
+  std::string names;
+  for (const OrientationTest& test : kTests) {
+    names += (names.empty() ? "" : ", ") + std::string(test.name);
+  }
+  throw Error(ErrorKind::usage, "no orientation test \"" + std::string(name) + "\"",
+              "name one of " + names);
+}
+
 Pose shift_by(const Vec3& by) {
   return Pose::translation(by.x, by.y, by.z);
 }
 
 std::vector<Pose> drive(const Box& still, const Box& moving, const Vec3& to_middle,
                         std::size_t up) {
-  constexpr std::size_t kFrames = 221;
   const Vec3 extent = still.extent();
   const std::size_t side = 3 - up;
   // The thesis' way: 5 % of the scene's length before it and behind it; more for a long object.
   const double margin = std::max(0.05 * extent.x, moving.extent().x);
   std::vector<Pose> poses;
-  for (std::size_t k = 0; k < kFrames; ++k) {
-    const double share = static_cast<double>(k) / static_cast<double>(kFrames - 1);
+  for (std::size_t k = 0; k < kDriveFrames; ++k) {
+    const double share = static_cast<double>(k) / static_cast<double>(kDriveFrames - 1);
     Vec3 by;
     by[0] = still.lower.x - margin + share * (extent.x + 2 * margin) - moving.center().x;
     by[side] = to_middle[side];
@@ -57,7 +67,6 @@ std::vector<Pose> orientation_poses(std::string_view name, const Box& still, con
   if (name == kDrive) {
     return drive(still, moving, to_middle, up);
   }
-  std::string names;
   for (const auto& [approach, approach_name] : kAllApproaches) {
     if (approach_name == name) {
       std::vector<Pose> poses;
@@ -66,10 +75,26 @@ std::vector<Pose> orientation_poses(std::string_view name, const Box& still, con
       }
       return poses;
     }
-    names += std::string(approach_name) + ", ";
   }
-  throw Error(ErrorKind::usage, "no orientation test \"" + std::string(name) + "\"",
-              "name one of " + names + std::string(kDrive));
+  refuse(name);
+}
+
+std::size_t orientation_row(std::string_view name) {
+  const auto* const found =
+      std::find_if(kTests.begin(), kTests.end(),
+                   [name](const OrientationTest& test) { return test.name == name; });
+  if (found == kTests.end()) {
+    refuse(name);
+  }
+  return static_cast<std::size_t>(found - kTests.begin());
+}
+
+std::size_t frame_count(std::string_view name) {
+  return kTests[orientation_row(name)].name == kDrive ? kDriveFrames : kApproachFrames;
+}
+
+std::size_t fullest_frame(std::string_view name) {
+  return name == kDrive ? kDriveFrames / 2 : frame_count(name) - 1;
 }
 
 }  // namespace soms::view
