@@ -57,7 +57,7 @@ draw bunny_traversal "$data/ply/bun_zipper_res2.ply" --up y --mover "$data/ply/b
 draw thesis_right "$data/ply/bun_zipper_res4.ply" --mover "$data/ply/bun_zipper_res4.ply" --test right \
   --thesis --trace --colors plain --camera 200:20 --size 960x640
 shot window_thesis "$data/ply/bun_zipper_res4.ply" --mover "$data/ply/bun_zipper_res4.ply" --test right \
-  --thesis --frames 48 --size 1200x760
+  --thesis --frame 24 --frames 24 --size 1200x760 --up y --mover-up y
 
 draw new_york "$data/cities/new_york_south.ply" "$data/cities/new_york_mid.ply" \
   --scale 1 --camera 200:28 --size 900x506

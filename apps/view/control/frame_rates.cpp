@@ -20,7 +20,7 @@ Choice measured_by(const ViewState& state) {
 }
 
 /// Three digits, as of a length of time that is measured once.
-std::string milliseconds(double ms) {
+std::string in_ms(double ms) {
   return fmt::format("{:.3g} ms", ms);
 }
 
@@ -68,9 +68,9 @@ Rates FrameRates::rates() const {
 
 std::vector<RateRow> rate_rows(const Rates& rates, const Facts& facts) {
   const double alone = rates.frames > 0 ? rates.collision_ms : facts.collision_ms;
-  std::vector<RateRow> rows{{"Collision alone", milliseconds(alone), per_second(alone)}};
+  std::vector<RateRow> rows{{"Collision alone", in_ms(alone), per_second(alone)}};
   if (rates.frames > 0) {
-    rows.push_back({"With drawing", milliseconds(rates.whole_ms), per_second(rates.whole_ms)});
+    rows.push_back({"With drawing", in_ms(rates.whole_ms), per_second(rates.whole_ms)});
   } else {
     rows.push_back({"With drawing", "-", "-"});
   }
@@ -81,9 +81,8 @@ std::string rate_line(const Rates& rates) {
   if (rates.frames == 0) {
     return "this frame; nothing has moved yet";
   }
-  const std::string frames =
-      rates.frames == 1 ? "last frame" : fmt::format("mean of the last {} frames", rates.frames);
-  return rates.moving ? frames : "at rest; before: " + frames;
+  return fmt::format("{}mean of the last {}", rates.moving ? "" : "at rest; ",
+                     command::counted(rates.frames, "frame"));
 }
 
 }  // namespace soms::view

@@ -62,7 +62,7 @@ struct RateRow {
 /// and the second is not known.
 [[nodiscard]] std::vector<RateRow> rate_rows(const Rates& rates, const Facts& facts);
 
-/// What the rows are: "mean of the last 49 frames", or that they are of an earlier time.
+/// What the rows are: "mean of the last 49 frames", or that these are of the time before a rest.
 [[nodiscard]] std::string rate_line(const Rates& rates);
 
 }  // namespace soms::view

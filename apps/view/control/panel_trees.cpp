@@ -112,7 +112,7 @@ void Panels::traversal_choice(ViewState& state) {
 
 /// What `--leaf`, `--levels`, `--midpoint` and `--empty-side` set.
 void Panels::tree_options(ViewState& state) {
-  if (!widgets_.heading("Options of trees", false)) {
+  if (!widgets_.heading("Build options", false)) {
     return;
   }
   BuildOptions& tree = state.tree;

@@ -98,8 +98,9 @@ void add_content_options(CLI::App& app, RenderOptions& options) {
       {{"wire", BoxStyle::wire}, {"solid", BoxStyle::solid}, {"both", BoxStyle::both}},
       "draw edges of boxes, faces, or both (wire)");
   app.add_flag("--trace", options.trace,
-               "draw the boxes that --traversal visited, pruned and found in the city and the\n"
-               "mover (e-node with --descent larger)");
+               "draw the boxes that --traversal visited (black), pruned (gray) and found (red)\n"
+               "in the city and the mover (e-node with --descent larger); surfaces that\n"
+               "touch are violet then");
   app.add_flag_callback(
       "--no-prune", [&options] { options.shown.trees.traversal.prune = false; },
       "with --trace: descend into disjoint boxes, too, to see what pruning saves");

@@ -90,11 +90,11 @@ TEST(FrameRates, AreSaidWithWhatTheyAre) {
   EXPECT_EQ(rate_line(some), "mean of the last 49 frames");
   Rates before = some;
   before.moving = false;
-  EXPECT_EQ(rate_line(before), "at rest; before: mean of the last 49 frames");
+  EXPECT_EQ(rate_line(before), "at rest; mean of the last 49 frames");
   const Rates slow{.frames = 1, .collision_ms = 0, .whole_ms = 400, .moving = true};
   EXPECT_EQ(rate_rows(slow, facts)[1].fps, "2.5 FPS");
   EXPECT_EQ(rate_rows(slow, facts)[0].fps, "-");
-  EXPECT_EQ(rate_line(slow), "last frame");
+  EXPECT_EQ(rate_line(slow), "mean of the last 1 frame");
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ TEST_F(PanelTrees, TheDemonstrationTakesThreeActionsByMouse) {
 
 TEST_F(PanelTrees, OptionsOfTreesAreBelowAHeading) {
   EXPECT_EQ(find("Leaf"), nullptr);
-  click("Options of trees");
+  click("Build options");
   for (const Midpoint midpoint : {Midpoint::thesis, Midpoint::centroid, Midpoint::aabb}) {
     if (midpoint != state().tree.midpoint) {
       choose("Midpoint", std::string(soms::name(midpoint)));

@@ -311,6 +311,7 @@ TEST_F(ViewerTest, TheDemonstrationOfTheThesisTakesOneCommand) {
 }
 
 TEST_F(ViewerTest, ATestThatIsNotThereIsUsage) {
+  const Display display;
   for (const auto& [more, said] :
        {std::pair<std::vector<std::string>, std::string>{{"--test", "rigth"}, "right"},
         {{"--test", "top", "--frame", "49"}, "from 0 to 48"},
@@ -318,7 +319,7 @@ TEST_F(ViewerTest, ATestThatIsNotThereIsUsage) {
     std::vector<std::string> all{SOMS_VIEW_COMMAND, "view", path("block.ply"), "--mover",
                                  path("cube.ply")};
     all.insert(all.end(), more.begin(), more.end());
-    RunningProgram viewer(all, folder_.path(), Display().name());
+    RunningProgram viewer(all, folder_.path(), display.name());
     EXPECT_EQ(viewer.wait(), 2) << viewer.errors();
     EXPECT_NE(viewer.errors().find(said), std::string::npos) << viewer.errors();
   }
