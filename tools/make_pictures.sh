@@ -1,6 +1,6 @@
 #!/bin/sh
-# Draws the pictures of docs/pictures that docs/render.md shows, without a screen. Those of models and
-# cities of others need SOMS_DATA, the folder of the test data; without it they are left as they are.
+# Draws the pictures of docs/pictures that docs/render.md and docs/view.md show, without a screen: the
+# window's on a display of xvfb-run. Those of models and cities of others need SOMS_DATA, the folder of the test data; without it they are left as they are.
 # Usage: tools/make_pictures.sh [soms-view [NAME...]]
 set -eu
 root=$(CDPATH= cd -- "$(dirname -- "$0")/.." && pwd)
@@ -22,8 +22,24 @@ draw() {
     esac
   done
   "$view" render "$@" -o "$out/$file"
-  size=$(wc -c < "$out/$file")
-  [ "$size" -le $most ] || { echo "$file has $size bytes, more than $most" >&2; exit 1; }
+  check_size "$file"
+}
+
+check_size() {
+  size=$(wc -c < "$out/$1")
+  [ "$size" -le $most ] || { echo "$1 has $size bytes, more than $most" >&2; exit 1; }
+}
+
+# shot NAME OPTIONS...: the window with its panels, on a display of its own.
+shot() {
+  name=$1
+  shift
+  case $wanted in "  " | *" $name "*) ;; *) return 0 ;; esac
+  [ -f "$1" ] || { echo "$name: left as it is, $1 is missing" >&2; return 0; }
+  command -v xvfb-run > /dev/null || { echo "$name: left as it is, xvfb-run is missing" >&2; return 0; }
+  LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 1600x1200x24" \
+    "$view" view "$@" --screenshot "$out/$name.png" --with-panels
+  check_size "$name.png"
 }
 
 data=${SOMS_DATA:-/nonexistent}
@@ -38,6 +54,10 @@ done
 draw bunny_traversal "$data/ply/bun_zipper_res2.ply" --up y --mover "$data/ply/bun_zipper_res3.ply" \
   --mover-up y --pose "0.1 -0.04 0.05" --trace --rule soms --traversal e-node --descent larger --colors plain \
   --camera 200:20 --size 960x640
+draw thesis_right "$data/ply/bun_zipper_res4.ply" --mover "$data/ply/bun_zipper_res4.ply" --test right \
+  --thesis --trace --colors plain --camera 200:20 --size 960x640
+shot window_thesis "$data/ply/bun_zipper_res4.ply" --mover "$data/ply/bun_zipper_res4.ply" --test right \
+  --thesis --frame 24 --frames 24 --size 1200x760 --up y --mover-up y
 
 draw new_york "$data/cities/new_york_south.ply" "$data/cities/new_york_mid.ply" \
   --scale 1 --camera 200:28 --size 900x506

@@ -188,6 +188,7 @@ int run_window(const SimulateOptions& options, const Console& console) {
   if (options.frames_given) {
     more = {"--frames", std::to_string(options.frames)};
   }
+  more.insert(more.end(), options.tree_words.begin(), options.tree_words.end());
   return show_world(options.world, more, console);
 }
 

@@ -31,7 +31,8 @@ struct SimulateOptions {
   std::string report = {};    ///< empty: none
   bool view = false;          ///< in a window, instead of all else
   bool frames_given = false;
-  std::string picture = {};                                   ///< empty: none
+  std::vector<std::string> tree_words = {};  ///< options of trees and traversals, as given
+  std::string picture = {};                  ///< empty: none
   std::optional<std::uint64_t> picture_frame = std::nullopt;  ///< unset: the last
   double clearance = 0;  ///< pairs at most this far apart are near; 0: none are
   FailIf fail_if = FailIf::never;

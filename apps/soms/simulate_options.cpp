@@ -1,7 +1,11 @@
 #include "apps/soms/simulate.h"
 #include "apps/support/parse.h"
 
+#include <CLI/CLI.hpp>
+
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace soms::command {
 
@@ -24,6 +28,19 @@ const char* const kFooter =
     "  soms generate city --triangles 20000 -o town.ply\n"
     "  soms generate car -o car.ply\n"
     "  soms simulate town.ply --mover car.ply --count 50 --frames 60 --events events.csv";
+
+/// The options of trees and traversals that were given, with their values.
+std::vector<std::string> words_of_trees(const CLI::App& app) {
+  const std::string group = app.get_option("--rule")->get_group();
+  std::vector<std::string> words;
+  for (const CLI::Option* const option : app.get_options()) {
+    if (option->get_group() == group && option->count() > 0) {
+      words.push_back(option->get_name());
+      words.insert(words.end(), option->results().begin(), option->results().end());
+    }
+  }
+  return words;
+}
 
 }  // namespace
 
@@ -76,10 +93,7 @@ Action add_simulate(CLI::App& app, Shared&) {
     options->frames_given = frames->count() > 0;
     check_build(app, options->world.build);
     check_traversal(app, options->world.traversal);
-    if (const std::string given = given_of_trees(app); options->view && !given.empty()) {
-      throw Error(ErrorKind::usage, given + " has no effect with --view",
-                  "choose trees and traversals in the window");
-    }
+    options->tree_words = words_of_trees(app);
     return run_simulate(*options, console);
   };
 }

@@ -170,8 +170,9 @@ std::vector<Model> load_models(const WorldOptions& options, std::vector<NamedFra
                               .up = changes.up};
     }
   }
-  const Role role{options.mover_model, "--mover-scale", "--mover-up", options.movers.size() > 1,
-                  true};
+  const Role role{
+      options.mover_model,   "--mover-scale", "--mover-up", options.movers.size() > 1, true,
+      options.guess_mover_up};
   for (const std::string& path : options.movers) {
     Upright read = read_upright(path, role, console);
     note_size(read.mesh, role, console);

@@ -25,8 +25,9 @@ struct WorldOptions {
   ModelOptions mover_model = {};  ///< likewise
   BuildOptions build = {};
   TraversalOptions traversal = {};
-  bool guess_up = false;    ///< draw the one city of unknown axis as it looks (`looks_y_up`)
-  bool keep_trees = false;  ///< keep canonical trees, even if the traversal needs none
+  bool guess_up = false;        ///< draw the one city of unknown axis as it looks (`looks_y_up`)
+  bool guess_mover_up = false;  ///< likewise models of --mover
+  bool keep_trees = false;      ///< keep canonical trees, even if the traversal needs none
 };
 
 /// Adds CITY, --mover, --route, --count, --scale, --up, --mover-scale, --mover-up and --strict.

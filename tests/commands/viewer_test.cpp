@@ -90,10 +90,16 @@ TEST(Viewer, ShowsTheWorldOfASimulation) {
       "--mover-scale 2 --mover-up x --seed 3 --threads 2 --quiet a.ply b.ply\n");
   EXPECT_EQ(with_viewer(viewer, "$soms simulate --view --count 5").out,
             "view --count 5 --seed 1 --threads 0\n");
+  EXPECT_EQ(with_viewer(viewer,
+                        "$soms simulate --view --count 5 --rule soms --leaf 1 --levels 15 "
+                        "--midpoint thesis --traversal e-node --descent both")
+                .out,
+            "view --rule soms --midpoint thesis --levels 15 --leaf 1 --traversal e-node "
+            "--descent both --count 5 --seed 1 --threads 0\n");
+  EXPECT_EQ(with_viewer(viewer, "$soms simulate --view --descent both").status, 2);
   for (const char* other :
        {"--json", "--verify", "--map a.svg", "--events a.csv", "--contacts a.csv", "--record a.rec",
-        "--picture a.png", "--picture-frame 3", "--fail-if contact", "--rule sah",
-        "--traversal e-node", "--leaf 2"}) {
+        "--picture a.png", "--picture-frame 3", "--fail-if contact"}) {
     EXPECT_EQ(with_viewer(viewer, std::string("$soms simulate --view ") + other).status, 2)
         << other;
   }

@@ -3,11 +3,14 @@
 #include "soms/thesis/traversals.h"
 #include "soms/tree/rule/rules.h"
 
+#include "apps/view/control/preset.h"
 #include "apps/view/scene/orientation_menu.h"
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <span>
+#include <vector>
 
 namespace soms::view {
 
@@ -34,7 +37,7 @@ constexpr std::string_view kLearn = "Learn";
 constexpr std::string_view kShow = "Show";
 constexpr std::string_view kObject = "Move the object";
 
-constexpr std::array<ActionRow, 69> kActions{{
+constexpr std::array<ActionRow, 72> kActions{{
     {Action::help, key('H'), {Key::f1}, kGeneral, "this help"},
     {Action::back, {Key::escape}, {}, kGeneral, "close what is open, deselect, quit"},
     {Action::open, control('O'), {}, kGeneral, "open a model"},
@@ -71,6 +74,9 @@ constexpr std::array<ActionRow, 69> kActions{{
     {Action::rule_previous, shift('R'), {}, kTree, "previous rule"},
     {Action::traversal_next, key('T'), {}, kTree, "next traversal"},
     {Action::traversal_previous, shift('T'), {}, kTree, "previous traversal"},
+    {Action::descent_next, key('Q'), {}, kTree, "next descent of E-Node"},
+    {Action::descent_previous, shift('Q'), {}, kTree, "previous descent of E-Node"},
+    {Action::thesis, key('Z'), {}, kTree, "tree, traversal and boxes of the thesis"},
     {Action::orientation_next, key('O'), {}, kTree, "next orientation test"},
     {Action::orientation_previous, shift('O'), {}, kTree, "previous orientation test"},
     {Action::tree_boxes, key('B'), {}, kTree, "boxes of one level of the tree"},
@@ -134,6 +140,19 @@ void cycle_orientation(ViewState& state, bool forward) {
   const std::size_t now = state.orientation_test ? *state.orientation_test + 1 : 0;
   const std::size_t next = (now + (forward ? 1 : places - 1)) % places;
   set_orientation_test(state, next == 0 ? std::nullopt : std::optional(next - 1));
+}
+
+/// Through those that the traversal takes. A traversal without a descent makes room for E-Node.
+void cycle_descent(ViewState& state, int by) {
+  if (!has_descent(state.traversal)) {
+    state.traversal = Traversal::e_node;
+    return;
+  }
+  const std::vector<Descent> possible = descents_of(state.traversal);
+  const auto now =
+      std::find(possible.begin(), possible.end(), descent_of(state)) - possible.begin();
+  const auto count = static_cast<std::ptrdiff_t>(possible.size());
+  state.descent = possible[static_cast<std::size_t>((now + by + count) % count)];
 }
 
 void step(ViewState& state, int by) {
@@ -329,6 +348,13 @@ bool apply_tree(ViewState& state, Action action) {
     case Action::traversal_previous:
       state.traversal =
           cycled(state.traversal, action == Action::traversal_next ? 1 : -1, traversals());
+      return true;
+    case Action::descent_next:
+    case Action::descent_previous:
+      cycle_descent(state, action == Action::descent_next ? 1 : -1);
+      return true;
+    case Action::thesis:
+      choose(state, Preset::thesis);
       return true;
     case Action::orientation_next:
     case Action::orientation_previous:

@@ -5,6 +5,7 @@ set(SOMS_VIEW_HEADERS
   camera_moves.h
   detail.h
   file_list.h
+  frame_rates.h
   frame_times.h
   gizmo.h
   help.h
@@ -14,6 +15,7 @@ set(SOMS_VIEW_HEADERS
   panel_text.h
   panels.h
   playback.h
+  preset.h
   row_filter.h
   session.h
   style.h
@@ -26,14 +28,17 @@ set(SOMS_VIEW_SOURCES
   camera_moves.cpp
   detail.cpp
   file_list.cpp
+  frame_rates.cpp
   frame_times.cpp
   gizmo.cpp
   help.cpp
   keys.cpp
   panel_lists.cpp
   panel_text.cpp
+  panel_trees.cpp
   panels.cpp
   playback.cpp
+  preset.cpp
   row_filter.cpp
   session.cpp
   session_lists.cpp

@@ -58,8 +58,8 @@ std::vector<std::pair<std::string, std::string>> cost_rows(const Facts& facts) {
 
 std::string tree_line(const ViewState& state) {
   std::vector<std::string> parts;
-  if (state.traversal == Traversal::e_node || state.traversal == Traversal::e_node_front) {
-    parts.push_back(fmt::format("descent {}", entry(state.descent).kebab));
+  if (has_descent(state.traversal)) {
+    parts.push_back(fmt::format("descent {}", entry(descent_of(state)).kebab));
   }
   BuildOptions tree = state.tree;
   tree.rule = state.rule;

@@ -1,8 +1,5 @@
 #include "apps/view/control/panels.h"
 
-#include "soms/thesis/traversals.h"
-#include "soms/tree/rule/rules.h"
-
 #include "apps/support/text.h"
 #include "apps/view/control/help.h"
 #include "apps/view/control/imgui_input.h"
@@ -20,22 +17,6 @@ namespace soms::view {
 namespace {
 
 constexpr float kSidebar = 19.5F;  ///< width in heights of a line of text
-
-std::vector<std::string_view> rule_names() {
-  std::vector<std::string_view> names;
-  for (const RuleEntry& rule : rules()) {
-    names.push_back(rule.kebab);
-  }
-  return names;
-}
-
-std::vector<std::string_view> traversal_names() {
-  std::vector<std::string_view> names;
-  for (const TraversalEntry& traversal : traversals()) {
-    names.push_back(traversal.kebab);
-  }
-  return names;
-}
 
 void row(const char* label, const std::string& value) {
   ImGui::TableNextRow();
@@ -69,7 +50,8 @@ void help_cells(const HelpLine& line) {
 
 }  // namespace
 
-void Panels::draw(Session& session, const FrameTimes& times, const DrawStatistics& drawn) {
+void Panels::draw(Session& session, const FrameTimes& times, const FrameRates& rates,
+                  const DrawStatistics& drawn) {
   widgets_.begin_frame();
   const ViewState& state = session.state();
   const float line = state.panels ? ImGui::GetFontSize() : 0;
@@ -77,7 +59,7 @@ void Panels::draw(Session& session, const FrameTimes& times, const DrawStatistic
   axis_letters(session);
   if (state.panels) {
     menu_bar(session);
-    sidebar(session, times, drawn);
+    sidebar(session, times, rates, drawn);
     right_top_ = ImGui::GetFrameHeight();
     events(session);
     learn(session);
@@ -155,7 +137,8 @@ void Panels::menu_bar(Session& session) {
   ImGui::EndMainMenuBar();
 }
 
-void Panels::sidebar(Session& session, const FrameTimes& times, const DrawStatistics& drawn) {
+void Panels::sidebar(Session& session, const FrameTimes& times, const FrameRates& rates,
+                     const DrawStatistics& drawn) {
   const float top = ImGui::GetFrameHeight();
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos(ImVec2(0, top));
@@ -165,6 +148,7 @@ void Panels::sidebar(Session& session, const FrameTimes& times, const DrawStatis
                      ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNavInputs;
   if (ImGui::Begin("soms", nullptr, flags)) {
     ImGui::PushItemWidth(0.52F * kSidebar * ImGui::GetFontSize());
+    rates_panel(session.facts(), rates.rates());
     time_panel(session);
     tree_panel(session.state());
     show_panel(session.state());
@@ -173,6 +157,22 @@ void Panels::sidebar(Session& session, const FrameTimes& times, const DrawStatis
     ImGui::PopItemWidth();
   }
   ImGui::End();
+}
+
+void Panels::rates_panel(const Facts& facts, const Rates& rates) {
+  if (!ImGui::BeginTable("rates", 3, ImGuiTableFlags_SizingFixedFit)) {
+    return;
+  }
+  ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
+  for (const RateRow& row : rate_rows(rates, facts)) {
+    ImGui::TableNextRow();
+    for (const std::string& cell : {row.what, row.ms, row.fps}) {
+      ImGui::TableNextColumn();
+      ImGui::TextUnformatted(cell.c_str());
+    }
+  }
+  ImGui::EndTable();
+  ImGui::TextDisabled("%s", rate_line(rates).c_str());
 }
 
 void Panels::time_panel(Session& session) {
@@ -201,37 +201,6 @@ void Panels::time_panel(Session& session) {
     }
   } else {
     ImGui::Text("frame %s", command::with_commas(state.frame).c_str());
-  }
-}
-
-void Panels::tree_panel(ViewState& state) {
-  if (!widgets_.heading("Tree and traversal")) {
-    return;
-  }
-  int rule = static_cast<int>(state.rule);
-  if (widgets_.choose("Rule", rule, rule_names(), Action::rule_next)) {
-    state.rule = static_cast<Rule>(rule);
-  }
-  int traversal = static_cast<int>(state.traversal);
-  if (widgets_.choose("Traversal", traversal, traversal_names(), Action::traversal_next)) {
-    state.traversal = static_cast<Traversal>(traversal);
-  }
-  if (const std::string line = tree_line(state); !line.empty()) {
-    ImGui::TextWrapped("%s", line.c_str());
-  }
-  if (state.limits.has_object) {
-    if (widgets_.radio("City", state.tree_of == TreeOf::city, Action::tree_of)) {
-      apply(state, Action::tree_of);
-    }
-    ImGui::SameLine();
-    if (widgets_.radio("Object", state.tree_of == TreeOf::mover, Action::tree_of)) {
-      apply(state, Action::tree_of);
-    }
-    ImGui::SameLine();
-  }
-  widgets_.check("Boxes", state.shown.tree_boxes, Action::tree_boxes);
-  if (widgets_.slide("Level", state.level, 1, levels(state), Action::level_down)) {
-    state.shown.tree_boxes = true;
   }
 }
 

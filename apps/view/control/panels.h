@@ -2,6 +2,7 @@
 /// The panels: what runs, what is shown, what it took, what was picked, which keys there are.
 #pragma once
 
+#include "apps/view/control/frame_rates.h"
 #include "apps/view/control/frame_times.h"
 #include "apps/view/control/row_filter.h"
 #include "apps/view/control/session.h"
@@ -19,16 +20,23 @@ namespace soms::view {
 class Panels {
  public:
   /// `drawn` is of the last frame. \pre A context of Dear ImGui with a frame begun.
-  void draw(Session& session, const FrameTimes& times, const DrawStatistics& drawn);
+  void draw(Session& session, const FrameTimes& times, const FrameRates& rates,
+            const DrawStatistics& drawn);
 
   /// Where each widget stood in the last frame.
   [[nodiscard]] const std::vector<WidgetPlace>& places() const { return widgets_.places(); }
 
  private:
   void menu_bar(Session& session);
-  void sidebar(Session& session, const FrameTimes& times, const DrawStatistics& drawn);
+  void sidebar(Session& session, const FrameTimes& times, const FrameRates& rates,
+               const DrawStatistics& drawn);
+  static void rates_panel(const Facts& facts, const Rates& rates);
   void time_panel(Session& session);
   void tree_panel(ViewState& state);
+  void presets(ViewState& state);
+  void traversal_choice(ViewState& state);
+  void tree_options(ViewState& state);
+  void level_boxes(ViewState& state);
   void show_panel(ViewState& state);
   void counts_panel(const Facts& facts);
   void frame_panel(const Facts& facts, const FrameTimes& times, const DrawStatistics& drawn);

@@ -69,6 +69,10 @@ class Session {
   /// The last error in words; empty: none. It goes with the next action that works.
   [[nodiscard]] const std::string& message() const { return message_; }
 
+  /// Starts an orientation test in one of its frames, seen whole at once: nothing glides there.
+  /// \pre The frame is one of the test's. \errors As `Subject::choose`.
+  void start_test(std::size_t row, std::uint64_t frame);
+
   void set_message(std::string text) { message_ = std::move(text); }
 
   void set_camera(const Camera& camera) { camera_ = camera; }

@@ -1,4 +1,5 @@
-// What of `Session` concerns lists: files to open, and events.
+// What of `Session` concerns lists: files to open, events, and the menu of orientation tests.
+#include "apps/view/control/action.h"
 #include "apps/view/control/camera_moves.h"
 #include "apps/view/control/session.h"
 
@@ -96,6 +97,17 @@ void Session::go_to_event(std::size_t row) {
   picked_ = sight.facts;
   state_.selected = true;
   go(sight.camera);
+}
+
+void Session::start_test(std::size_t row, std::uint64_t frame) {
+  set_orientation_test(state_, row);
+  state_.requests.fit_all = false;
+  subject_.choose(state_);
+  choice_ = choice(state_);
+  subject_.seek(frame);
+  changed_ = true;
+  refresh();
+  frame_again();
 }
 
 }  // namespace soms::view

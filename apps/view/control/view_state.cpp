@@ -19,12 +19,30 @@ Choice choice(const ViewState& state) {
           state.learn,   state.learn_step};
 }
 
+bool has_descent(Traversal traversal) {
+  return traversal == Traversal::e_node || traversal == Traversal::e_node_front;
+}
+
+std::vector<Descent> descents_of(Traversal traversal) {
+  if (traversal == Traversal::e_node) {
+    return {Descent::both, Descent::larger, Descent::cross, Descent::fewest};
+  }
+  return traversal == Traversal::e_node_front ? std::vector{Descent::both, Descent::larger}
+                                              : std::vector<Descent>{};
+}
+
+Descent descent_of(const ViewState& state) {
+  const std::vector<Descent> possible = descents_of(state.traversal);
+  const bool taken = std::find(possible.begin(), possible.end(), state.descent) != possible.end();
+  return taken || possible.empty() ? state.descent : Descent::larger;
+}
+
 void begin_with(ViewState& state, const BuildOptions& build, const TraversalOptions& traversal) {
   state.rule = build.rule;
   state.tree = build;
   state.tree.rule = BuildOptions{}.rule;
   state.traversal = traversal.traversal;
-  if (traversal.traversal == Traversal::e_node || traversal.traversal == Traversal::e_node_front) {
+  if (has_descent(traversal.traversal)) {
     state.descent = traversal.descent;
   }
 }
@@ -33,6 +51,8 @@ void take_back(ViewState& state, const Choice& before) {
   state.rule = before.rule;
   state.traversal = before.traversal;
   state.prune = before.prune;
+  state.tree = before.tree;
+  state.descent = before.descent;
 }
 
 void choose_boxes(ViewState& state, const Choice& before) {

@@ -146,7 +146,17 @@ struct Choice {
 /// Begins with these trees and this traversal. Where that has no descent, E-Node's stays.
 void begin_with(ViewState& state, const BuildOptions& build, const TraversalOptions& traversal);
 
-/// Brings rule, traversal and pruning back to a choice of before.
+/// True for E-Node and its variant that starts at the front.
+[[nodiscard]] bool has_descent(Traversal traversal);
+
+/// The descents that a traversal takes: all of E-Node, upward ones of the front, else none.
+[[nodiscard]] std::vector<Descent> descents_of(Traversal traversal);
+
+/// The descent that the traversal of a state has: the chosen one, or larger where it does not take
+/// that.
+[[nodiscard]] Descent descent_of(const ViewState& state);
+
+/// Brings tree, traversal and pruning back to a choice of before.
 void take_back(ViewState& state, const Choice& before);
 
 /// E-Node in place of Traversal::fast, which has no boxes to show, if the state shows boxes of a

@@ -15,8 +15,8 @@ namespace soms::view {
 }
 
 /// The colors of the window and its pictures, which have one light look: those of
-/// apps/support/look.h where a color has a meaning, else eight by Okabe and Ito. Only contacts are
-/// red.
+/// apps/support/look.h where a color has a meaning, else eight by Okabe and Ito and a violet. Only
+/// contacts are red: of surfaces, or of boxes beside surfaces that are violet.
 /// \source Okabe, Ito 2008, Color Universal Design.
 namespace palette {
 
@@ -27,6 +27,7 @@ inline constexpr Color kGreen{0, 158, 115, 255};
 inline constexpr Color kYellow{240, 228, 66, 255};
 inline constexpr Color kBlue{0, 114, 178, 255};
 inline constexpr Color kPurple{204, 121, 167, 255};
+inline constexpr Color kViolet{122, 34, 230, 255};
 
 inline constexpr Color kBodyA = color_of(look::kBodyA.light);
 inline constexpr Color kBodyB = color_of(look::kBodyB.light);

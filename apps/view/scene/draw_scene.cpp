@@ -427,16 +427,21 @@ class Drawing {
       add(KeySign::area, options_.colors.level,
           "boxes of level " + std::to_string(options_.level->level));
     }
-    if (options_.trace) {
+    if (options_.trace && options_.trace->visited) {
       add(KeySign::area, options_.colors.visited, "boxes visited");
+    }
+    if (options_.trace && options_.trace->pruned) {
       add(KeySign::area, options_.colors.pruned, "boxes pruned");
-      add(KeySign::area, options_.colors.found, "leaves that may touch");
+    }
+    if (options_.trace && options_.trace->found) {
+      add(KeySign::area, options_.colors.found, "boxes that collide");
     }
     if (!list_.labels.empty()) {
       add(KeySign::area, options_.colors.gap, "nearest points");
     }
     if (!scene_.contacts().empty()) {
-      add(KeySign::curve, options_.colors.contact, "contact");
+      add(KeySign::curve, options_.colors.contact,
+          options_.trace && options_.trace->found ? "surfaces that touch" : "contact");
       add(KeySign::marker, options_.colors.contact, "n movers in contact");
     }
   }
@@ -469,7 +474,9 @@ std::vector<Touch> drawn_contacts(const ViewScene& scene, std::size_t most) {
 }
 
 DrawnScene draw_scene(ViewScene& scene, const ViewOptions& options) {
-  return Drawing(scene, options).draw();
+  ViewOptions colored = options;
+  colored.colors = colors_in(options);
+  return Drawing(scene, colored).draw();
 }
 
 DrawList make_draw_list(ViewScene& scene, const ViewOptions& options) {

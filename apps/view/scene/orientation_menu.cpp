@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 #include "soms/thesis/thesis_frames.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -12,6 +13,8 @@ namespace soms::view {
 namespace {
 
 constexpr std::string_view kDrive = "drive";
+constexpr std::size_t kApproachFrames = 49;
+constexpr std::size_t kDriveFrames = 221;
 
 constexpr std::array<OrientationTest, 7> kTests{
     {{"right", "Right", "comes from the right (+x) and ends half inside"},
@@ -21,6 +24,15 @@ constexpr std::array<OrientationTest, 7> kTests{
      {"front", "Front", "comes from the front and ends half inside"},
      {"back", "Back", "comes from the back and ends half inside"},
      {kDrive, "Drive", "drives through the middle along x, partly below the ground"}}};
+
+[[noreturn]] void refuse(std::string_view name) {
+  std::string names;
+  for (const OrientationTest& test : kTests) {
+    names += (names.empty() ? "" : ", ") + std::string(test.name);
+  }
+  throw Error(ErrorKind::usage, "no orientation test \"" + std::string(name) + "\"",
+              "name one of " + names);
+}
 
 std::vector<Pose> poses_of(const std::vector<Vec3>& offsets) {
   std::vector<Pose> poses;
@@ -42,15 +54,30 @@ std::vector<Pose> orientation_poses(std::string_view name, const Box& still, con
   if (name == kDrive) {
     return poses_of(drive_through(still, moving, up));
   }
-  std::string names;
   for (const auto& [approach, approach_name] : kAllApproaches) {
     if (approach_name == name) {
       return poses_of(orientation_test(still, moving, approach, up));
     }
-    names += std::string(approach_name) + ", ";
   }
-  throw Error(ErrorKind::usage, "no orientation test \"" + std::string(name) + "\"",
-              "name one of " + names + std::string(kDrive));
+  refuse(name);
+}
+
+std::size_t orientation_row(std::string_view name) {
+  const auto* const found =
+      std::find_if(kTests.begin(), kTests.end(),
+                   [name](const OrientationTest& test) { return test.name == name; });
+  if (found == kTests.end()) {
+    refuse(name);
+  }
+  return static_cast<std::size_t>(found - kTests.begin());
+}
+
+std::size_t frame_count(std::string_view name) {
+  return kTests[orientation_row(name)].name == kDrive ? kDriveFrames : kApproachFrames;
+}
+
+std::size_t fullest_frame(std::string_view name) {
+  return name == kDrive ? kDriveFrames / 2 : frame_count(name) - 1;
 }
 
 }  // namespace soms::view

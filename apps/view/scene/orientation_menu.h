@@ -23,6 +23,16 @@ struct OrientationTest {
 /// \source  thesis, table 3.2, figs. 3.8, 5.6 to 5.10.
 [[nodiscard]] std::span<const OrientationTest> orientation_tests();
 
+/// The frame of a test in which most touches: the last one of an approach, and the one half way of
+/// the drive, which ends in the clear again. \errors ErrorKind::usage as `orientation_poses`.
+[[nodiscard]] std::size_t fullest_frame(std::string_view name);
+
+/// Frames of a test. \errors ErrorKind::usage as `orientation_poses`.
+[[nodiscard]] std::size_t frame_count(std::string_view name);
+
+/// The row of a test in `orientation_tests`. \errors ErrorKind::usage as `orientation_poses`.
+[[nodiscard]] std::size_t orientation_row(std::string_view name);
+
 /// Poses of a moving object of bounds `moving`, one a frame, on its way to and into `still`.
 ///
 /// Both start with their middles in one point, so that equal models coincide as in the thesis; the

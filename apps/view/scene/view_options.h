@@ -85,7 +85,11 @@ struct ViewColors {
   Color leaf_above = palette::kSkyBlue;
   Color visited = {40, 44, 66, 255};
   Color pruned = {150, 150, 150, 255};
-  Color found = palette::kOrange;
+  /// Boxes that collide are red as in the thesis, fig. 4.35. Where they are shown, surfaces that
+  /// touch have the next two colors in place of `contact` and `part`.
+  Color found = palette::kContact;
+  Color contact_beside_boxes = palette::kViolet;
+  Color part_beside_boxes = {196, 160, 245, 255};
   Color tested_a = palette::kPurple;  ///< boxes of the pair's first tree, test by test
   Color tested_b = palette::kGreen;   ///< of its second tree; movers are blue
   Color plain_city = {222, 211, 186, 255};
@@ -115,5 +119,15 @@ struct ViewOptions {
   std::size_t most_boxes = 50'000;     ///< of a level or a traversal; the largest are drawn
   ViewColors colors;
 };
+
+/// The colors of a picture: where it shows boxes that collide, surfaces that touch are not red.
+[[nodiscard]] inline ViewColors colors_in(const ViewOptions& options) {
+  ViewColors colors = options.colors;
+  if (options.trace && options.trace->found) {
+    colors.contact = colors.segment = colors.contact_beside_boxes;
+    colors.part = colors.part_beside_boxes;
+  }
+  return colors;
+}
 
 }  // namespace soms::view

@@ -85,7 +85,8 @@ void add_content_options(CLI::App& app, RenderOptions& options) {
                  "which are drawn all at once")
       ->option_text("POSE");
   command::add_count(app, "--frame", options.frame, 0, 1'000'000'000,
-                     "frame of the simulation to draw, at 60 frames per second (0)");
+                     "frame of the simulation to draw, at 60 frames per second (0; with\n"
+                     "--test the frame in which most touches)");
   command::add_count(app, "--level", options.level, 1, 1000,
                      "draw the boxes of this level of the tree, and paler the\nleaves above it; "
                      "the root is level 1");
@@ -97,18 +98,14 @@ void add_content_options(CLI::App& app, RenderOptions& options) {
       {{"wire", BoxStyle::wire}, {"solid", BoxStyle::solid}, {"both", BoxStyle::both}},
       "draw edges of boxes, faces, or both (wire)");
   app.add_flag("--trace", options.trace,
-               "draw the boxes that --traversal visited, pruned and found in the city and the\n"
-               "mover (e-node with --descent larger)");
+               "draw the boxes that --traversal visited (black), pruned (gray) and found (red)\n"
+               "in the city and the mover (e-node with --descent larger); surfaces that\n"
+               "touch are violet then");
   app.add_flag_callback(
       "--no-prune", [&options] { options.shown.trees.traversal.prune = false; },
       "with --trace: descend into disjoint boxes, too, to see what pruning saves");
-  command::Choices<std::string> tests;
-  for (const OrientationTest& test : orientation_tests()) {
-    tests.emplace_back(test.name, test.name);
-  }
-  command::add_choice<std::string>(
-      app, "--test", options.test, std::move(tests),
-      "send the mover through an orientation test; --frame chooses\nthe frame");
+  add_test(app, options.test,
+           "send the mover through an orientation test; --frame chooses\nthe frame");
   command::add_choice<CityColors>(
       app, "--colors", options.shown.city_colors,
       {{"building", CityColors::by_building}, {"plain", CityColors::plain}},
@@ -209,6 +206,14 @@ command::Json gap_json(const Gap& gap) {
           {"points", command::Json::array({point(near.point_a), point(near.point_b)})}};
 }
 
+/// The frame of an orientation test, for the line about a picture: most did not choose it.
+std::string words_of_test(const ViewScene& scene) {
+  const auto test = scene.test();
+  return test ? fmt::format(", frame {} of 0 to {} of the test {}", scene.frame(),
+                            scene.frames().value_or(1) - 1, *test)
+              : std::string();
+}
+
 void report(const RenderOptions& options, ViewScene& scene, const GlRenderer& renderer,
             command::Console& console) {
   const DrawStatistics drawn = renderer.statistics();
@@ -219,8 +224,9 @@ void report(const RenderOptions& options, ViewScene& scene, const GlRenderer& re
                              command::counted(kMostWatchedTests, "box test")));
   }
   if (!console.shared().json) {
-    console.note(fmt::format("{}: {}x{}, {}, {}{}, drawn by {}", options.output, options.size.width,
-                             options.size.height, command::counted(facts.triangles, "triangle"),
+    console.note(fmt::format("{}: {}x{}, {}{}, {}{}, drawn by {}", options.output,
+                             options.size.width, options.size.height,
+                             command::counted(facts.triangles, "triangle"), words_of_test(scene),
                              command::counted(facts.contacts, "touching pair"),
                              words_of_gaps(scene, gap), GlRenderer::device()));
     return;
@@ -239,6 +245,9 @@ void report(const RenderOptions& options, ViewScene& scene, const GlRenderer& re
                        {"boxes", drawn.boxes},
                        {"draw_calls", drawn.draw_calls},
                        {"device", GlRenderer::device()}};
+  if (!options.test.empty()) {
+    answer["test"] = options.test;
+  }
   if (options.level) {
     const Tree& tree = scene.tree(level_body(options));
     const std::size_t on_level = nodes_of_level(tree, *options.level, false).size();
@@ -261,22 +270,24 @@ void report(const RenderOptions& options, ViewScene& scene, const GlRenderer& re
 
 /// What the options name. What was left out is reported on the way.
 SceneContent load(const RenderOptions& options, command::Console& console) {
-  if (!options.test.empty() && (!options.pose.empty() || options.world.movers.size() != 1)) {
-    throw Error(ErrorKind::usage, "--test moves the one model of --mover",
-                "give one --mover, and no --pose");
-  }
   command::WorldOptions world = options.world;
   // Numbers that were given are those of the file.
   world.guess_up =
       options.camera.subject != CameraChoice::Subject::place && !is_ray_picture(options);
-  SceneContent content =
-      load_content(std::move(world), options.test.empty() ? options.pose : "0 0 0", console);
+  SceneContent content = options.test.empty()
+                             ? load_content(std::move(world), options.pose, console)
+                             : load_tested(std::move(world), options.pose, console);
   if (content.recording) {
     for (const std::string& note : content.notes) {
       console.note(note);
     }
   }
   return content;
+}
+
+/// The frame that is drawn.
+std::uint64_t drawn_frame(const RenderOptions& options) {
+  return options.frame.value_or(options.test.empty() ? 0 : fullest_frame(options.test));
 }
 
 /// \errors ErrorKind::usage for a frame behind the last one of a recording or test.
@@ -327,9 +338,10 @@ ViewScene make_scene(const RenderOptions& options, command::Console& console) {
     if (!options.test.empty()) {
       scene.start_test(options.test);
     }
-    check_frame(options.frame, scene);
-    if (options.frame > 0) {
-      scene.go_to(options.frame);
+    const std::uint64_t frame = drawn_frame(options);
+    check_frame(frame, scene);
+    if (frame > 0) {
+      scene.go_to(frame);
     }
     return scene;
   });
@@ -456,10 +468,10 @@ int run_render(const RenderOptions& options, command::Console& console) {
   }
   command::OutputFile file(options.output);
   ViewScene scene = make_scene(options, console);
-  if (options.frame > 0 && stands_still(options, scene)) {
+  if (options.frame.value_or(0) > 0 && stands_still(options, scene)) {
     const bool posed = !options.pose.empty();
     throw Error(ErrorKind::usage,
-                fmt::format("--frame {} has no effect: {}", options.frame,
+                fmt::format("--frame {} has no effect: {}", *options.frame,
                             posed ? "--pose draws the mover at every pose, in one picture"
                                   : "nothing moves here"),
                 posed ? "leave it out, or give the poses as --route" : "leave it out");

@@ -22,7 +22,8 @@ struct RenderOptions {
   std::string output = {};  ///< "-" is standard output
   std::string pose = {};
   std::string test = {};  ///< name of an orientation test, or empty
-  std::uint64_t frame = 0;
+  std::optional<std::uint64_t> frame =
+      std::nullopt;  ///< that is drawn; none: the first, of a test the fullest
   Size size{1920, 1080};
   CameraChoice camera = {};
   bool center = false;  ///< numbers of --camera count from the middle of the scene

@@ -3,9 +3,11 @@
 #include "soms/base/error.h"
 #include "soms/scene/replay.h"
 
+#include "apps/support/parse.h"
 #include "apps/support/pose_source.h"
 #include "apps/support/world.h"
 #include "apps/view/scene/load.h"
+#include "apps/view/scene/orientation_menu.h"
 
 #include <fmt/format.h>
 
@@ -21,7 +23,6 @@ SceneContent placed(command::WorldOptions options, const std::string& pose,
     throw Error(ErrorKind::usage, "--pose places the one model of --mover",
                 "give one --mover, and neither --route nor --count");
   }
-  options.guess_up = false;
   command::PoseSource poses("--pose", pose, console);
   options.count = 0;
   command::World world = command::load_world(options, console);
@@ -51,18 +52,37 @@ SceneContent load_content(command::WorldOptions options, const std::string& pose
     return load_recording(options.cities[0], options, console);
   }
   if (!pose.empty()) {
+    options.guess_up = false;
     return placed(std::move(options), pose, console);
   }
   if (!options.cities.empty() && options.movers.empty() && options.routes.empty() &&
       !options.count) {
     options.count = 0;
+  } else if (!options.movers.empty() && options.routes.empty() && !options.count) {
+    options.count = options.movers.size();  // who names one model means to see one
+    options.guess_mover_up = options.guess_up;
   } else {
     options.guess_up = false;  // routes and poses are those of `simulate`
   }
-  if (!options.movers.empty() && options.routes.empty() && !options.count) {
-    options.count = options.movers.size();  // who names one model means to see one
-  }
   return content_of(command::load_world(options, console));
+}
+
+void add_test(CLI::App& app, std::string& test, const std::string& text) {
+  command::Choices<std::string> tests;
+  for (const OrientationTest& row : orientation_tests()) {
+    tests.emplace_back(row.name, row.name);
+  }
+  command::add_choice<std::string>(app, "--test", test, std::move(tests), text);
+}
+
+SceneContent load_tested(command::WorldOptions options, const std::string& pose,
+                         command::Console& console) {
+  if (!pose.empty() || options.movers.size() != 1 || !options.routes.empty() || options.count) {
+    throw Error(ErrorKind::usage, "--test moves the one model of --mover",
+                "give one --mover, and no --pose, --route or --count");
+  }
+  options.guess_up = options.guess_mover_up = true;
+  return placed(std::move(options), "0 0 0", console);
 }
 
 }  // namespace soms::view

@@ -8,6 +8,10 @@
 
 #include <string>
 
+namespace CLI {
+class App;
+}  // namespace CLI
+
 namespace soms::view {
 
 /// Most poses of --pose that are drawn.
@@ -16,10 +20,19 @@ inline constexpr std::size_t kMostPoses = 100'000;
 /// Reads what the options name. A recording in place of a city is played. A city from files has no
 /// movers unless they are requested, and of models of --mover without a count or route one each,
 /// where a simulation has a thousand in all. With `pose` the one model of --mover stands at each of
-/// its poses instead of going its way. `guess_up` is ignored where there are movers. \errors As
-/// `command::load_world` and `PoseSource`; ErrorKind::usage for poses with no mover or
-///         with several.
+/// its poses instead of going its way. `guess_up` is ignored where a pose, a route or a count says
+/// where movers are: then all is as in `simulate`. \errors As `command::load_world` and
+/// `PoseSource`; ErrorKind::usage for poses with no mover or with several.
 [[nodiscard]] SceneContent load_content(command::WorldOptions options, const std::string& pose,
                                         command::Console& console);
+
+/// Adds --test, which names an orientation test.
+void add_test(CLI::App& app, std::string& test, const std::string& text);
+
+/// As `load_content` for an orientation test, which moves the one model of --mover. Models whose
+/// files name no axis stand as they look, so that a test comes from the side that it names.
+/// \errors As `load_content`; ErrorKind::usage unless there is one mover and no pose.
+[[nodiscard]] SceneContent load_tested(command::WorldOptions options, const std::string& pose,
+                                       command::Console& console);
 
 }  // namespace soms::view

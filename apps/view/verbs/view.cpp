@@ -5,14 +5,19 @@
 #include "apps/support/console.h"
 #include "apps/support/output.h"
 #include "apps/support/parse.h"
+#include "apps/view/scene/orientation_menu.h"
 #include "apps/view/verbs/render_scene.h"
 #include "apps/view/verbs/tree_options.h"
 #include "apps/view/window/app_window.h"
 #include "apps/view/window/scene_subject.h"
 
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -53,6 +58,16 @@ Size parse_size(const std::string& text) {
   return {side(text.substr(0, cross)), side(text.substr(cross + 1))};
 }
 
+/// The thesis shows its boxes. \errors ErrorKind::usage for a traversal that has none.
+void check_boxes(const CLI::App& app, ViewerOptions& viewer) {
+  const bool is_fast = viewer.traversal.traversal == Traversal::fast;
+  if (viewer.boxes && is_fast && app.count("--traversal") > 0) {
+    throw Error(ErrorKind::usage, "--trace: --traversal fast visits no boxes of the trees",
+                "choose another traversal, or leave it out");
+  }
+  viewer.boxes = viewer.boxes || (app.count("--thesis") > 0 && !is_fast);
+}
+
 }  // namespace
 
 command::Action add_view(CLI::App& app, command::Shared&) {
@@ -67,6 +82,10 @@ command::Action add_view(CLI::App& app, command::Shared&) {
          "--size", [options](const std::string& text) { options->viewer.size = parse_size(text); },
          "width and height of the window (1280x720)")
       ->option_text("WxH");
+  add_test(app, options->test, "begin with an orientation test of the one --mover");
+  command::add_count(app, "--frame", options->frame, 0, kMostFrames,
+                     "frame of --test to begin with (that in which most touches; with --run or\n"
+                     "--frames the first)");
   app.add_flag("--run", options->viewer.run, "start running, not still at the first frame");
   app.add_flag_callback(
       "--no-panels", [options] { options->viewer.panels = false; }, "start without panels");
@@ -83,15 +102,44 @@ command::Action add_view(CLI::App& app, command::Shared&) {
          "run this many frames, each a sixtieth of a second, then close")
       ->option_text("N");
   ViewerOptions& viewer = options->viewer;
+  app.add_flag("--trace", viewer.boxes,
+               "show the boxes that the traversal visited, pruned and found, by --traversal\n"
+               "(e-node with --descent larger)");
   add_tree_options(app, viewer.build, viewer.traversal);
   app.footer(kViewFooter);
   return [options, &app](command::Console& console) {
     check_tree_options(app, options->viewer.build, options->viewer.traversal);
+    check_boxes(app, options->viewer);
     return run_view(*options, console);
   };
 }
 
+namespace {
+
+/// The test that the options name and its frame.
+std::optional<StartedTest> started_test(const ViewVerbOptions& options) {
+  if (options.test.empty()) {
+    if (options.frame) {
+      throw Error(ErrorKind::usage, "--frame has no effect without --test",
+                  "also give --test, or leave it out");
+    }
+    return std::nullopt;
+  }
+  const std::uint64_t frames = frame_count(options.test);
+  if (options.frame && *options.frame >= frames) {
+    throw Error(ErrorKind::usage, fmt::format("--frame {}", *options.frame),
+                fmt::format("there are frames from 0 to {} only", frames - 1));
+  }
+  const bool plays = options.viewer.run || options.viewer.frames;
+  return StartedTest{orientation_row(options.test),
+                     options.frame.value_or(plays ? 0 : fullest_frame(options.test))};
+}
+
+}  // namespace
+
 int run_view(const ViewVerbOptions& options, command::Console& console) {
+  ViewerOptions viewer = options.viewer;
+  viewer.test = started_test(options);
   if (options.viewer.screenshot_panels && options.viewer.screenshot.empty()) {
     throw Error(ErrorKind::usage, "--with-panels needs --screenshot",
                 "add --screenshot FILE, or press Shift+F12 in the window");
@@ -100,11 +148,13 @@ int run_view(const ViewVerbOptions& options, command::Console& console) {
   AppWindow::require_display();
   command::WorldOptions world = options.world;
   world.guess_up = true;
-  SceneContent content = load_content(std::move(world), options.pose, console);
+  SceneContent content = options.test.empty()
+                             ? load_content(std::move(world), options.pose, console)
+                             : load_tested(std::move(world), options.pose, console);
   SceneSubject subject(std::move(content), console.parallel());
   subject.set_gap_patience(kGapPatience);
   subject.set_step_patience(kStepPatience);
-  run_viewer(subject, options.viewer, console.parallel().stop);
+  run_viewer(subject, viewer, console.parallel().stop);
   if (console.interrupted()) {
     throw Error(ErrorKind::cancelled, "interrupted", "");
   }

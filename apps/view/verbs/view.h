@@ -6,6 +6,8 @@
 #include "apps/support/world_options.h"
 #include "apps/view/window/viewer.h"
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 namespace soms::view {
@@ -14,6 +16,8 @@ namespace soms::view {
 struct ViewVerbOptions {
   command::WorldOptions world;
   std::string pose;  ///< of --pose; empty: none
+  std::string test;  ///< name of the orientation test that begins at once, or empty
+  std::optional<std::uint64_t> frame;  ///< of the test, with which it begins
   ViewerOptions viewer;
 };
 

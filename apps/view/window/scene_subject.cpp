@@ -81,10 +81,7 @@ TreeChoice trees_of(const ViewState& state) {
   trees.build = without_idle(trees.build);  // each rule has the options that it uses
   trees.traversal.traversal = state.traversal;
   trees.traversal.prune = state.prune;
-  const bool upward = state.descent == Descent::both || state.descent == Descent::larger;
-  if (state.traversal != Traversal::e_node_front || upward) {  // else the front's is larger
-    trees.traversal.descent = state.descent;
-  }
+  trees.traversal.descent = descent_of(state);
   trees.traversal = without_idle(trees.traversal);  // E-Node's descent stays beside no other
   return trees;
 }

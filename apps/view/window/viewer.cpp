@@ -3,8 +3,10 @@
 #include "soms/base/error.h"
 
 #include "apps/view/control/detail.h"
+#include "apps/view/control/frame_rates.h"
 #include "apps/view/control/frame_times.h"
 #include "apps/view/control/panels.h"
+#include "apps/view/control/preset.h"
 #include "apps/view/drawing/gl_renderer.h"
 #include "apps/view/drawing/picture.h"
 #include "apps/view/window/app_window.h"
@@ -65,9 +67,15 @@ class Loop {
  public:
   Loop(Subject& subject, const ViewerOptions& options)
       : options_(options), window_("soms view", options.size), session_(subject, window_.size()) {
-    session_.state().paused = !(options.run || options.frames) || !session_.facts().limits.moves;
     session_.state().panels = options.panels;
     begin_with(session_.state(), options.build, options.traversal);
+    if (options.boxes) {
+      show_traversed(session_.state());
+    }
+    if (options.test) {
+      session_.start_test(options.test->row, options.test->frame);
+    }
+    session_.state().paused = !(options.run || options.frames) || !session_.facts().limits.moves;
     window_.set_title("soms view: " + session_.facts().name);
     lay_out_panels();
   }
@@ -100,7 +108,7 @@ class Loop {
   void lay_out_panels() {
     for (int i = 0; i < kEcho; ++i) {
       window_.begin_panels();
-      panels_.draw(session_, times_, renderer_.statistics());
+      panels_.draw(session_, times_, rates_, renderer_.statistics());
       window_.end_panels();
     }
   }
@@ -154,11 +162,12 @@ class Loop {
     session_.handle(captured());
     session_.tick(scripted() ? (playing() ? kFrame : 0) : passed);
     do_window_requests();
-    panels_.draw(session_, times_, renderer_.statistics());
+    panels_.draw(session_, times_, rates_, renderer_.statistics());
     draw_scene(pixels, begin);
     renderer_.present();
     window_.end_panels();
     window_.finish();
+    rates_.add(session_.state(), session_.facts(), 1000 * seconds_between(begin, Clock::now()));
     go_on();
     take_picture(pixels);
     times_.add(1000 * seconds_between(begin, Clock::now()), passed);
@@ -299,6 +308,7 @@ class Loop {
   Session session_;
   Panels panels_;
   FrameTimes times_;
+  FrameRates rates_;
   Detail detail_;
   Drawn drawn_;
   Clock::time_point last_ = Clock::now();

@@ -6,12 +6,19 @@
 #include "apps/view/control/subject.h"
 #include "apps/view/drawing/camera.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <stop_token>
 #include <string>
 
 namespace soms::view {
+
+/// An orientation test that runs from the start on.
+struct StartedTest {
+  std::size_t row = 0;  ///< of `orientation_tests`
+  std::uint64_t frame = 0;
+};
 
 /// How the viewer starts and, for scripts, how it ends.
 struct ViewerOptions {
@@ -20,6 +27,8 @@ struct ViewerOptions {
   bool panels = true;
   BuildOptions build{.rule = Rule::soms};  ///< of the trees that are shown
   TraversalOptions traversal = {};         ///< that is chosen at first
+  bool boxes = false;                      ///< of the traversal are shown from the start on
+  std::optional<StartedTest> test;
   /// PNG of the finished picture, after which the viewer ends; empty: none.
   std::string screenshot;
   bool screenshot_panels = false;       ///< with the panels over it

@@ -1,7 +1,9 @@
 #include "apps/view/control/action.h"
 
+#include "soms/thesis/traversals.h"
 #include "soms/tree/rule/rules.h"
 
+#include "apps/view/control/preset.h"
 #include "apps/view/scene/orientation_menu.h"
 
 #include <gtest/gtest.h>
@@ -73,6 +75,9 @@ std::vector<std::pair<Action, Check>> expectations() {
       {Action::rule_previous, [](S s) { return s.rule == Rule::spatial_median; }},
       {Action::traversal_next, [](S s) { return s.traversal == Traversal::larger; }},
       {Action::traversal_previous, [](S s) { return s.traversal == Traversal::b_first; }},
+      {Action::descent_next, [](S s) { return s.traversal == Traversal::e_node; }},
+      {Action::descent_previous, [](S s) { return s.traversal == Traversal::e_node; }},
+      {Action::thesis, [](S s) { return preset_of(s) == Preset::thesis && s.shown.found; }},
       {Action::orientation_next,
        [](S s) { return s.orientation_test == 2U && s.frame == 0 && s.requests.fit_all; }},
       {Action::orientation_previous, [](S s) { return s.orientation_test == 0U && s.frame == 0; }},
@@ -132,6 +137,24 @@ TEST(Actions, EachKeyOfTheTableDoesWhatItsRowSays) {
       EXPECT_TRUE(expected[i].second(state)) << name(press) << ": " << row.help;
     }
   }
+}
+
+TEST(Actions, DescentsGoRoundAmongThoseThatTheTraversalTakes) {
+  for (const Traversal traversal : {Traversal::e_node, Traversal::e_node_front}) {
+    ViewState state;
+    state.traversal = traversal;
+    const std::vector<Descent> possible = descents_of(traversal);
+    state.descent = possible.front();
+    for (std::size_t k = 1; k <= possible.size(); ++k) {
+      apply(state, Action::descent_next);
+      EXPECT_EQ(state.descent, possible[k % possible.size()]);
+    }
+    apply(state, Action::descent_previous);
+    EXPECT_EQ(state.descent, possible.back());
+    EXPECT_EQ(state.traversal, traversal);
+  }
+  EXPECT_EQ(descents_of(Traversal::e_node).size(), descents().size());
+  EXPECT_TRUE(descents_of(Traversal::larger).empty());
 }
 
 TEST(Actions, StandInTheOrderOfTheEnumeration) {

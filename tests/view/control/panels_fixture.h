@@ -39,7 +39,8 @@ class PanelsTest : public testing::Test {
     ImGui::NewFrame();
     session_.handle(captured());
     session_.tick(1.0 / 60);
-    panels_.draw(session_, times_, drawn_);
+    rates_.add(state(), session_.facts(), 20);
+    panels_.draw(session_, times_, rates_, drawn_);
     ImGui::Render();
   }
 
@@ -81,6 +82,7 @@ class PanelsTest : public testing::Test {
   MockSubject subject_;
   Session session_{subject_, {1280, 720}};
   FrameTimes times_;
+  FrameRates rates_;
   DrawStatistics drawn_;
   Panels panels_;
 };

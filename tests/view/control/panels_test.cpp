@@ -306,6 +306,7 @@ TEST_F(PanelsTest, CountGapsWhereThereIsAClearance) {
     settle();
     return ImGui::GetDrawData()->TotalVtxCount;
   };
+  click("Show");  // folded, so that all counts are within the window
   const int without = drawn();
   subject_.clearance = "0.5 m";
   const int none = drawn();

@@ -492,5 +492,19 @@ TEST_F(SessionTest, ResizingChangesTheRayUnderAPixel) {
   EXPECT_LT(eye_distance(session_.picked()->point, place), 1e-6);
 }
 
+TEST(Session, ATestThatIsStartedIsSeenAtOnceInItsFrame) {
+  MockSubject subject;
+  Session session(subject, {800, 600});
+  session.start_test(2, 48);
+  EXPECT_EQ(session.state().orientation_test, 2U);
+  EXPECT_EQ(subject.last_choice.orientation_test, 2U);
+  EXPECT_EQ(subject.frame, 48U);
+  const Camera camera = session.camera();
+  session.state().paused = true;
+  session.tick(1.0 / 60);
+  EXPECT_EQ(session.camera(), camera);  // nothing glides
+  EXPECT_EQ(session.state().frame, 48U);
+}
+
 }  // namespace
 }  // namespace soms::view

@@ -1,6 +1,7 @@
 #include "apps/support/look.h"
 
 #include "apps/view/drawing/palette.h"
+#include "apps/view/scene/view_options.h"
 
 #include <gtest/gtest.h>
 
@@ -114,6 +115,26 @@ TEST(Look, ColorsOfBodiesAndMarksAreApartForEverybody) {
         }
       }
     }
+  }
+}
+
+// Red boxes among surfaces whose contact is violet: who confuses them sees contacts in the air.
+TEST(Look, BoxesThatCollideAreApartFromSurfacesThatTouchForEverybody) {
+  const view::ViewColors colors;
+  const auto plain = [](view::Color c) { return Rgb{c.r, c.g, c.b}; };
+  const Rgb found = plain(colors.found);
+  const Rgb touch = plain(colors.contact_beside_boxes);
+  EXPECT_EQ(found, kContact.light);
+  for (const Sight& sight : kSights) {
+    EXPECT_GE(apart(sight, found, touch), 40) << sight.name;
+    for (const Rgb beside : {plain(colors.visited), plain(colors.pruned), kBodyA.light,
+                             kBodyB.light, plain(colors.plain_city), kNearest.light}) {
+      EXPECT_GE(apart(sight, touch, beside), 20) << hex(beside) << ' ' << sight.name;
+      EXPECT_GE(apart(sight, found, beside), 20) << hex(beside) << ' ' << sight.name;
+    }
+  }
+  for (const Tone& ground : {kPaper, kGround, kSkyLow, kSkyHigh}) {
+    EXPECT_GE(contrast(touch, ground.light), 3) << hex(ground.light);
   }
 }
 

@@ -219,6 +219,35 @@ TEST(DrawScene, TheGroundIsBelowTheSceneAndTheKeySaysWhatThereIs) {
   EXPECT_FALSE(make_draw_list(scene, options).ground);
 }
 
+TEST(DrawScene, WhereBoxesThatCollideAreRedSurfacesThatTouchAreNot) {
+  ViewScene scene = cubes();
+  scene.set_pose(0, Pose::translation(1, 1, 1));
+  ViewOptions options;
+  options.contacts.triangles = true;
+  const DrawList plain = make_draw_list(scene, options);
+  EXPECT_EQ(plain.glow_color, palette::kContact);
+  options.trace = TraceBoxes{.visited = true, .pruned = false, .found = true};
+  const DrawList boxes = make_draw_list(scene, options);
+  EXPECT_EQ(boxes.glow_color, palette::kViolet);
+  ASSERT_FALSE(boxes.marks.empty());
+  for (const TriangleMark& mark : boxes.marks) {
+    EXPECT_EQ(mark.color, palette::kViolet);
+  }
+  ASSERT_FALSE(boxes.lines.empty());
+  EXPECT_EQ(with_alpha(boxes.lines[0].color, 255), palette::kViolet);
+  ASSERT_FALSE(boxes.box_groups.empty());
+  EXPECT_EQ(boxes.box_groups[1].boxes[0].color, palette::kContact);
+  std::vector<std::string> words;
+  for (const KeyEntry& entry : boxes.captions.key) {
+    words.push_back(entry.text);
+  }
+  EXPECT_EQ(words, (std::vector<std::string>{"moves: moving", "at rest", "boxes visited",
+                                             "boxes that collide", "surfaces that touch",
+                                             "n movers in contact"}));
+  options.trace->found = false;  // nothing else is red then
+  EXPECT_EQ(make_draw_list(scene, options).glow_color, palette::kContact);
+}
+
 TEST(DrawScene, MarksThePartsThatTouch) {
   Mesh house =
       test::joined(test::box_body({0, 0, 0}, {4, 4, 1}), test::box_body({0, 0, 1.5}, {4, 4, 3}));

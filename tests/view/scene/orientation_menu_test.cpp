@@ -49,8 +49,28 @@ TEST(OrientationMenu, ListsWhatItOffers) {
   EXPECT_EQ(orientation_tests().size(), 7U);
 }
 
+TEST(OrientationMenu, KnowsHowLongTestsAreAndWhereTheyTouchMost) {
+  for (const OrientationTest& test : orientation_tests()) {
+    const std::vector<Pose> poses = orientation_poses(test.name, kStill, kCar, 2);
+    EXPECT_EQ(frame_count(test.name), poses.size()) << test.name;
+    const std::size_t fullest = fullest_frame(test.name);
+    ASSERT_LT(fullest, poses.size()) << test.name;
+    // No frame brings the middles nearer to each other.
+    const auto apart = [&](std::size_t k) {
+      const Vec3 by = kCar.center() + poses[k].shift() - kStill.center();
+      return dot(by, by);
+    };
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+      EXPECT_GE(apart(k), apart(fullest) * (1 - 1e-12)) << test.name << ' ' << k;
+    }
+    EXPECT_EQ(orientation_tests()[orientation_row(test.name)].name, test.name);
+  }
+}
+
 TEST(OrientationMenu, RefusesOtherNames) {
   EXPECT_THROW((void)orientation_poses("inside", kStill, kCar, 2), Error);
+  EXPECT_THROW((void)orientation_row("inside"), Error);
+  EXPECT_THROW((void)fullest_frame("inside"), Error);
 }
 
 }  // namespace

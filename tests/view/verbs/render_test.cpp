@@ -18,9 +18,11 @@
 #include "tests/view/verbs/render_support.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -299,6 +301,68 @@ TEST_F(Render, DrawsAFrameOfAnOrientationTest) {
   };
   EXPECT_EQ(contacts("0"), 0);
   EXPECT_GT(contacts("100"), 0);
+}
+
+TEST_F(Render, DrawsTheFrameOfATestInWhichMostTouchesUnlessOneIsChosen) {
+  SOMS_NEEDS_EGL();
+  const auto drawn = [&](std::vector<std::string> more) {
+    more.insert(more.end(), {ball_, "--mover", ball_, "-o", picture_, "--size", "90x60", "--json"});
+    const test::RunResult result = render(more);
+    EXPECT_EQ(result.status, 0) << result.err;
+    return command::Json::parse(result.out);
+  };
+  const command::Json last = drawn({"--test", "right"});
+  EXPECT_EQ(last.at("frame"), 48);
+  EXPECT_EQ(last.at("test"), "right");
+  EXPECT_GT(last.at("touching_pairs"), 0);
+  EXPECT_EQ(drawn({"--test", "drive"}).at("frame"), 110);
+  EXPECT_EQ(drawn({"--test", "right", "--frame", "0"}).at("touching_pairs"), 0);
+  const test::RunResult said =
+      render({ball_, "--mover", ball_, "-o", picture_, "--size", "90x60", "--test", "top"});
+  EXPECT_NE(said.err.find("frame 48 of 0 to 48 of the test top"), std::string::npos) << said.err;
+}
+
+TEST_F(Render, ATestStandsModelsUprightThatLookSo) {
+  SOMS_NEEDS_EGL();
+  // A cone whose tip is at +y: upright it is met in the frame that meets its base first.
+  const std::string cone = (folder_.path() / "cone.ply").string();
+  std::ofstream file(cone);
+  constexpr int kCorners = 24;
+  file << "ply\nformat ascii 1.0\nelement vertex " << kCorners + 2
+       << "\nproperty float x\nproperty float y\nproperty float z\nelement face " << 2 * kCorners
+       << "\nproperty list uchar int vertex_indices\nend_header\n0 3 0\n0 0 0\n";
+  for (int k = 0; k < kCorners; ++k) {
+    file << std::cos(k * 2 * std::numbers::pi / kCorners) << " 0 "
+         << std::sin(k * 2 * std::numbers::pi / kCorners) << '\n';
+  }
+  for (int k = 0; k < kCorners; ++k) {
+    const int next = (k + 1) % kCorners;
+    file << "3 0 " << 2 + next << ' ' << 2 + k << "\n3 1 " << 2 + k << ' ' << 2 + next << '\n';
+  }
+  file.close();
+  const test::RunResult result =
+      render({cone, "--mover", cone, "-o", picture_, "--size", "90x60", "--test", "top"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.err.find("looks y up, and is drawn so"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("--mover-up z keeps it"), std::string::npos) << result.err;
+}
+
+TEST_F(Render, DrawsBoxesThatCollideInRedAndSurfacesThatTouchInViolet) {
+  SOMS_NEEDS_EGL();
+  const auto drawn = [&](std::vector<std::string> more) {
+    more.insert(more.end(), {ball_, "--mover", ball_, "--pose", "1.2 0 0", "-o", picture_, "--size",
+                             "300x200", "--no-key"});
+    const test::RunResult result = render(more);
+    EXPECT_EQ(result.status, 0) << result.err;
+    const Picture picture = read_png(picture_);
+    return std::pair(count_red(picture), count_near(picture, palette::kViolet, 60));
+  };
+  const auto [red, violet] = drawn({});
+  EXPECT_GT(red, 50U);
+  EXPECT_EQ(violet, 0U);
+  const auto [box_red, touch_violet] = drawn({"--trace"});
+  EXPECT_GT(box_red, 50U);
+  EXPECT_GT(touch_violet, 50U);
 }
 
 TEST_F(Render, NotesAndWarningsAreInJson) {

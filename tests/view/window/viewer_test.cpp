@@ -260,6 +260,71 @@ TEST_F(ViewerTest, AWindowClosedBeforeItsScreenshotIsAnError) {
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "end.png"));
 }
 
+TEST_F(ViewerTest, ATestBeginsInTheFrameInWhichMostTouches) {
+  const Display display;
+  const auto red = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all{SOMS_VIEW_COMMAND, "view",         path("block.ply"), "--mover",
+                                 path("cube.ply"),  "--size",       "960x540",         "--test",
+                                 "right",           "--screenshot", "end.png"};
+    all.insert(all.end(), more.begin(), more.end());
+    RunningProgram viewer(all, folder_.path(), display.name());
+    EXPECT_EQ(viewer.wait(), 0) << viewer.errors();
+    return red_pixels(read_png(folder_.path() / "end.png"));
+  };
+  EXPECT_GT(red({}), 200U);
+  EXPECT_EQ(red({"--frame", "0"}), 0U);
+  EXPECT_EQ(red({"--frames", "2"}), 0U);  // played from the first frame on
+}
+
+/// Pixels in the violet of surfaces that touch, beside boxes that collide.
+std::size_t violet_pixels(const Picture& picture) {
+  return count_near(picture, palette::kViolet, 60);
+}
+
+TEST_F(ViewerTest, TheDemonstrationOfTheThesisTakesTwoKeys) {
+  const Display display;
+  RunningProgram viewer({SOMS_VIEW_COMMAND, "view", path("block.ply"), "--mover", path("cube.ply"),
+                         "--size", "960x540"},
+                        folder_.path(), display.name());
+  ASSERT_TRUE(display.wait_for_window("soms view", viewer)) << viewer.errors();
+  (void)picture(display, viewer);
+  display.type({"key", "z"});  // tree, traversal and boxes of the thesis
+  display.type({"key", "o"});  // the test from the right, which runs
+  soms::test::wait_until([&] {
+    const Picture now = picture(display, viewer);
+    return red_pixels(now) > 100 && violet_pixels(now) > 50;
+  });
+  display.type({"key", "ctrl+q"});
+  EXPECT_EQ(viewer.wait(), 0) << viewer.errors();
+}
+
+TEST_F(ViewerTest, TheDemonstrationOfTheThesisTakesOneCommand) {
+  const Display display;
+  RunningProgram viewer(
+      {SOMS_VIEW_COMMAND, "view", path("block.ply"), "--mover", path("cube.ply"), "--size",
+       "960x540", "--thesis", "--test", "right", "--screenshot", "end.png"},
+      folder_.path(), display.name());
+  EXPECT_EQ(viewer.wait(), 0) << viewer.errors();
+  const Picture end = read_png(folder_.path() / "end.png");
+  EXPECT_GT(red_pixels(end), 100U);
+  EXPECT_GT(violet_pixels(end), 50U);
+}
+
+TEST_F(ViewerTest, ATestThatIsNotThereIsUsage) {
+  const Display display;
+  for (const auto& [more, said] :
+       {std::pair<std::vector<std::string>, std::string>{{"--test", "rigth"}, "right"},
+        {{"--test", "top", "--frame", "49"}, "from 0 to 48"},
+        {{"--test", "top", "--count", "2"}, "moves the one model"}}) {
+    std::vector<std::string> all{SOMS_VIEW_COMMAND, "view", path("block.ply"), "--mover",
+                                 path("cube.ply")};
+    all.insert(all.end(), more.begin(), more.end());
+    RunningProgram viewer(all, folder_.path(), display.name());
+    EXPECT_EQ(viewer.wait(), 2) << viewer.errors();
+    EXPECT_NE(viewer.errors().find(said), std::string::npos) << viewer.errors();
+  }
+}
+
 TEST_F(ViewerTest, NoDisplayIsOneSentenceAndStatus5) {
   RunningProgram viewer(words(), folder_.path(), "");
   EXPECT_EQ(viewer.wait(), 5);
@@ -281,6 +346,7 @@ TEST_F(ViewerTest, WrongOptionsAreUsage) {
   for (const std::vector<std::string>& wrong : {std::vector<std::string>{"--size", "12"},
                                                 {"--size", "10x10"},
                                                 {"--frames", "0"},
+                                                {"--frame", "3"},
                                                 {"--with-panels"}}) {
     RunningProgram viewer(words_and(wrong), folder_.path(), "");
     EXPECT_EQ(viewer.wait(), 2) << wrong[0] << viewer.errors();
