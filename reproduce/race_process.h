@@ -35,7 +35,7 @@ class RaceProcess {
   /// True if this process times for another one, which counts; what it counts is used by nobody.
   [[nodiscard]] virtual bool times_only() const { return false; }
 
-  /// What `count` decides. A process that times only is told instead.
+  /// What `count` decides. A process that times only gets it from the leader.
   /// \errors Those of `count`; std::logic_error if the other process decides something else now.
   virtual Decision decide(const std::string& label, const std::function<Decision()>& count);
 

@@ -175,7 +175,7 @@ RoundsByWork RaceFollower::gather(const std::string& label,
                                   const std::function<RoundsByWork()>& time) {
   RoundsByWork own = time();
   const double seconds = own_processor_seconds();
-  leader_->send(line_of(label, seconds - std::exchange(told_seconds_, seconds), own));
+  leader_->send(line_of(label, seconds - std::exchange(reported_seconds_, seconds), own));
   wait_for_turn();
   return own;
 }

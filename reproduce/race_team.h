@@ -67,7 +67,7 @@ class RaceLeader : public RaceProcess {
   /// An experiment begins; the one before is over.
   void begin(std::string_view item);
 
-  /// Processor time that followers have told of.
+  /// Processor time that followers have reported.
   [[nodiscard]] double processor_seconds() const { return processor_seconds_; }
 
  private:
@@ -107,7 +107,7 @@ class RaceFollower : public RaceProcess {
   int processes_;
   LineChannel* leader_;
   std::deque<std::pair<std::string, Decision>> decisions_ = {};
-  double told_seconds_ = 0;
+  double reported_seconds_ = 0;
 };
 
 }  // namespace soms::reproduce

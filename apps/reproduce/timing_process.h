@@ -17,7 +17,7 @@ inline constexpr const char* kTimingVerb = "timing-process";
 
 /// What they need to know.
 struct TimingOptions {
-  std::string models;  ///< as `soms reproduce` was told
+  std::string models;  ///< as given to `soms reproduce`
   bool quick = false;
 };
 

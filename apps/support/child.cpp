@@ -174,8 +174,8 @@ ChildAnswer answer_of(const std::filesystem::path& program, const std::vector<st
 int run_child(const std::filesystem::path& program, const std::vector<std::string>& words,
               const Console& console, const ChildOptions& options) {
   const bool stranger = !options.home.empty();
-  const pid_t child =
-      stranger ? start_at_home(program, words, options) : start_program(program, words, options.called, {});
+  const pid_t child = stranger ? start_at_home(program, words, options)
+                               : start_program(program, words, options.called, {});
   int status = 0;
   bool terminated = false;
   while (!has_ended(child)) {

@@ -70,7 +70,7 @@ class End : public LineChannel {
 };
 
 /// An experiment of two races, of which counting decides the second. Each process times its own
-/// number, and what it was told to.
+/// number, and what it was given to count.
 RoundsByWork two_races(RaceProcess& process, double own, int& counted) {
   RoundsByWork all = process.gather("first", [&] {
     return RoundsByWork{{own, own + 0.1}, {1, 2}};
@@ -143,7 +143,7 @@ TEST(RaceTeam, RoundsOfAllProcessesComeOneProcessAfterTheOther) {
   EXPECT_EQ(items, (std::vector<std::string>{"one", "two"}));
   EXPECT_EQ(items_of_third, items);
   EXPECT_EQ(counted, 2);
-  EXPECT_EQ(second.counted, 0);  // it is told what was counted
+  EXPECT_EQ(second.counted, 0);  // it gets what was counted
 }
 
 TEST(RaceTeam, WithoutARaceNoProcessIsStarted) {

@@ -24,7 +24,7 @@ struct Rates {
   bool moving = false;      ///< the newest frame is among them; else they are from before
 };
 
-/// Keeps the newest frames. Another test, tree or traversal starts anew.
+/// Keeps the newest frames. Another test, tree or traversal starts over.
 /// \source thesis, section 1.4: milliseconds, frame and FPS of each test, drawing on and off.
 class FrameRates {
  public:
