@@ -131,12 +131,9 @@ TEST(Claim, TableHasAllThatTheVerdictNeeds) {
   EXPECT_EQ(trips::cell(table, 1, "stands"), "undecided");
   EXPECT_EQ(to_csv(table),
             "metric,reading,nearest,subject,unit,above,below,value,low,high,rounds,processes,"
-            "stands,unjudged,on_stand_in
-"
-            "leaves,stop,,bunny,,0,,12,,,,,holds,,
-"
-            "time,,,bunny,%,8,,9,7,10,20,5,undecided,,
-");
+            "stands,unjudged,on_stand_in\n"
+            "leaves,stop,,bunny,,0,,12,,,,,holds,,\n"
+            "time,,,bunny,%,8,,9,7,10,20,5,undecided,,\n");
 }
 
 TEST(Claim, NumbersAreReadable) {
