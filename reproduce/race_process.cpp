@@ -35,7 +35,7 @@ std::vector<Timing> time_in_turn(RaceProcess& process, const RaceRounds& race,
   std::vector<Timing> timings;
   timings.reserve(all.size());
   for (std::vector<double>& of_work : all) {
-    timings.push_back(summarize(std::move(of_work), process.processes()));
+    timings.push_back(summarize(std::move(of_work), process.gathered_processes()));
   }
   return timings;
 }

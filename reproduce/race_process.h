@@ -35,6 +35,9 @@ class RaceProcess {
   /// True if this process times for another one, which counts; what it counts is used by nobody.
   [[nodiscard]] virtual bool times_only() const { return false; }
 
+  /// Processes that the rounds of `gather` come from: one that times only has its own alone.
+  [[nodiscard]] int gathered_processes() const { return times_only() ? 1 : processes(); }
+
   /// What `count` decides. A process that times only gets it from the leader.
   /// \errors Those of `count`; std::logic_error if the other process decides something else now.
   virtual Decision decide(const std::string& label, const std::function<Decision()>& count);

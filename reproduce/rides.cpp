@@ -163,7 +163,7 @@ std::vector<Ride> ride(const Context& context, const RideCourse& course,
       });
   for (std::size_t i = 0; i < timed.size(); ++i) {
     timed[i].ride->rounds = std::move(rounds[i]);
-    timed[i].ride->processes = process.processes();
+    timed[i].ride->processes = process.gathered_processes();
   }
   return rides;
 }

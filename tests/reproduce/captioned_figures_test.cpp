@@ -39,7 +39,7 @@ TEST(CaptionedFigures, AreWellFormedUntimedAndSayWhereTheyComeFrom) {
     EXPECT_EQ(result.figures[0].id, fmt::format("figure_4_{}", number));
     const std::string& caption = result.figures[0].caption;
     const bool names_source = caption.find("caption") != std::string::npos ||
-                              caption.find("not public") != std::string::npos ||
+                              caption.find("not available to us") != std::string::npos ||
                               caption.find("not known") != std::string::npos;
     EXPECT_TRUE(names_source) << caption;
     for (const Figure& figure : result.figures) {

@@ -54,13 +54,13 @@ TEST(Listing, PutsStepsBelowTheCodeWhereTheyAreTooWide) {
   EXPECT_GT(high, height + 40);
 }
 
-TEST(Listing, ResultTellsTheCodeAndThatTheOriginalIsNotPublic) {
+TEST(Listing, ResultTellsTheCodeAndThatTheOriginalWasNotAvailable) {
   const Table steps{.id = "t", .caption = "", .columns = {{"a"}}, .rows = {{1.0}}};
   const Result result =
       listing_result("figure_0", "A sum.", {.title = "T", .lines = kLines}, steps);
   ASSERT_EQ(result.figures.size(), 1U);
   EXPECT_EQ(result.figures[0].caption,
-            "A sum. From the caption; the thesis' own listing is not public.");
+            "A sum. From the caption; the thesis' own listing was not available to us.");
   EXPECT_EQ(result.figures[0].alt, "1: add (a, b): 2: if a < b & b > 0: ");
   ASSERT_EQ(result.tables.size(), 1U);
   EXPECT_EQ(result.tables[0].id, "t");
