@@ -233,7 +233,7 @@ std::string label_in_kind(const Trip& trip) {
 }
 
 int enode_rounds(const Context& context) {
-  return context.quick ? 20 : 100;
+  return context.quick ? 10 : 100;
 }
 
 void add_rounds(std::vector<double>& sum, std::span<const double> rounds) {

@@ -107,7 +107,7 @@ struct EnodeTrips {
 /// "right", or "u_mixed": a trip within its kind.
 [[nodiscard]] std::string label_in_kind(const Trip& trip);
 
-/// Rounds that a time of these claims rests on: 100, in a quick run 20.
+/// Rounds that a time of these claims rests on: 100, in a quick run 10.
 [[nodiscard]] int enode_rounds(const Context& context);
 
 /// Sums of rounds, trip by trip: round i of the sum is that of all trips.

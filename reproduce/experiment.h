@@ -44,8 +44,8 @@ struct Context {
   /// That, in a sentence; empty in a whole run.
   [[nodiscard]] std::string timed_step_words() const;
 
-  /// Paired rounds behind an interval of 95 %: 100, in a quick run 20.
-  [[nodiscard]] int rounds() const { return quick ? 20 : 100; }
+  /// Paired rounds behind an interval of 95 %: 100, in a quick run 10.
+  [[nodiscard]] int rounds() const { return quick ? 10 : 100; }
 };
 
 /// Part of the report that an experiment belongs to.

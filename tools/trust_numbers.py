@@ -103,6 +103,10 @@ def thesis():
     for name, what in (("counts", "trees of the thesis"), ("traversal", "traversals of the thesis")):
         table = rows(DATA / f"thesis/thesis_{name}.csv")
         yield f"rows of counts: {what}", len(table), f"{len(table[0])} columns each"
+    more = {name: len(rows(DATA / f"thesis/{name}.csv")) for name in
+            ("other_objects", "corner_pair", "e_node_readings", "e_node_levels", "first_frames")}
+    yield ("rows of counts: other objects and readings of the thesis", sum(more.values()),
+           ", ".join(f"{name} {number}" for name, number in more.items()))
 
 
 def golden():

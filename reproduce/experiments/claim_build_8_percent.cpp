@@ -35,11 +35,11 @@ constexpr std::array kMeanings{
     Meaning{"about 8 %, within 5 points (ours)", {.above = 3, .below = 13}}};
 
 int rounds_of_the_object(const Context& context) {
-  return context.quick ? 60 : 400;
+  return context.quick ? 30 : 400;
 }
 
 int rounds_of_others(const Context& context) {
-  return context.quick ? 20 : 100;
+  return context.quick ? 10 : 100;
 }
 
 /// The object that the claim is about, or what stands for it.

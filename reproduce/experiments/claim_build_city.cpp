@@ -24,7 +24,7 @@ constexpr Demand kAnyGain{.above = 0};
 constexpr std::array kCityRules{Rule::spatial_median, Rule::soms};
 
 constexpr int kRounds = 150;
-constexpr int kQuickRounds = 25;
+constexpr int kQuickRounds = 10;
 
 /// A level that the thesis times the city at.
 struct Occasion {
