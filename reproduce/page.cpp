@@ -44,7 +44,7 @@ std::string inlined(const Figure& figure) {
 
 /// Bytes of the drawings that are part of a page with files beside it. Pictures of whole models are
 /// larger, and would make it several megabytes that most readers never unfold.
-constexpr std::size_t kMostInlined = std::size_t{40} << 10U;
+constexpr std::size_t kMostInlined = std::size_t{10} << 10U;
 
 /// A drawing as the page has it: its markup or, if it is large and lies beside the page, its file.
 std::string drawing_of(const Figure& figure, PageFiles files) {

@@ -19,7 +19,7 @@ namespace {
 
 /// Tables with more rows are folded; of still longer ones the page shows the first rows.
 constexpr std::size_t kFoldedFrom = 24;
-constexpr std::size_t kMostRows = 400;
+constexpr std::size_t kMostRows = 40;
 /// Bytes of words that stay on one line.
 constexpr std::size_t kShortWords = 24;
 

@@ -24,7 +24,7 @@ constexpr std::string_view kFewerEntered =
     "one before it, having entered only pairs that the opponent entered too, and not all of them";
 
 /// So small a share of the frames with a hit is timed in a quick run.
-constexpr std::size_t kQuickShare = 8;
+constexpr std::size_t kQuickShare = 16;
 
 /// So much work between two readings of the clock takes far longer than a reading.
 constexpr std::uint64_t kBoxTestsARound = 10'000;

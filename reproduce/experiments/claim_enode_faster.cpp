@@ -26,8 +26,8 @@ constexpr std::string_view kFewerEntered =
 constexpr std::string_view kCount = "a count: faster is judged by time";
 
 /// So small a share of a drive, and of an orientation test, is timed in a quick run.
-constexpr std::size_t kQuickShareOfDrive = 32;
-constexpr std::size_t kQuickShareOfTest = 8;
+constexpr std::size_t kQuickShareOfDrive = 64;
+constexpr std::size_t kQuickShareOfTest = 16;
 
 /// What all racers did on one trip.
 struct Raced {

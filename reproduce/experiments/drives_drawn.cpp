@@ -21,7 +21,7 @@ namespace soms::reproduce {
 namespace {
 
 /// In a quick run every so many frames are drawn.
-constexpr std::size_t kQuickStep = 10;
+constexpr std::size_t kQuickStep = 40;
 
 /// Frames that are drawn of both drives through a scene, one after the other.
 struct DrivenCourse {

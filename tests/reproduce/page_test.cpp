@@ -186,9 +186,9 @@ TEST(Page, SaysWhatAnInterruptedRunLacks) {
 TEST(Page, FoldsLongTablesAndCutsVeryLongOnes) {
   const std::string html = page(small_report());
   EXPECT_EQ(test::count_of(html, "<details>\n<summary>Many rows"), 1U);
-  EXPECT_EQ(test::count_of(html, "The first 400 of 1,000 rows"), 1U);
-  EXPECT_EQ(test::count_of(html, ">399<"), 1U);
-  EXPECT_EQ(test::count_of(html, ">400<"), 0U);
+  EXPECT_EQ(test::count_of(html, "The first 40 of 1,000 rows"), 1U);
+  EXPECT_EQ(test::count_of(html, ">39<"), 1U);
+  EXPECT_EQ(test::count_of(html, ">40<"), 0U);
 }
 
 TEST(Page, EscapesWordsAndWritesNumbersForPeople) {
