@@ -33,9 +33,9 @@ NodesByDepth nodes_by_depth(const Tree& tree, std::size_t depths) {
 
 /// Counts of one frame by the depth of the pairs: a pair's is that of its deeper node, and a cut at
 /// a depth ends at pairs of that depth, and above it at pairs of leaves.
-class Watcher {
+class LevelWatcher {
  public:
-  Watcher(const MovedTrip& moved, std::size_t depths)
+  LevelWatcher(const MovedTrip& moved, std::size_t depths)
       : a_(*moved.trip().a.tree()), b_(*moved.trip().b.tree()), depths_(depths) {}
 
   void look(FrameTraversal& traversal, std::size_t frame) {
@@ -143,7 +143,7 @@ std::vector<EarlierLevel> earlier_nodes(const MovedTrip& moved, std::span<const 
   std::vector<EarlierLevel> levels(depths);
   const TripRacer racer{"enode_both", {.traversal = Traversal::e_node}};
   FrameTraversal traversal(moved, racer);
-  Watcher watcher(moved, depths);
+  LevelWatcher watcher(moved, depths);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   for (std::size_t k = 0; k < moved.frames(); ++k) {
     check_stop(parallel);

@@ -6,6 +6,7 @@
 #include "soms/tree/option_names.h"
 #include "soms/tree/rule/rules.h"
 
+#include "apps/support/kebab.h"
 #include "apps/support/text.h"
 
 #include <fmt/format.h>
@@ -17,12 +18,6 @@
 namespace soms::command {
 
 namespace {
-
-std::string kebab(std::string_view name) {
-  std::string text(name);
-  std::replace(text.begin(), text.end(), '_', '-');
-  return text;
-}
 
 std::string cell(const std::optional<std::size_t>& frame) {
   return frame ? std::to_string(*frame) : std::string("-");

@@ -8,6 +8,7 @@
 
 #include "apps/support/child.h"
 #include "apps/support/console.h"
+#include "apps/support/kebab.h"
 #include "apps/support/temporary_folder.h"
 #include "apps/support/text.h"
 
@@ -27,12 +28,6 @@ namespace {
 namespace fs = std::filesystem;
 
 using Words = std::vector<std::string>;
-
-std::string kebab(std::string_view name) {
-  std::string text(name);
-  std::replace(text.begin(), text.end(), '_', '-');
-  return text;
-}
 
 /// The trees and the traversal, as soms-view takes them.
 Words words_of_trees(const ThesisOptions& options) {

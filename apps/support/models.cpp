@@ -7,6 +7,7 @@
 #include "soms/tree/rule/rules.h"
 
 #include "apps/support/console.h"
+#include "apps/support/kebab.h"
 #include "apps/support/parse.h"
 #include "apps/support/standard_input.h"
 #include "apps/support/stated_options.h"
@@ -46,12 +47,6 @@ Choices<Descent> descent_choices() {
     choices.emplace_back(row.kebab, row.descent);
   }
   return choices;
-}
-
-std::string kebab(std::string_view name) {
-  std::string text(name);
-  std::replace(text.begin(), text.end(), '_', '-');
-  return text;
 }
 
 /// The command's option for a field of the library's options.

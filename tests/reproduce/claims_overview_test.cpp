@@ -10,7 +10,7 @@
 namespace soms::reproduce {
 namespace {
 
-constexpr Experiment kMore{"claim-more", "More", Chapter::claims, {}, 1, {}};
+constexpr Experiment kClaimMore{"claim-more", "More", Chapter::claims, {}, 1, {}};
 
 ClaimRow row(const char* reading, const char* subject, double value) {
   return counted_row(reading, "lead", subject, "", {.above = 0}, value);
@@ -24,7 +24,7 @@ Report report_of(std::vector<ClaimRow> rows, std::string nearest = {}) {
                     .rows = std::move(rows),
                     .nearest = std::move(nearest)}};
   Report report;
-  report.entries = {{&kMore, result, 1}};
+  report.entries = {{&kClaimMore, result, 1}};
   return report;
 }
 
