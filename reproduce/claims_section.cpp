@@ -53,7 +53,8 @@ constexpr std::string_view kRule =
     "the thesis states of a model, is judged only on the model that it names, if it is given. A "
     "comparison speaks of models in general and is judged on every model, stand-ins included. Rows "
     "that are left out only because their model is a stand-in are counted beside the verdict. Toy "
-    "sets, which this project made to show a picture, are shown and never judged. Rows that are "
+    "sets, which this project made to show a picture, are shown and never judged; nor are counts "
+    "that follow from construction, such as pairs entered by the family test. Rows that are "
     "shown but not judged say why. Counts are the same in every run. Of measured rows a few in a "
     "hundred may stand otherwise in another run, and more on another machine or with another "
     "compiler.</p>\n";

@@ -29,7 +29,8 @@ constexpr const char* kFooter =
     "Without A the experiment of the thesis runs: its bunny, Venus and teapot each against its\n"
     "like, from the right, the left, above and below, and the drive of the bunny through the\n"
     "urban scene. Models that --models does not give are generated. In 49 frames the moving\n"
-    "model comes in: roots touch in frame 32, and it is half inside in frame 48. Trees and\n"
+    "model comes in: roots touch in frame 32 (by rounding 33), and it is half inside in frame 48. "
+    "Trees and\n"
     "traversal are those of the thesis where no option says otherwise. Contacts are exact.\n\n"
     "Example:\n"
     "  soms generate knot --triangles 2000 -o knot.ply\n"
@@ -50,9 +51,10 @@ void add_tests(CLI::App& app, ThesisOptions& options) {
   app.add_option("A", options.a, "model that does not move (default: the models of the thesis)")
       ->type_name("");
   app.add_option("B", options.b, "model that moves (A)")->type_name("");
-  add_choice<std::string>(app, "--test", options.test, test_choices(),
-                          "side from which B comes; drive: through A; all: every side, and the\n"
-                          "thesis' drive (the four sides of the thesis, and its drive)")
+  add_choice<std::string>(
+      app, "--test", options.test, test_choices(),
+      "side from which B comes, drive (through A), or all: every side and,\n"
+      "without A, the drive (the thesis' four sides and, without A, its drive)\n")
       ->group(kTestGroup);
   add_choice<bool>(app, "--frames", options.all_frames, {{"overlap", false}, {"all", true}},
                    "frames in the table of one test: those in which the roots overlap, or all\n"
@@ -86,12 +88,14 @@ void add_trees(CLI::App& app, ThesisOptions& options) {
   add_build_options(app, options.build);
   CLI::Option* const levels = app.get_option("--levels");
   levels->description(
-      "maximum number of levels; 0: no limit (15; of a scene that is driven "
-      "through 13)");
+      "maximum number of levels; 0: no limit (15; of a scene to drive\nthrough 13)");
   const std::string group = levels->get_group();
   add_count(app, "--level", options.build.level, 0, 64, "the same as --levels")
       ->excludes(levels)
       ->group(group);
+  // Their words name the defaults of other verbs.
+  app.get_option("--midpoint")->description("point that represents a triangle (thesis)");
+  app.get_option("--empty-side")->description("action when one side is empty (stop)");
   add_traversal_options(app, options.traversal);
 }
 

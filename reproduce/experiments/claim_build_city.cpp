@@ -247,12 +247,17 @@ Claim claim_of(std::span<const Model> scenes, std::span<const Entrant> entrants,
           "median",
       .source = "chapter 1, 1.2; figures 5.4 and 5.5 and table 5.8 by their captions",
       .rows = rows_of(entrants, races),
-      .nearest = nearest_reading(scenes, quiet),
       .why_nearest =
-          "Figure 5.5 times 1,000 builds at level 7, and table 5.11 counts nodes that cannot "
-          "be divided; the text names no builder, so all three are alike near.",
+          "Figure 5.5 times 1,000 builds at level 7, table 5.11 counts nodes that cannot be "
+          "divided, and the captions of chapter 4 describe a builder that copies lists.",
       .why = why(scenes, races),
       .settles = "the thesis' scene, and what its program does where a side is empty"};
+  const std::string nearest = nearest_reading(scenes, quiet);
+  const std::string_view builder = reading_of(Builder::thesis_like);
+  claim.nearest = fmt::format("{}; {}", nearest, builder);
+  for (ClaimRow& row : claim.rows) {
+    row.is_nearest = row.reading == nearest && row.metric.find(builder) != std::string::npos;
+  }
   judge_subjects(claim);
   return claim;
 }

@@ -94,7 +94,7 @@ TEST(Viewer, ShowsTheWorldOfASimulation) {
                         "$soms simulate --view --count 5 --rule soms --leaf 1 --levels 15 "
                         "--midpoint thesis --traversal e-node --descent both")
                 .out,
-            "view --rule soms --midpoint thesis --levels 15 --leaf 1 --traversal e-node "
+            "view --rule soms --levels 15 --leaf 1 --midpoint thesis --traversal e-node "
             "--descent both --count 5 --seed 1 --threads 0\n");
   EXPECT_EQ(with_viewer(viewer, "$soms simulate --view --descent both").status, 2);
   for (const char* other :

@@ -82,7 +82,7 @@ TEST(ClaimBuild, EightPercentIsReadInTwoWays) {
             }),
             3);
   EXPECT_EQ(claim.rows.size(), 2 * kOfTrees + 3);
-  EXPECT_EQ(rows_where([](const ClaimRow& row) { return row.rounds == 60; }), 2 * kOfTrees + 3);
+  EXPECT_EQ(rows_where([](const ClaimRow& row) { return row.rounds == 30; }), 2 * kOfTrees + 3);
   EXPECT_EQ(rows_where([&](const ClaimRow& row) { return is_nearest(claim, row); }), 1);
   EXPECT_EQ(rows_where([](const ClaimRow& row) {
               return row.reading.starts_with("library's builder, gives spatial median one pass");

@@ -118,7 +118,7 @@ TEST(DrivesDrawn, HaveRatesWithDrawingAndWithout) {
   const Table& table = table_of(result, "drives_drawn");
   ASSERT_EQ(table.rows.size(), 2U * 2 * 2);
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    EXPECT_EQ(cell(table, i, "frames"), "23");
+    EXPECT_EQ(cell(table, i, "frames"), "6");
     EXPECT_NE(cell(table, i, "contact_frames"), "0");
   }
   const std::string csv = to_csv(table);

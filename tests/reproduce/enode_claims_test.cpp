@@ -279,7 +279,7 @@ TEST_P(EnodeClaims, HaveTheSameCountsInTwoRunsAndWholeIntervals) {
     if (rows[i].interval) {
       EXPECT_LE(rows[i].interval->low, rows[i].value);
       EXPECT_GE(rows[i].interval->high, rows[i].value);
-      EXPECT_GE(rows[i].rounds, 20);
+      EXPECT_GE(rows[i].rounds, 10);
     } else {
       EXPECT_EQ(rows[i].value, again.value) << rows[i].metric << ", " << rows[i].reading;
     }
