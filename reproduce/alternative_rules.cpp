@@ -19,16 +19,6 @@ bool divides(const SplitNode& node, const Split& split) {
          !std::all_of(node.primitives.begin(), node.primitives.end(), left);
 }
 
-/// The first of x, y and z with the greatest extent.
-std::size_t longest_axis(const Box& box) {
-  const Vec3 extent = box.extent();
-  std::size_t axis = 0;
-  for (std::size_t k = 1; k < 3; ++k) {
-    axis = extent[k] > extent[axis] ? k : axis;
-  }
-  return axis;
-}
-
 Vec3 thesis_midpoint(const Mesh& mesh, TriangleId id) {
   return midpoint(mesh.triangle(id), Midpoint::thesis, 2);
 }

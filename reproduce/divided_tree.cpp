@@ -94,6 +94,15 @@ class Builder {
 
 }  // namespace
 
+std::size_t longest_axis(const Box& box) {
+  const Vec3 extent = box.extent();
+  std::size_t axis = 0;
+  for (std::size_t k = 1; k < 3; ++k) {
+    axis = extent[k] > extent[axis] ? k : axis;
+  }
+  return axis;
+}
+
 Tree divided_tree(const Mesh& mesh, const DivideTriangles& divide, int level) {
   return Builder(mesh, divide, level).build();
 }

@@ -6,6 +6,7 @@
 #include "soms/geometry/mesh.h"
 #include "soms/tree/tree.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -16,6 +17,9 @@ namespace soms::reproduce {
 /// left. 0 leaves the node whole, and the tree notes it as undividable. `outer` is the node's box.
 using DivideTriangles =
     std::function<std::uint32_t(std::span<TriangleId> triangles, const Box& outer)>;
+
+/// The first of x, y and z with the greatest extent.
+[[nodiscard]] std::size_t longest_axis(const Box& box);
 
 /// The canonical tree by a division, down to one triangle a leaf. Nodes at depth `level` - 1 are
 /// not divided; 0 means no limit.

@@ -3,6 +3,7 @@
 #include "soms/base/text.h"
 
 #include "reproduce/html.h"
+#include "reproduce/interactive_rates.h"
 #include "reproduce/nearest_verdict.h"
 
 #include <fmt/format.h>
@@ -18,10 +19,6 @@
 namespace soms::reproduce {
 
 namespace {
-
-/// What interactive programs need. \source thesis, section 1.1.
-constexpr double kLeastRate = 30;
-constexpr double kMostRate = 60;
 
 const Entry* entry_of(const Report& report, std::string_view item) {
   const auto found = std::find_if(report.entries.begin(), report.entries.end(),
@@ -144,16 +141,17 @@ std::string rate_words(const Report& report) {
   }
   const std::string where = fmt::format("{}, test {}", xml_text(slowest->model), slowest->test);
   const std::string rate = fmt::format("<em>{:.0f}</em> frames a second", slowest->rate);
-  if (slowest->rate < kMostRate) {
+  if (slowest->rate < kMostInteractive) {
     return fmt::format(
         " Section 1.1 wants {:g} to {:g} frames a second: without drawing, the slowest orientation "
         "test on trees by SOMS ({}) has {} on this machine.",
-        kLeastRate, kMostRate, where, rate);
+        kLeastInteractive, kMostInteractive, where, rate);
   }
   return fmt::format(
       " Section 1.1 wants {:g} to {:g} frames a second: without drawing, the slowest orientation "
       "test on trees by SOMS ({}) has {} on this machine, {:.0f} times the {:g}.",
-      kLeastRate, kMostRate, where, rate, std::floor(slowest->rate / kMostRate), kMostRate);
+      kLeastInteractive, kMostInteractive, where, rate,
+      std::floor(slowest->rate / kMostInteractive), kMostInteractive);
 }
 
 /// What boxes say and what triangles do, of the first object that comes from the right.

@@ -12,19 +12,6 @@
 
 namespace soms::reproduce {
 
-namespace {
-
-std::size_t longest_axis(const Box& box) {
-  const Vec3 extent = box.upper - box.lower;
-  std::size_t axis = 0;
-  for (std::size_t k = 1; k < 3; ++k) {
-    axis = extent[k] > extent[axis] ? k : axis;
-  }
-  return axis;
-}
-
-}  // namespace
-
 Tree uneven_tree(const Mesh& mesh, double share) {
   std::vector<Vec3> midpoints;
   for (TriangleId i = 0; i < mesh.triangles.size(); ++i) {

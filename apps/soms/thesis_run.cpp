@@ -1,5 +1,6 @@
 #include "apps/soms/thesis_run.h"
 
+#include "reproduce/interactive_rates.h"
 #include "reproduce/statistics.h"
 
 #include <algorithm>
@@ -51,7 +52,9 @@ ThesisSummary summary_of(const std::vector<Frame>& frames, const std::vector<dou
 }  // namespace
 
 std::string_view interactive_word(double fps) {
-  return fps < kLeastInteractive ? "below" : fps > kMostInteractive ? "above" : "within";
+  return fps < reproduce::kLeastInteractive  ? "below"
+         : fps > reproduce::kMostInteractive ? "above"
+                                             : "within";
 }
 
 ThesisResult run_trip(ThesisTrip what, const TraversalOptions& traversal, int repetitions,

@@ -14,10 +14,6 @@
 
 namespace soms::command {
 
-/// Frames a second that the thesis calls interactive. \source thesis, section 1.1.
-inline constexpr double kLeastInteractive = 30;
-inline constexpr double kMostInteractive = 60;
-
 /// What a test comes to. Frames count from 0; times are of the frames in which the roots overlap.
 struct ThesisSummary {
   reproduce::Totals sums = {};

@@ -27,7 +27,7 @@ ApproachLine approach_line(Approach from, std::size_t up) {
 std::vector<Vec3> orientation_test(const Box& still, Approach from, std::size_t up) {
   const PlainArithmetic plain;
   const auto [axis, side] = approach_line(from, up);
-  std::vector<Vec3> out(49);
+  std::vector<Vec3> out(kApproachFrames);
   for (std::size_t k = 0; k < out.size(); ++k) {
     out[k][axis] = side * ((64 - static_cast<double>(k)) / 32) * still.extent()[axis];
   }
@@ -52,7 +52,7 @@ std::vector<Vec3> drive_through(const Box& still, const Box& moving, std::size_t
   const Vec3 extent = still.extent();
   const std::size_t side = 3 - up;
   const double margin = std::max(kMargin * extent.x, moving.extent().x);
-  std::vector<Vec3> out(221);
+  std::vector<Vec3> out(kDriveFrames);
   for (std::size_t k = 0; k < out.size(); ++k) {
     const double share = static_cast<double>(k) / static_cast<double>(out.size() - 1);
     out[k][0] = still.lower.x - margin + share * (extent.x + 2 * margin) - moving.center().x;
@@ -63,7 +63,7 @@ std::vector<Vec3> drive_through(const Box& still, const Box& moving, std::size_t
 }
 
 std::vector<Vec3> city_drive() {
-  std::vector<Vec3> out(221);
+  std::vector<Vec3> out(kDriveFrames);
   for (std::size_t k = 0; k < out.size(); ++k) {
     out[k] = {-200 + 20 * static_cast<double>(k), 2000, -16};
   }

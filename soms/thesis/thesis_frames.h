@@ -33,6 +33,10 @@ inline constexpr std::array<std::pair<Approach, std::string_view>, 6> kAllApproa
      {Approach::front, "front"},
      {Approach::back, "back"}}};
 
+/// Frames of an orientation test, and of a drive.
+inline constexpr std::size_t kApproachFrames = 49;
+inline constexpr std::size_t kDriveFrames = 221;
+
 /// Axis along which an object comes (0 x, 1 y, 2 z) and the side it comes from: 1 or -1.
 struct ApproachLine {
   std::size_t axis = 0;

@@ -13,8 +13,6 @@ namespace soms::view {
 namespace {
 
 constexpr std::string_view kDrive = "drive";
-constexpr std::size_t kApproachFrames = 49;
-constexpr std::size_t kDriveFrames = 221;
 
 constexpr std::array<OrientationTest, 7> kTests{
     {{"right", "Right", "comes from the right (+x) and ends half inside"},
