@@ -110,7 +110,7 @@ std::string row_of(const Claim& claim, std::string_view item) {
   return fmt::format(
       "<tr><td><a href=\"#claim-{}\">{}</a></td>{}{}<td class=\"cells\">{}</td></tr>\n",
       xml_text(claim.id), xml_text(claim.statement),
-      verdict_cell(badge(nearest.stand), share_words(nearest)),
+      verdict_cell(badge(nearest.stand), shares_words(nearest)),
       verdict_cell(badge(verdict_of(claim)), share_words(claim)), cells_of(claim, item));
 }
 

@@ -42,7 +42,9 @@ constexpr std::string_view kRule =
     "fails</em> if the high end is below it, is <em>mixed</em> if rows hold and fail, and "
     "<em>undecided</em> otherwise. A comparison on fewer than three subjects or in fewer than "
     "three "
-    "rows has <em>too few rows</em>; a figure needs one.</p>\n"
+    "rows has <em>too few rows</em>; a figure needs one. Rows that count and rows that measure "
+    "time "
+    "have a share each, too. If most rows hold in one kind only, the claim is <em>mixed</em>.</p>\n"
     "<p><strong>Over all readings</strong>: the claim <em>holds in all readings</em> if every row "
     "holds; <em>holds under some readings</em> if readings by a metric hold on all their subjects, "
     "with at least three rows together and, for a comparison, three subjects each; <em>holds on "
@@ -177,7 +179,7 @@ std::string row_of(const Tested& tested) {
       "href=\"#item-{}\">Matrix of {}, and "
       "why</a></td></tr>\n",
       xml_text(claim->id), xml_text(claim->statement), xml_text(claim->source),
-      badge(nearest.stand), share_words(nearest), badge(verdict_of(*claim)), share_words(*claim),
+      badge(nearest.stand), shares_words(nearest), badge(verdict_of(*claim)), share_words(*claim),
       xml_text(words_of(nearest)),
       xml_text(joined_sentences({where(*claim), stand_in_words(*claim), claim->note})),
       xml_text(experiment->item), counted(claim->rows.size(), "row"));

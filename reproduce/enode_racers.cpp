@@ -139,8 +139,19 @@ TripKind drive_kind(const Context& context, const Model& object, std::string_vie
   return kind;
 }
 
+/// Rules of the trees of an object's trips: that of the verdicts, and another one for the table; in
+/// a quick run the other one for the first object alone.
+std::vector<std::string_view> rules_of(const Context& context, const Model& object,
+                                       std::string_view other) {
+  std::vector<std::string_view> rules{kEnodeRule};
+  if (!context.quick || &object == &context.models.objects.front()) {
+    rules.push_back(other);
+  }
+  return rules;
+}
+
 void add_kinds_of(EnodeTrips& all, const Context& context, const Model& object) {
-  for (const char* const rule : {kEnodeRule, "spatial_median"}) {
+  for (const std::string_view rule : rules_of(context, object, "spatial_median")) {
     add_kind(context, all.kinds, orientation_kind(object, rule));
   }
   std::vector<TouchingDrive> touching;
@@ -148,7 +159,7 @@ void add_kinds_of(EnodeTrips& all, const Context& context, const Model& object) 
     touching.push_back(touching_drive(context, scene, object));
     all.remarks.push_back(touching_drive_remark(scene, object, touching.back()));
   }
-  for (const char* const rule : {kEnodeRule, "object_median"}) {
+  for (const std::string_view rule : rules_of(context, object, "object_median")) {
     add_kind(context, all.kinds, drive_kind(context, object, rule, {}));
     if (!touching.empty()) {
       add_kind(context, all.kinds, drive_kind(context, object, rule, touching));

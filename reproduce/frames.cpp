@@ -145,10 +145,11 @@ void time_trip(const TripRun& run, const Parallel& parallel, FrameSamples& sampl
   }
 }
 
-double time_traversal(const Trip& trip, const NamedTraversal& traversal, const Parallel& parallel) {
+double time_traversal(const Trip& trip, const NamedTraversal& traversal, const Parallel& parallel,
+                      std::size_t step) {
   LeafTraversal leaves(trip, traversal.options);
   double sum = 0;
-  for (std::size_t k = 0; k < trip.offsets.size(); ++k) {
+  for (std::size_t k = 0; k < trip.offsets.size(); k += step) {
     check_stop(parallel);
     leaves.move(k);
     const double start = processor_milliseconds();
@@ -344,13 +345,13 @@ std::vector<FrameTimes> time_frames(const Trip& trip, std::span<const NamedTrave
 }
 
 Timing time_beside_traversal(const Trip& trip, const NamedTraversal& traversal, int repetitions,
-                             const Parallel& parallel) {
+                             const Parallel& parallel, std::size_t step) {
   std::vector<double> samples;
   for (int round = 0; round < repetitions; ++round) {
     thesis::NamedOverlap query = query_of(trip, traversal);
     LeafTraversal leaves(trip, traversal.options);
     double sum = 0;
-    for (std::size_t k = 0; k < trip.offsets.size(); ++k) {
+    for (std::size_t k = 0; k < trip.offsets.size(); k += step) {
       const double start = processor_milliseconds();
       (void)query(Pose::identity(), trip.pose(k), {}, parallel);
       const double end = processor_milliseconds();
@@ -365,12 +366,12 @@ Timing time_beside_traversal(const Trip& trip, const NamedTraversal& traversal, 
 }
 
 std::vector<Timing> time_traversals(const Trip& trip, std::span<const NamedTraversal> traversals,
-                                    int repetitions, const Parallel& parallel) {
+                                    int repetitions, const Parallel& parallel, std::size_t step) {
   std::vector<std::vector<double>> samples(traversals.size());
   for (int round = -1; round < repetitions; ++round) {  // the first warms up
     for (std::size_t k = 0; k < traversals.size(); ++k) {
       const std::size_t i = round % 2 == 0 ? k : traversals.size() - 1 - k;
-      const double sample = time_traversal(trip, traversals[i], parallel);
+      const double sample = time_traversal(trip, traversals[i], parallel, step);
       if (round >= 0) {
         samples[i].push_back(sample);
       }

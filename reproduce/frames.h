@@ -156,18 +156,19 @@ struct TripRun {
                                                   int repetitions, const Parallel& parallel,
                                                   std::size_t step = 1);
 
-/// Times whole trips by several traversals in turn, the traversals alone, without moving boxes and
-/// without triangles: milliseconds a trip. \shape one Timing a traversal. \errors
-/// ErrorKind::cancelled.
+/// Times every `step`-th frame of a trip by several traversals in turn, the traversals alone,
+/// without moving boxes and without triangles: milliseconds of these frames. \shape one Timing a
+/// traversal. \errors ErrorKind::cancelled.
 [[nodiscard]] std::vector<Timing> time_traversals(const Trip& trip,
                                                   std::span<const NamedTraversal> traversals,
-                                                  int repetitions, const Parallel& parallel);
+                                                  int repetitions, const Parallel& parallel,
+                                                  std::size_t step = 1);
 
-/// Milliseconds a trip of what a whole frame takes beside its traversal: moving the boxes and
-/// testing the triangles. The traversal is timed right after each frame, so that both meet the
-/// machine alike.
+/// Milliseconds of every `step`-th frame beside its traversal: moving the boxes and testing the
+/// triangles. The traversal is timed right after each frame, so that both meet the machine alike.
 /// \errors ErrorKind::cancelled.
 [[nodiscard]] Timing time_beside_traversal(const Trip& trip, const NamedTraversal& traversal,
-                                           int repetitions, const Parallel& parallel);
+                                           int repetitions, const Parallel& parallel,
+                                           std::size_t step = 1);
 
 }  // namespace soms::reproduce

@@ -72,6 +72,13 @@ Json files_of(const Entry& entry, bool latex) {
   return files;
 }
 
+Json part_json(const NearestPart& part) {
+  return {{"verdict", name(part.stand)},
+          {"rows", part.rows.judged()},
+          {"hold", part.rows.hold},
+          {"subjects", part.rows.subjects}};
+}
+
 Json nearest_json(const NearestVerdict& nearest) {
   const NearestRows& rows = nearest.rows;
   return {{"options", nearest.options},
@@ -82,6 +89,8 @@ Json nearest_json(const NearestVerdict& nearest) {
           {"undecided", rows.open},
           {"fail", rows.fail},
           {"subjects", rows.subjects},
+          {"counted", part_json(nearest.counted)},
+          {"measured", part_json(nearest.measured)},
           {"share", rows.judged() == 0 ? Json(nullptr)
                                        : Json::array({nearest.share.low, nearest.share.high})}};
 }

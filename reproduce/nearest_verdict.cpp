@@ -14,6 +14,33 @@ namespace {
 constexpr double kNormal95 = 1.959963984540054;  ///< of the normal distribution, both sides
 constexpr double kHalf = 0.5;
 
+/// The rows of one kind, or of both, with their verdict.
+class RowTally {
+ public:
+  void add(const ClaimRow& row) {
+    const Verdict stand = stand_of(row);
+    rows_.hold += stand == Verdict::holds ? 1U : 0U;
+    rows_.open += stand == Verdict::undecided ? 1U : 0U;
+    rows_.fail += stand == Verdict::does_not_hold ? 1U : 0U;
+    subjects_.insert(row.subject);
+    rows_.subjects = subjects_.size();
+  }
+
+  [[nodiscard]] NearestPart part(Scope scope) const { return {rows_, stand_of(rows_, scope)}; }
+
+ private:
+  NearestRows rows_;
+  std::set<std::string_view> subjects_;
+};
+
+bool is_judged(NearestStand stand) {
+  return stand != NearestStand::too_few_rows && stand != NearestStand::cannot_be_checked;
+}
+
+bool mostly_holds(NearestStand stand) {
+  return stand == NearestStand::holds || stand == NearestStand::mostly_holds;
+}
+
 }  // namespace
 
 Interval wilson_interval(std::size_t hold, std::size_t of) {
@@ -51,22 +78,31 @@ NearestStand stand_of(const NearestRows& rows, Scope scope) {
   return rows.hold > 0 && rows.fail > 0 ? NearestStand::mixed : NearestStand::undecided;
 }
 
+NearestStand stand_of(NearestStand together, const NearestPart& counted,
+                      const NearestPart& measured) {
+  const bool differ = is_judged(counted.stand) && is_judged(measured.stand) &&
+                      mostly_holds(counted.stand) != mostly_holds(measured.stand);
+  return differ ? NearestStand::mixed : together;
+}
+
 NearestVerdict nearest_of(const Claim& claim) {
-  NearestVerdict nearest{.options = claim.nearest, .why = claim.why_nearest};
-  std::set<std::string_view> subjects;
+  RowTally all;
+  RowTally counted;
+  RowTally measured;
   for (const ClaimRow& row : claim.rows) {
-    if (!row.unjudged.empty() || !is_nearest(claim, row)) {
-      continue;
+    if (row.unjudged.empty() && is_nearest(claim, row)) {
+      all.add(row);
+      (row.interval ? measured : counted).add(row);
     }
-    const Verdict stand = stand_of(row);
-    nearest.rows.hold += stand == Verdict::holds ? 1U : 0U;
-    nearest.rows.open += stand == Verdict::undecided ? 1U : 0U;
-    nearest.rows.fail += stand == Verdict::does_not_hold ? 1U : 0U;
-    subjects.insert(row.subject);
   }
-  nearest.rows.subjects = subjects.size();
+  NearestVerdict nearest{.options = claim.nearest,
+                         .why = claim.why_nearest,
+                         .counted = counted.part(claim.scope),
+                         .measured = measured.part(claim.scope)};
+  const NearestPart together = all.part(claim.scope);
+  nearest.rows = together.rows;
   nearest.share = share_of(nearest.rows);
-  nearest.stand = stand_of(nearest.rows, claim.scope);
+  nearest.stand = stand_of(together.stand, nearest.counted, nearest.measured);
   return nearest;
 }
 
@@ -82,6 +118,15 @@ std::string share_words(const NearestVerdict& nearest) {
   return judged == 0 ? std::string() : fmt::format("{} of {} rows", nearest.rows.hold, judged);
 }
 
+std::string shares_words(const NearestVerdict& nearest) {
+  const auto words = [](const NearestPart& part) {
+    return fmt::format("{} of {}", part.rows.hold, part.rows.judged());
+  };
+  return nearest.has_both_kinds() ? fmt::format("{} by counts, {} by time", words(nearest.counted),
+                                                words(nearest.measured))
+                                  : share_words(nearest);
+}
+
 std::string words_of(const NearestVerdict& nearest) {
   const NearestRows& rows = nearest.rows;
   std::string text = fmt::format("Nearest to the text ({}): ", nearest.options);
@@ -92,6 +137,10 @@ std::string words_of(const NearestVerdict& nearest) {
         "{} hold{}, on {} subject{}; the share is {:.0f} to {:.0f} %.", share_words(nearest),
         rows.open == 0 ? "" : fmt::format(", {} undecided", rows.open), rows.subjects,
         rows.subjects == 1 ? "" : "s", 100 * nearest.share.low, 100 * nearest.share.high);
+  }
+  if (nearest.has_both_kinds()) {
+    text += fmt::format(" By kind: {} ({}, {}).", shares_words(nearest),
+                        name(nearest.counted.stand), name(nearest.measured.stand));
   }
   return nearest.why.empty() ? text : fmt::format("{} {}", text, nearest.why);
 }

@@ -13,6 +13,10 @@
 /// - mostly fails: the high end is below 1/2;
 /// - mixed: some rows hold and some fail;
 /// - undecided: all others.
+///
+/// Rows that count and rows that measure time say different things. Where a claim has both, each
+/// kind has its own verdict by the rule above. If both can be judged, but most rows hold in one
+/// kind only, then the claim is mixed, whatever the rows together say.
 #pragma once
 
 #include "reproduce/claim.h"
@@ -49,13 +53,26 @@ struct NearestRows {
   [[nodiscard]] std::size_t judged() const { return hold + open + fail; }
 };
 
+/// Rows of one kind, with the verdict of these alone.
+struct NearestPart {
+  NearestRows rows = {};
+  NearestStand stand = NearestStand::cannot_be_checked;
+};
+
 /// The nearest reading of a claim and its verdict.
 struct NearestVerdict {
   std::string options;  ///< `Claim::nearest`
   std::string why;      ///< why it is nearest: a sentence
   NearestRows rows = {};
   Interval share = {0, 1};  ///< 0 to 1 if there is no row
+  NearestPart counted = {};
+  NearestPart measured = {};
   NearestStand stand = NearestStand::cannot_be_checked;
+
+  /// True if rows of both kinds are judged.
+  [[nodiscard]] bool has_both_kinds() const {
+    return counted.rows.judged() > 0 && measured.rows.judged() > 0;
+  }
 };
 
 /// The Wilson interval of 95 % of a share. \pre `hold <= of`, and `of` is not 0.
@@ -68,6 +85,11 @@ struct NearestVerdict {
 /// The verdict of these rows, by the rule above.
 [[nodiscard]] NearestStand stand_of(const NearestRows& rows, Scope scope);
 
+/// The verdict of a claim from that of all its nearest rows, `together`, and of both kinds, by the
+/// rule above.
+[[nodiscard]] NearestStand stand_of(NearestStand together, const NearestPart& counted,
+                                    const NearestPart& measured);
+
 /// The nearest reading of a claim with its verdict.
 [[nodiscard]] NearestVerdict nearest_of(const Claim& claim);
 
@@ -78,8 +100,11 @@ struct NearestVerdict {
 /// "5 of 10 rows"; empty if there is no row.
 [[nodiscard]] std::string share_words(const NearestVerdict& nearest);
 
+/// "26 of 28 by counts, 1 of 12 by time"; `share_words` if only one kind of rows is judged.
+[[nodiscard]] std::string shares_words(const NearestVerdict& nearest);
+
 /// "Nearest to the text (stop, inner axis): 5 of 10 rows hold, 1 undecided, on 5 subjects; the
-/// share is 24 to 83 %. ..." with the reason at its end.
+/// share is 24 to 83 %. ..." with both kinds, if there are, and the reason at its end.
 [[nodiscard]] std::string words_of(const NearestVerdict& nearest);
 
 }  // namespace soms::reproduce

@@ -91,7 +91,7 @@ std::string stand_words(const Report& report, std::string_view id) {
     return "";
   }
   const NearestVerdict nearest = nearest_of(*claim);
-  const std::string share = share_words(nearest);
+  const std::string share = shares_words(nearest);
   return fmt::format(" &#8220;<a href=\"#claim-{}\">{}</a>&#8221;: {}{}.", xml_text(id),
                      xml_text(claim->statement), name(nearest.stand),
                      share.empty() ? "" : fmt::format(" ({})", share));

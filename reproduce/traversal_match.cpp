@@ -43,13 +43,17 @@ std::vector<std::size_t> frames_to_check(const Trip& trip) {
                               : std::vector<std::size_t>{36, 48};
 }
 
+bool has_many_pairs(const TraversalMatch& match) {
+  return match.outcomes[0].sum.counts.triangle_pairs > kManyTrianglePairs;
+}
+
 /// Pairs of leaves of every traversal in every frame.
 void traverse_all(const Context& context, TraversalMatch& match) {
   LeafPairs expected;
   for (const NamedTraversal& traversal : compared_traversals(context)) {
     LeafPairs found;
     const std::vector<Frame> frames =
-        traverse_frames(match.trip, traversal, context.parallel, &found);
+        traverse_frames(match.trip, traversal, quiet(context), &found);
     match.outcomes.push_back({traversal, totals(frames), {}});
     if (match.outcomes.size() == 1) {
       expected = std::move(found);
@@ -78,19 +82,10 @@ void check_by_force(const Context& context, const TraversalTruth& truth,
   }
 }
 
-void time_all(const Context& context, TraversalMatch& match) {
-  const std::vector<Timing> times = time_traversals(match.trip, compared_traversals(context),
-                                                    context.repetitions(10), context.parallel);
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    match.outcomes[i].time = times[i];
-  }
-}
-
 /// Contacts of every frame by one traversal: those of every traversal, since the pairs of leaves
 /// are.
 void answer_all(const Context& context, const TraversalTruth& truth, TraversalMatch& match) {
-  const bool many = match.outcomes[0].sum.counts.triangle_pairs > kManyTrianglePairs;
-  if (many && context.quick) {
+  if (has_many_pairs(match) && context.quick) {
     return;
   }
   const NamedTraversal larger = named_traversal("larger");
@@ -100,9 +95,34 @@ void answer_all(const Context& context, const TraversalTruth& truth, TraversalMa
             fmt::format("{}: contacts by {} and by fast", place(match.trip, k), larger.name));
   }
   match.answers = totals(frames);
-  const Timing beside =
-      time_beside_traversal(match.trip, larger, many ? 1 : context.repetitions(10), quiet(context));
-  match.other_time = std::max(0.0, beside.median);  // a difference of two times
+}
+
+/// In a quick run every so many frames of a trip are timed.
+constexpr std::size_t kQuickStep = 8;
+
+std::size_t step_of(const Context& context) {
+  return context.quick ? kQuickStep : 1;
+}
+
+TripTime trip_time(const Trip& trip, std::size_t step, Timing timing) {
+  return {std::move(timing), (trip.offsets.size() + step - 1) / step};
+}
+
+void time_all(const Context& context, TraversalMatch& match) {
+  const std::size_t step = step_of(context);
+  const Parallel parallel = quiet(context);
+  const int repetitions = context.repetitions(10);
+  std::vector<Timing> times =
+      time_traversals(match.trip, compared_traversals(context), repetitions, parallel, step);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    match.outcomes[i].time = trip_time(match.trip, step, std::move(times[i]));
+  }
+  if (match.answers) {
+    Timing beside = time_beside_traversal(match.trip, named_traversal("larger"),
+                                          has_many_pairs(match) ? 1 : repetitions, parallel, step);
+    beside.median = std::max(0.0, beside.median);  // a difference of two times
+    match.other_time = trip_time(match.trip, step, std::move(beside));
+  }
 }
 
 }  // namespace
@@ -143,26 +163,34 @@ TraversalTruth truth_of(const Context& context, const TraversalTest& test) {
     require(truth.contacts[k] == truth.by_force.back(),
             fmt::format("{}: contacts by fast and by brute force", place(trip, k)));
   }
-  const auto whole_trip = [&] {
-    for (std::size_t k = 0; k < trip.offsets.size(); ++k) {
+  const std::size_t step = step_of(context);
+  const auto timed_frames = [&] {
+    for (std::size_t k = 0; k < trip.offsets.size(); k += step) {
       (void)fast_answer(trip, k, parallel);
     }
   };
-  truth.time = time_repeatedly(context.repetitions(20), parallel, whole_trip, 1);
+  truth.time =
+      trip_time(trip, step, time_repeatedly(context.repetitions(20), parallel, timed_frames, 1));
   return truth;
 }
 
-TraversalMatch match_of(const Context& context, const TraversalTest& test,
-                        const Contender& build_of_scene, const Contender& build_of_object,
-                        const TraversalTruth& truth) {
-  TraversalMatch match;
-  match.trip = trip_of(context, test, build_of_scene, build_of_object);
-  match.title = build_of_object.title;
-  traverse_all(context, match);
-  check_by_force(context, truth, match);
-  time_all(context, match);
-  answer_all(context, truth, match);
-  return match;
+std::vector<TraversalMatch> matches_of(const Context& context, const TraversalTest& test,
+                                       std::span<const TreesOfMatch> trees,
+                                       const TraversalTruth& truth) {
+  std::vector<TraversalMatch> matches(trees.size());
+  for (std::size_t i = 0; i < trees.size(); ++i) {
+    matches[i].trip = trip_of(context, test, *trees[i].of_scene, *trees[i].of_object);
+    matches[i].title = trees[i].of_object->title;
+  }
+  for_each_chunk(matches.size(), 1, context.counting(), [&](std::size_t i, std::size_t) {
+    traverse_all(context, matches[i]);
+    check_by_force(context, truth, matches[i]);
+    answer_all(context, truth, matches[i]);
+  });
+  for (TraversalMatch& match : matches) {
+    time_all(context, match);
+  }
+  return matches;
 }
 
 }  // namespace soms::reproduce

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,13 +25,24 @@ struct TraversalTest {
   Approach from = Approach::right;  ///< from this side
 };
 
+/// Time of a trip, or of every so many frames of it.
+struct TripTime {
+  Timing timing = {};  ///< milliseconds of the frames that are timed
+  std::size_t frames = 0;
+
+  /// Of the median. \pre frames are timed.
+  [[nodiscard]] double microseconds_a_frame() const {
+    return 1000 * timing.median / static_cast<double>(frames);
+  }
+};
+
 /// What is true about a test, found without any canonical tree: by the library's own query and, in
 /// some frames, by brute force.
 struct TraversalTruth {
   Trip trip = {};                                        ///< with the library's own trees
   std::vector<std::vector<TrianglePair>> contacts = {};  ///< by frame
   Cost cost = {};                                        ///< of the library's own query
-  Timing time = {};                                      ///< of the trip by it
+  TripTime time = {};                                    ///< of the trip by it
   std::vector<std::size_t> checked = {};                 ///< frames checked by brute force
   std::vector<std::vector<TrianglePair>> by_force = {};
 };
@@ -39,7 +51,7 @@ struct TraversalTruth {
 struct TraversalOutcome {
   NamedTraversal traversal = {};
   Totals sum = {};
-  Timing time = {};  ///< of the traversals alone, milliseconds a trip
+  TripTime time = {};  ///< of the traversals alone
 };
 
 /// All traversals on a trip.
@@ -49,9 +61,8 @@ struct TraversalMatch {
   std::vector<TraversalOutcome> outcomes = {};
   /// With triangles; nothing in a quick run where there are very many.
   std::optional<Totals> answers = std::nullopt;
-  /// Milliseconds a trip beside a traversal: moving the boxes, testing the triangles. The same for
-  /// all.
-  std::optional<double> other_time = std::nullopt;
+  /// Beside a traversal: moving the boxes, testing the triangles. The same for all.
+  std::optional<TripTime> other_time = std::nullopt;
 
   /// What the traversal with this name did. \pre It is one of those compared.
   [[nodiscard]] const TraversalOutcome& outcome(std::string_view traversal) const;
@@ -64,12 +75,19 @@ struct TraversalMatch {
 /// \errors std::logic_error where the library's own query and brute force disagree; cancelled.
 [[nodiscard]] TraversalTruth truth_of(const Context& context, const TraversalTest& test);
 
-/// All traversals on the trees of two builds: pairs of leaves compared in every frame, contacts
-/// with the truth.
+/// The trees that traversals are compared on.
+struct TreesOfMatch {
+  const Contender* of_scene = nullptr;
+  const Contender* of_object = nullptr;
+};
+
+/// All traversals on pairs of trees: pairs of leaves compared in every frame, contacts with the
+/// truth. Counts come from all counting threads, then times from one.
+/// \shape one TraversalMatch a pair of trees.
 /// \errors std::logic_error where answers disagree; ErrorKind::cancelled.
-[[nodiscard]] TraversalMatch match_of(const Context& context, const TraversalTest& test,
-                                      const Contender& build_of_scene,
-                                      const Contender& build_of_object,
-                                      const TraversalTruth& truth);
+[[nodiscard]] std::vector<TraversalMatch> matches_of(const Context& context,
+                                                     const TraversalTest& test,
+                                                     std::span<const TreesOfMatch> trees,
+                                                     const TraversalTruth& truth);
 
 }  // namespace soms::reproduce

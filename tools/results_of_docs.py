@@ -18,7 +18,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs/reproduce.md"
 RECORD = ROOT / "tests/data/thesis/results_of_docs.csv"
 COLUMNS = ["id", "claim", "scope", "timed", "nearest", "nearest_hold", "nearest_undecided",
-           "nearest_fail", "subjects", "verdict", "hold", "judged"]
+           "nearest_fail", "subjects", "counted", "measured", "verdict", "hold", "judged"]
 
 
 def record_of(claims):
@@ -29,7 +29,8 @@ def record_of(claims):
         nearest = claim["nearest"]
         table.writerow([claim["id"], claim["claim"], claim["scope"], "yes" if claim["timed"] else "",
                         nearest["verdict"], nearest["hold"], nearest["undecided"], nearest["fail"],
-                        nearest["subjects"], claim["verdict"], claim["hold"], claim["judged"]])
+                        nearest["subjects"], nearest["counted"]["verdict"],
+                        nearest["measured"]["verdict"], claim["verdict"], claim["hold"], claim["judged"]])
     return text.getvalue()
 
 

@@ -253,7 +253,7 @@ Action add_reproduce(CLI::App& app, Shared&) {
   app.footer(std::string(reproduce::kModelsHelp) + "\n" + help_of_items() +
              "\nWrites DIR/index.html, a page with all results, tables/*.csv, figures/*.svg,\n"
              "scenes/*.3ds and run.json. Counts are the same in every run; times depend on the\n"
-             "machine. A full run takes some minutes, with --quick two to three.\n"
+             "machine. A full run takes some minutes, with --quick one to two.\n"
              "\nExample:\n  soms reproduce --quick --item 5.3,5.9 -o thesis");
   return [options](Console& console) { return run_reproduce(*options, console); };
 }

@@ -225,7 +225,8 @@ int run_thesis(const ThesisOptions& options, Console& console) {
   }
   const ThesisPictures pictures(options);
   const ThesisLists lists(options);
-  ThesisReport report{options, run_trips(std::move(trips.trips), options, console), trips.remarks};
+  ThesisReport report{options, run_trips(std::move(trips.trips), options, console), trips.remarks,
+                      trips.warnings};
   lists.write(report);
   console.print(console.shared().json ? json_line(thesis_json(report)) : thesis_text(report));
   console.flush();

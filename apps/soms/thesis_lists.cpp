@@ -46,7 +46,8 @@ Json frame_json(const ThesisResult& result, std::size_t k) {
   return row;
 }
 
-Json model_json(const std::string& name, const std::string& title, const Shape& shape, int levels) {
+Json model_json(const std::string& name, const std::string& title, const Shape& shape,
+                const LevelsOfTree& levels) {
   const LevelOfTree last = last_level(*shape.tree(), levels);
   return {{"name", name},
           {"title", title},
@@ -95,8 +96,11 @@ Json options_json(const ThesisOptions& options) {
   return {{"rule", entry(build.rule).name},
           {"midpoint", name(build.midpoint)},
           {"empty_side", name(build.empty_side)},
+          {"axis_from", build.axis_from ? Json(name(*build.axis_from)) : Json(nullptr)},
+          {"c_vertex", build.c_vertex},
           {"per_leaf", build.per_leaf},
           {"levels", build.level},
+          {"root_level", build.root_level},
           {"traversal", entry(options.traversal.traversal).name},
           {"descent", entry(options.traversal.descent).name},
           {"repetitions", options.repetitions}};
@@ -112,6 +116,9 @@ Json thesis_json(const ThesisReport& report) {
   Json document{{"schema", "soms.thesis/1"}, {"options", options_json(report.options)}};
   if (!report.remarks.empty()) {
     document["notes"] = report.remarks;
+  }
+  if (!report.warnings.empty()) {
+    document["warnings"] = warnings_json(report.warnings);
   }
   document["tests"] = std::move(tests);
   return document;

@@ -51,7 +51,7 @@ std::string which_moves(const ThesisTrip& what) {
                      what.moving_title == what.still_title ? "its like" : still);
 }
 
-std::string tree_line(const std::string& name, const Shape& shape, int levels) {
+std::string tree_line(const std::string& name, const Shape& shape, const LevelsOfTree& levels) {
   const LevelOfTree last = last_level(*shape.tree(), levels);
   return fmt::format(
       "  tree of {}: level {} has {}, levels above have {}\n", printable(name), last.level,
@@ -208,24 +208,25 @@ std::string thesis_options_in_words(const ThesisOptions& options) {
                       counted(static_cast<std::uint64_t>(build.per_leaf), "triangle"));
   const TraversalOptions& traversal = options.traversal;
   text += fmt::format("; traversal {}", entry(traversal.traversal).kebab);
-  if (traversal.traversal == Traversal::e_node || traversal.traversal == Traversal::e_node_front) {
+  if (has_descent(traversal.traversal)) {
     text += fmt::format(", descent {}", entry(traversal.descent).kebab);
   }
   return text;
 }
 
-LevelOfTree last_level(const Tree& tree, int levels) {
-  std::uint64_t depth = 0;
+LevelOfTree last_level(const Tree& tree, const LevelsOfTree& levels) {
+  int depth = 0;
   for (const Node& node : tree.nodes) {
-    depth = std::max<std::uint64_t>(depth, node.depth);
+    depth = std::max(depth, static_cast<int>(node.depth));
   }
-  LevelOfTree last{.level = depth + 1};
-  if (levels > 0) {
-    last.level = std::min<std::uint64_t>(last.level, static_cast<std::uint64_t>(levels));
+  if (levels.last > 0) {
+    depth = std::min(depth, levels.last - levels.root);
   }
+  LevelOfTree last{.level = depth + levels.root};
   for (const Node& node : tree.nodes) {
-    last.boxes += node.depth + 1 == last.level ? 1U : 0U;
-    last.leaves_above += node.depth + 1 < last.level && node.is_leaf() ? 1U : 0U;
+    const int of_node = static_cast<int>(node.depth);
+    last.boxes += of_node == depth ? 1U : 0U;
+    last.leaves_above += of_node < depth && node.is_leaf() ? 1U : 0U;
   }
   return last;
 }

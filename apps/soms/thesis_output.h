@@ -15,6 +15,7 @@ struct ThesisReport {
   const ThesisOptions& options;
   std::vector<ThesisResult> results = {};
   std::vector<std::string> remarks = {};  ///< about the models
+  std::vector<FrameWarning> warnings = {};
 };
 
 /// The build of the trees and the traversal: "rule soms, midpoint thesis, ...".
@@ -22,13 +23,13 @@ struct ThesisReport {
 
 /// Boxes of the last level that a tree may have, and leaves of levels above.
 struct LevelOfTree {
-  std::uint64_t level = 0;
+  int level = 0;  ///< counted from `LevelsOfTree::root`
   std::uint64_t boxes = 0;
   std::uint64_t leaves_above = 0;
 };
 
-/// The level, or the deepest that there is where `levels` is 0 or more than the tree has.
-[[nodiscard]] LevelOfTree last_level(const Tree& tree, int levels);
+/// The last level, or the deepest that there is where the tree has fewer levels or no limit.
+[[nodiscard]] LevelOfTree last_level(const Tree& tree, const LevelsOfTree& levels);
 
 /// One test: a table of its frames, and what it comes to. Several: a row each.
 [[nodiscard]] std::string thesis_text(const ThesisReport& report);

@@ -54,8 +54,7 @@ Words words_of_trees(const ThesisOptions& options) {
   add(build.c_vertex != thesis.c_vertex, "--c-vertex", std::to_string(build.c_vertex));
   const Traversal traversal = options.traversal.traversal;
   add(true, "--traversal", std::string(entry(traversal).kebab));
-  add(traversal == Traversal::e_node || traversal == Traversal::e_node_front, "--descent",
-      std::string(entry(options.traversal.descent).kebab));
+  add(has_descent(traversal), "--descent", std::string(entry(options.traversal.descent).kebab));
   return words;
 }
 
@@ -129,6 +128,16 @@ std::string title_of(const ThesisResult& result, std::size_t frame) {
                      with_commas(result.frames[frame].contacts.size()));
 }
 
+/// Says how what soms-view shows of a drive differs from the table.
+void note_on_drive(const ThesisTrip& what, const ThesisOptions& options, const Console& console) {
+  if (what.trip.test == kDriveTest && what.still_levels.last != options.build.level) {
+    console.note(
+        fmt::format("drive: soms-view builds both trees with {} levels; the table has {} levels of "
+                    "the still model (--levels {} shows the same)",
+                    options.build.level, what.still_levels.last, what.still_levels.last));
+  }
+}
+
 }  // namespace
 
 int show_trip(const ThesisTrip& what, const ThesisOptions& options, const Console& console) {
@@ -139,6 +148,10 @@ int show_trip(const ThesisTrip& what, const ThesisOptions& options, const Consol
     words.insert(words.end(), more.begin(), more.end());
   }
   words.insert(words.end(), {"--test", what.trip.test, "--run"});
+  note_on_drive(what, options, console);
+  if (what.trip.test == kDriveTest && what.still_file.path.empty()) {
+    console.note("drive: the window has a path of its own, and the table that of the thesis");
+  }
   if (console.shared().quiet) {
     words.emplace_back("--quiet");
   }
@@ -166,6 +179,7 @@ int ThesisPictures::draw(const std::vector<ThesisResult>& results, const Console
   ViewedModels models;
   const Words trees = words_of_trees(options_);
   for (const ThesisResult& result : results) {
+    note_on_drive(result.what, options_, console);
     const Words files = models.words(result.what);
     for (const std::size_t frame : drawn_frames(result)) {
       const fs::path picture =

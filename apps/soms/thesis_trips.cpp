@@ -49,9 +49,8 @@ BuildOptions build_of_scene(const ThesisOptions& options) {
   return build;
 }
 
-/// Levels that a tree may have, the root's counted; 0: no limit.
-int most_levels(const BuildOptions& build) {
-  return build.level == 0 ? 0 : build.level + 1 - build.root_level;
+LevelsOfTree levels_of(const BuildOptions& build) {
+  return {build.level, build.root_level};
 }
 
 Shape thesis_shape(Mesh mesh, const BuildOptions& build, const Console& console) {
@@ -62,13 +61,19 @@ Shape thesis_shape(Mesh mesh, const BuildOptions& build, const Console& console)
 struct Upright {
   Mesh mesh;
   ThesisFile file;
+  NamedFrame frame;  ///< its axis is settled, and so is its place: a test moves models together
 };
 
 /// Reads a model and turns it until z is up, which a note says unless an option did.
 Upright read_upright(const std::string& path, const ModelOptions& options,
-                     const std::string& up_option, const Console& console) {
+                     const std::string& scale_option, const std::string& up_option,
+                     const Console& console) {
   Upright model{read_model(path, options, console),
-                {.path = path, .scale = options.scale, .up = options.up}};
+                {.path = path, .scale = options.scale, .up = options.up},
+                {}};
+  model.frame = named_frame(model.mesh, options, scale_option, up_option);
+  model.frame.frame.up = UpAxis::z;
+  model.frame.frame.georeference = {};
   if (options.up != UpAxis::unknown) {
     return model;
   }
@@ -111,14 +116,17 @@ ThesisTrips trips_of_files(const ThesisOptions& options, const Console& console)
   const bool twice = options.b.empty();
   const bool drives = options.test == kDriveTest;
   const BuildOptions of_still = drives ? build_of_scene(options) : options.build;
-  Upright still = read_upright(options.a, options.model_a, "--up", console);
-  Upright moving = twice ? still : read_upright(options.b, options.model_b, "--up-b", console);
+  Upright still = read_upright(options.a, options.model_a, "--scale", "--up", console);
+  Upright moving =
+      twice ? still : read_upright(options.b, options.model_b, "--scale-b", "--up-b", console);
+  std::vector<FrameWarning> warnings = frame_warnings(still.frame, moving.frame);
+  tell_warnings(warnings, options.model_a.strict, console);
   ThesisTrip trip{.still_file = still.file,
                   .moving_file = moving.file,
                   .still_title = still.mesh.source,
                   .moving_title = moving.mesh.source,
-                  .still_levels = most_levels(of_still),
-                  .moving_levels = most_levels(options.build)};
+                  .still_levels = levels_of(of_still),
+                  .moving_levels = levels_of(options.build)};
   trip.trip.a = thesis_shape(std::move(still.mesh), of_still, console);
   trip.trip.b =
       twice && !drives ? trip.trip.a : thesis_shape(std::move(moving.mesh), options.build, console);
@@ -126,7 +134,7 @@ ThesisTrips trips_of_files(const ThesisOptions& options, const Console& console)
   trip.trip.moving = twice ? trip.trip.still : short_name(options.b);
   trip.trip.model = trip.trip.moving;
   trip.trip.rule = entry(options.build.rule).name;
-  return {.trips = laid_out(std::move(trip), options)};
+  return {.trips = laid_out(std::move(trip), options), .warnings = std::move(warnings)};
 }
 
 /// The tests of one object of the thesis against its like, in the axes of its file: y is up, and
@@ -148,8 +156,8 @@ void add_sides(std::vector<ThesisTrip>& trips, const reproduce::Model& object,
                      .moving_title = object.title,
                      .up = 1,
                      .stand_in = object.stand_in,
-                     .still_levels = most_levels(options.build),
-                     .moving_levels = most_levels(options.build)});
+                     .still_levels = levels_of(options.build),
+                     .moving_levels = levels_of(options.build)});
   }
 }
 
@@ -169,8 +177,8 @@ ThesisTrip drive_of_thesis(const reproduce::Model& scene, const reproduce::Model
       .moving_title =
           fmt::format("{}, turned and {:g} times as large", object.title, reproduce::kDriveScale),
       .stand_in = scene.stand_in || object.stand_in,
-      .still_levels = most_levels(of_scene),
-      .moving_levels = most_levels(options.build)};
+      .still_levels = levels_of(of_scene),
+      .moving_levels = levels_of(options.build)};
 }
 
 /// The thesis' experiment: its objects against their likes, and the drive of the first of them

@@ -5,6 +5,7 @@
 
 #include "soms/geometry/mesh.h"
 
+#include "apps/support/frame_warnings.h"
 #include "reproduce/frames.h"
 
 #include <cstddef>
@@ -23,6 +24,12 @@ struct ThesisFile {
   UpAxis up = UpAxis::unknown;  ///< axis of the file that was turned to z; unknown: none was
 };
 
+/// Levels of a tree by their numbers.
+struct LevelsOfTree {
+  int last = 0;  ///< 0: no limit
+  int root = 1;  ///< 1 or 0
+};
+
 /// A test of one model against another.
 struct ThesisTrip {
   reproduce::Trip trip = {};
@@ -32,18 +39,20 @@ struct ThesisTrip {
   std::string moving_title = {};  ///< likewise
   std::size_t up = 2;             ///< up axis of both: 1 (y) or 2 (z)
   bool stand_in = false;          ///< a model was made in the place of one of the thesis
-  int still_levels = 0;           ///< most levels of its tree, the root's counted; 0: no limit
-  int moving_levels = 0;
+  LevelsOfTree still_levels = {};
+  LevelsOfTree moving_levels = {};
 };
 
 /// All trips, and what is to be said of the models.
 struct ThesisTrips {
   std::vector<ThesisTrip> trips = {};
   std::vector<std::string> remarks = {};
+  std::vector<FrameWarning> warnings = {};
 };
 
 /// Reads or makes the models, builds their trees and lays out the tests.
-/// \errors As `read_model` and `reproduce::find_models`; ErrorKind::timed_out.
+/// Warns of units that differ.
+/// \errors As `read_model`, `tell_warnings` and `reproduce::find_models`; ErrorKind::timed_out.
 [[nodiscard]] ThesisTrips thesis_trips(const ThesisOptions& options, const Console& console);
 
 }  // namespace soms::command

@@ -67,10 +67,6 @@ bool is_fast(const TraversalOptions& options) {
   return options.traversal == Traversal::fast;
 }
 
-bool is_e_node(const TraversalOptions& options) {
-  return options.traversal == Traversal::e_node || options.traversal == Traversal::e_node_front;
-}
-
 /// The one place that says which options of a traversal have an effect beside which others.
 struct Row {
   IdleOption idle;
@@ -83,12 +79,12 @@ constexpr std::string_view kFast = "the traversal fast has no such choice";
 
 constexpr std::array<Row, 6> kRows{{
     {{"descent", "only E-Node has a descent", "traversal", "e_node or e_node_front"},
-     [](const TraversalOptions& o) { return !is_e_node(o); },
+     [](const TraversalOptions& o) { return !has_descent(o.traversal); },
      [](const TraversalOptions& o) { return o.descent != TraversalOptions{}.descent; },
      [](TraversalOptions& o) { o.descent = TraversalOptions{}.descent; }},
     {{"order", "only E-Node orders the pairs that it enters", "traversal",
       "e_node or e_node_front"},
-     [](const TraversalOptions& o) { return !is_e_node(o); },
+     [](const TraversalOptions& o) { return !has_descent(o.traversal); },
      [](const TraversalOptions& o) { return o.order != TraversalOptions{}.order; },
      [](TraversalOptions& o) { o.order = TraversalOptions{}.order; }},
     {{"ericson_rule", "only the traversal ericson has a rule of descent", "traversal", "ericson"},
@@ -169,6 +165,10 @@ const TraversalEntry& traversal_named(std::string_view name) {
 const DescentEntry& descent_named(std::string_view name) {
   return find(kDescents, "descent '" + std::string(name) + "'",
               [&](const DescentEntry& e) { return e.name == name || e.kebab == name; });
+}
+
+bool has_descent(Traversal traversal) {
+  return traversal == Traversal::e_node || traversal == Traversal::e_node_front;
 }
 
 void check(const TraversalOptions& options) {

@@ -56,6 +56,9 @@ struct DescentEntry {
 /// \errors ErrorKind::usage, which lists the names.
 [[nodiscard]] const DescentEntry& descent_named(std::string_view name);
 
+/// True for E-Node, from the roots or from a front: only it has a descent and an order.
+[[nodiscard]] bool has_descent(Traversal traversal);
+
 /// Throws ErrorKind::usage unless the options go together: `ericson` with the rule of a baseline,
 /// the front with descent both or larger and with pruning, and options that have no effect beside
 /// the traversal at their defaults. Values outside their enumerations fail.

@@ -41,6 +41,8 @@ struct Stands {
 struct Tally {
   Stands all = {};
   Stands nearest = {};
+  Stands counted = {};   ///< of the nearest rows, those that count
+  Stands measured = {};  ///< and those that measure
   std::size_t on_stand_ins = 0;
   std::size_t would_hold = 0;
   std::map<std::string, MatrixLine> lines = {};
@@ -114,6 +116,7 @@ Tally tally_of(const std::filesystem::path& matrix) {
     add(tally.all, stand, row.at("subject"));
     if (row.at("nearest") == "yes") {
       add(tally.nearest, stand, row.at("subject"));
+      add(row.at("low").empty() ? tally.counted : tally.measured, stand, row.at("subject"));
     }
   }
   return tally;
@@ -163,6 +166,24 @@ std::string nearest_by_the_rule(std::size_t hold, std::size_t open, std::size_t 
     return "mostly fails";
   }
   return hold > 0 && fail > 0 ? "mixed" : "undecided";
+}
+
+std::string nearest_by_the_rule(const Stands& rows, bool comparison) {
+  return nearest_by_the_rule(rows.hold, rows.open, rows.fail, rows.subjects.size(), comparison);
+}
+
+/// That of all rows, but mixed if most rows hold in one kind only.
+std::string nearest_of_kinds(const std::string& together, const std::string& counted,
+                             const std::string& measured) {
+  const auto is_judged = [](const std::string& stand) {
+    return stand != "too few rows" && stand != "cannot be checked";
+  };
+  const auto mostly = [](const std::string& stand) {
+    return stand == "holds" || stand == "mostly holds";
+  };
+  const bool differ =
+      is_judged(counted) && is_judged(measured) && mostly(counted) != mostly(measured);
+  return differ ? "mixed" : together;
 }
 
 /// The words in the badges of a claim's row on the page, in their order.
@@ -242,8 +263,9 @@ TEST_F(Claims, BothVerdictsOfEachFollowFromItsCsvByTheRules) {
       const bool comparison = claim.at("scope") == "comparison";
       const std::string verdict = verdict_by_the_rule(tally, comparison);
       const Stands& near = tally.nearest;
-      const std::string nearest =
-          nearest_by_the_rule(near.hold, near.open, near.fail, near.subjects.size(), comparison);
+      const std::string nearest = nearest_of_kinds(nearest_by_the_rule(near, comparison),
+                                                   nearest_by_the_rule(tally.counted, comparison),
+                                                   nearest_by_the_rule(tally.measured, comparison));
       EXPECT_EQ(claim.at("verdict"), verdict);
       EXPECT_EQ(claim.at("judged"), tally.all.judged());
       EXPECT_EQ(claim.at("hold"), tally.all.hold);
@@ -255,6 +277,8 @@ TEST_F(Claims, BothVerdictsOfEachFollowFromItsCsvByTheRules) {
       EXPECT_EQ(of_run.at("undecided"), near.open);
       EXPECT_EQ(of_run.at("fail"), near.fail);
       EXPECT_EQ(of_run.at("subjects"), near.subjects.size());
+      EXPECT_EQ(of_run.at("counted").at("hold"), tally.counted.hold);
+      EXPECT_EQ(of_run.at("measured").at("hold"), tally.measured.hold);
       EXPECT_FALSE(std::string(of_run.at("options")).empty());
       EXPECT_FALSE(std::string(of_run.at("why")).empty());
       ASSERT_EQ(of_run.at("share").is_null(), near.judged() == 0);
@@ -302,10 +326,12 @@ TEST(ClaimsInDocs, VerdictsOfEveryClaimAreThoseOfTheRecordedRun) {
         claim.at("claim"), verdict_cell(claim.at("nearest"), count("nearest_hold"), judged),
         verdict_cell(claim.at("verdict"), count("hold"), count("judged")));
     EXPECT_NE(page.find(row), std::string::npos) << row;
-    EXPECT_EQ(claim.at("nearest"),
-              nearest_by_the_rule(count("nearest_hold"), count("nearest_undecided"),
-                                  count("nearest_fail"), count("subjects"),
-                                  claim.at("scope") == "comparison"))
+    EXPECT_EQ(
+        claim.at("nearest"),
+        nearest_of_kinds(nearest_by_the_rule(count("nearest_hold"), count("nearest_undecided"),
+                                             count("nearest_fail"), count("subjects"),
+                                             claim.at("scope") == "comparison"),
+                         claim.at("counted"), claim.at("measured")))
         << claim.at("id");
     timed += claim.at("timed") == "yes" ? 1U : 0U;
   }

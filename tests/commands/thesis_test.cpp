@@ -287,6 +287,37 @@ TEST_F(Thesis, TakesTheOptionsOfTrees) {
   EXPECT_NE(fast.at("tests")[0].at("box_tests"), usual.at("tests")[0].at("box_tests"));
 }
 
+TEST_F(Thesis, NumbersLevelsFromThatOfTheRoot) {
+  const Json from_0 = thesis({knot(), "--test", "right", "--level", "3", "--root-level", "0"});
+  EXPECT_EQ(from_0.at("options").at("root_level"), 0);
+  EXPECT_EQ(from_0.at("tests")[0].at("still").at("level"), 3);
+  EXPECT_EQ(from_0.at("tests")[0].at("still").at("level_boxes"), 8U);
+  const Json from_1 = thesis({knot(), "--test", "right", "--level", "4"});
+  EXPECT_EQ(from_1.at("options").at("root_level"), 1);
+  EXPECT_EQ(from_1.at("tests")[0].at("still").at("level"), 4);
+  EXPECT_EQ(from_1.at("tests")[0].at("box_tests"), from_0.at("tests")[0].at("box_tests"));
+  EXPECT_EQ(from_1.at("options").at("axis_from"), nullptr);
+  EXPECT_EQ(from_1.at("options").at("c_vertex"), 2);
+  const Json outer = thesis({knot(), "--test", "right", "--axis-from", "outer"});
+  EXPECT_EQ(outer.at("options").at("axis_from"), "outer");
+}
+
+TEST_F(Thesis, WarnsOfUnitsThatMayDiffer) {
+  const std::string meters = data("frames/duct.gltf").string();
+  const std::vector<std::string> words{"thesis", knot(),   meters,     "--test",
+                                       "right",  "--json", "--repeat", "1"};
+  const RunResult result = soms_run(words);
+  ASSERT_EQ(result.status, 0) << result.err;
+  const Json warnings = Json::parse(result.out).at("warnings");
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(warnings[0].at("kind"), "unit_unknown");
+  EXPECT_NE(result.err.find("unit"), std::string::npos) << result.err;
+  std::vector<std::string> strict = words;
+  strict.emplace_back("--strict");
+  EXPECT_EQ(soms_run(strict).status, 3);
+  EXPECT_FALSE(thesis({knot(), ball(), "--test", "right"}).contains("warnings"));
+}
+
 TEST_F(Thesis, RefusesWhatItCannotDo) {
   const auto says = [&](std::vector<std::string> words, int status, const std::string& what) {
     const RunResult result = thesis_error(std::move(words));

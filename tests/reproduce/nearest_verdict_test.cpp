@@ -91,6 +91,40 @@ TEST(NearestVerdict, IsComputedFromTheJudgedRowsOfTheNearestReading) {
             "Nearest to the text (stop): no row can be judged.");
 }
 
+ClaimRow timed_row(Interval interval, std::string subject) {
+  return measured_row("stop", "time", std::move(subject), "", {.above = 0},
+                      {interval.low, interval, 10, kLeastProcesses});
+}
+
+TEST(NearestVerdict, CountsAndTimesHaveVerdictsOfTheirOwn) {
+  Claim claim{.id = "c", .statement = "Cheaper", .source = "abstract", .nearest = "stop"};
+  for (const char* const subject : {"bunny", "venus", "teapot", "city"}) {
+    for (int i = 0; i < 5; ++i) {
+      claim.rows.push_back(row(1, "stop", subject));
+    }
+    claim.rows.push_back(timed_row({-2, -1}, subject));
+  }
+  const NearestVerdict nearest = nearest_of(claim);
+  EXPECT_EQ(nearest.counted.stand, NearestStand::holds);
+  EXPECT_EQ(nearest.measured.stand, NearestStand::fails);
+  EXPECT_EQ(stand_of(nearest.rows, claim.scope), NearestStand::mostly_holds);
+  EXPECT_EQ(nearest.stand, NearestStand::mixed);
+  EXPECT_EQ(shares_words(nearest), "20 of 20 by counts, 0 of 4 by time");
+  EXPECT_NE(words_of(nearest).find("By kind: 20 of 20 by counts, 0 of 4 by time (holds, fails)."),
+            std::string::npos);
+}
+
+TEST(NearestVerdict, AKindOfTooFewRowsLeavesTheVerdictToAllRows) {
+  Claim claim{.id = "c", .statement = "Cheaper", .source = "abstract", .nearest = "stop"};
+  for (const char* const subject : {"bunny", "venus", "teapot", "city"}) {
+    claim.rows.push_back(row(1, "stop", subject));
+  }
+  claim.rows.push_back(timed_row({-2, -1}, "bunny"));
+  const NearestVerdict nearest = nearest_of(claim);
+  EXPECT_EQ(nearest.measured.stand, NearestStand::too_few_rows);
+  EXPECT_EQ(nearest.stand, stand_of(nearest.rows, claim.scope));
+}
+
 TEST(NearestVerdict, AReadingOfALongerNumberIsAnother) {
   const Claim claim{.id = "c",
                     .statement = "",

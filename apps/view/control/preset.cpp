@@ -1,5 +1,7 @@
 #include "apps/view/control/preset.h"
 
+#include "soms/thesis/traversals.h"
+
 #include <array>
 
 namespace soms::view {
@@ -20,9 +22,8 @@ Chosen meant_by(Preset preset) {
 
 /// True if nothing that has an effect differs.
 bool same_trees(const ViewState& a, const ViewState& b) {
-  const bool has_descent = a.traversal == Traversal::e_node;
   return a.rule == b.rule && a.tree == b.tree && a.traversal == b.traversal && a.prune == b.prune &&
-         (!has_descent || a.descent == b.descent);
+         (!has_descent(a.traversal) || a.descent == b.descent);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "apps/view/control/view_state.h"
 
+#include "soms/thesis/traversals.h"
+
 #include <algorithm>
 
 namespace soms::view {
@@ -17,10 +19,6 @@ Choice choice(const ViewState& state) {
           state.prune,   state.tree,      state.descent,
           state.tree_of, state.level,     state.orientation_test,
           state.learn,   state.learn_step};
-}
-
-bool has_descent(Traversal traversal) {
-  return traversal == Traversal::e_node || traversal == Traversal::e_node_front;
 }
 
 std::vector<Descent> descents_of(Traversal traversal) {

@@ -146,9 +146,6 @@ struct Choice {
 /// Begins with these trees and this traversal. Where that has no descent, E-Node's stays.
 void begin_with(ViewState& state, const BuildOptions& build, const TraversalOptions& traversal);
 
-/// True for E-Node and its variant that starts at the front.
-[[nodiscard]] bool has_descent(Traversal traversal);
-
 /// The descents that a traversal takes: all of E-Node, upward ones of the front, else none.
 [[nodiscard]] std::vector<Descent> descents_of(Traversal traversal);
 
