@@ -14,11 +14,9 @@ namespace soms::reproduce {
 
 namespace {
 
-Trip trip_of(const Context& context, const TraversalTest& test, const Contender& of_scene,
-             const Contender& of_object) {
-  const Model& object = context.models.objects.front();
-  return test.scene == nullptr ? orientation_trip(object, test.from, of_object)
-                               : drive_trip(*test.scene, object, of_scene, of_object);
+Trip trip_of(const TraversalTest& test, const Contender& of_scene, const Contender& of_object) {
+  return test.scene == nullptr ? orientation_trip(*test.object, test.from, of_object)
+                               : drive_trip(*test.scene, *test.object, of_scene, of_object);
 }
 
 std::string place(const Trip& trip, std::size_t frame) {
@@ -97,11 +95,10 @@ void answer_all(const Context& context, const TraversalTruth& truth, TraversalMa
   match.answers = totals(frames);
 }
 
-/// In a quick run every so many frames of a trip are timed.
-constexpr std::size_t kQuickStep = 8;
-
-std::size_t step_of(const Context& context) {
-  return context.quick ? kQuickStep : 1;
+/// Every so many frames of a trip are timed: all of the first object in a whole run.
+std::size_t step_of(const Context& context, const Trip& trip) {
+  constexpr std::size_t kStep = 8;
+  return context.quick || trip.model != context.models.objects.front().name ? kStep : 1;
 }
 
 TripTime trip_time(const Trip& trip, std::size_t step, Timing timing) {
@@ -109,7 +106,7 @@ TripTime trip_time(const Trip& trip, std::size_t step, Timing timing) {
 }
 
 void time_all(const Context& context, TraversalMatch& match) {
-  const std::size_t step = step_of(context);
+  const std::size_t step = step_of(context, match.trip);
   const Parallel parallel = quiet(context);
   const int repetitions = context.repetitions(10);
   std::vector<Timing> times =
@@ -148,7 +145,7 @@ TraversalTruth truth_of(const Context& context, const TraversalTest& test) {
   const Contender& own = build_named(builds, "default");
   const Parallel parallel = quiet(context);
   TraversalTruth truth;
-  truth.trip = trip_of(context, test, own, own);
+  truth.trip = trip_of(test, own, own);
   const Trip& trip = truth.trip;
   for (std::size_t k = 0; k < trip.offsets.size(); ++k) {
     Overlap answer = fast_answer(trip, k, parallel);
@@ -163,7 +160,7 @@ TraversalTruth truth_of(const Context& context, const TraversalTest& test) {
     require(truth.contacts[k] == truth.by_force.back(),
             fmt::format("{}: contacts by fast and by brute force", place(trip, k)));
   }
-  const std::size_t step = step_of(context);
+  const std::size_t step = step_of(context, trip);
   const auto timed_frames = [&] {
     for (std::size_t k = 0; k < trip.offsets.size(); k += step) {
       (void)fast_answer(trip, k, parallel);
@@ -179,7 +176,7 @@ std::vector<TraversalMatch> matches_of(const Context& context, const TraversalTe
                                        const TraversalTruth& truth) {
   std::vector<TraversalMatch> matches(trees.size());
   for (std::size_t i = 0; i < trees.size(); ++i) {
-    matches[i].trip = trip_of(context, test, *trees[i].of_scene, *trees[i].of_object);
+    matches[i].trip = trip_of(test, *trees[i].of_scene, *trees[i].of_object);
     matches[i].title = trees[i].of_object->title;
   }
   for_each_chunk(matches.size(), 1, context.counting(), [&](std::size_t i, std::size_t) {

@@ -21,6 +21,7 @@ inline constexpr std::uint64_t kManyTrianglePairs = 20'000'000;
 
 /// A test, whatever the trees.
 struct TraversalTest {
+  const Model* object = nullptr;    ///< what moves
   const Model* scene = nullptr;     ///< of a drive; without it the object comes at its like
   Approach from = Approach::right;  ///< from this side
 };
