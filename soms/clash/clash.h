@@ -1,6 +1,23 @@
 /// \file
 /// Which parts of a building, a plant or a city clash: cross, contain, touch or come near each
 /// other? Decided exactly for each pair.
+///
+/// \code
+/// const soms::Mesh mesh = soms::generate_sphere(320);  // of radius 1, about the origin
+/// const auto ball = [&mesh](double x) {
+///   return soms::part_bodies(mesh, soms::Pose::translation(x, 0, 0)).front();
+/// };
+/// const std::vector<soms::PartBody> parts{ball(0), ball(1.5), ball(4)};
+/// for (const soms::Clash& clash : soms::clashes(parts, {.within = 1}).clashes) {
+///   std::cout << clash.a << " and " << clash.b << ": " << clash.kind << ", gap "
+///             << clash.gap.lower << '\n';
+/// }
+/// \endcode
+/// It prints:
+/// \verbatim
+/// 0 and 1: crossing, gap 0
+/// 1 and 2: near, gap 0.530384
+/// \endverbatim
 #pragma once
 
 #include "soms/base/box.h"

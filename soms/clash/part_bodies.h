@@ -1,5 +1,19 @@
 /// \file
 /// The parts of a mesh, each as a body of its own.
+///
+/// \code
+/// const soms::Mesh car = soms::generate_mover(soms::MoverKind::car);
+/// const std::vector<soms::PartBody> parts = soms::part_bodies(car);
+/// std::cout << parts.size() << " parts\n";
+/// const soms::PartBody& first = parts.front();
+/// std::cout << car.parts[first.part].name << ": " << first.triangles.size() << " triangles, "
+///           << (first.closed ? "closed" : "open") << '\n';
+/// \endcode
+/// It prints:
+/// \verbatim
+/// 12 parts
+/// hull: 420 triangles, closed
+/// \endverbatim
 #pragma once
 
 #include "soms/base/box.h"

@@ -1,6 +1,22 @@
 /// \file
 /// Names of parts and clashes that survive renumbering: by them a list is compared with an older
 /// one.
+///
+/// \code
+/// const soms::Mesh car = soms::generate_mover(soms::MoverKind::car);
+/// const std::vector<soms::PartBody> parts = soms::part_bodies(car);
+/// std::vector<soms::MeshPart> named;
+/// for (const soms::PartBody& part : parts) {
+///   named.push_back({&car, &part});
+/// }
+/// const std::vector<std::uint64_t> keys = soms::part_keys(named);
+/// std::cout << std::boolalpha << keys.size() << " keys; the same in either order: "
+///           << (soms::clash_key(keys[0], keys[1]) == soms::clash_key(keys[1], keys[0])) << '\n';
+/// \endcode
+/// It prints:
+/// \verbatim
+/// 12 keys; the same in either order: true
+/// \endverbatim
 #pragma once
 
 #include "soms/clash/part_bodies.h"

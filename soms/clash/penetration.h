@@ -1,5 +1,19 @@
 /// \file
 /// How far do two convex parts go into each other?
+///
+/// \code
+/// const soms::Mesh mesh = soms::generate_sphere(8);  // of radius 1, about the origin
+/// const auto at = [&mesh](double z) {
+///   const soms::Pose pose = soms::Pose::translation(0, 0, z);
+///   return soms::ConvexPart::of(soms::part_bodies(mesh, pose).front());
+/// };
+/// const auto answer = soms::penetration(*at(0), *at(1.5));
+/// std::cout << "to move by " << answer->depth << " along " << answer->direction << '\n';
+/// \endcode
+/// It prints:
+/// \verbatim
+/// to move by 0.288675 along Vec3{-0.5773502691896258, -0.5773502691896258, 0.5773502691896258}
+/// \endverbatim
 #pragma once
 
 #include "soms/base/vector.h"

@@ -1,5 +1,23 @@
 /// \file
 /// Where is a surface nearest to a point? Which of its triangles are near?
+///
+/// \code
+/// const soms::Body ball{soms::generate_sphere(320)};  // of radius 1, about the origin
+/// const soms::Closest answer = soms::closest(ball, {0, 0, 4});
+/// std::cout << "nearest: " << answer.point << ", " << answer.distance.lower << " away\n";
+/// const std::vector<soms::Vec3> points{{0, 0, 4}, {0, 0, 9}};
+/// const soms::ClosestBatch batch = soms::closest(ball, points, {.at_most = 5});
+/// std::cout << "farther than 5: " << int{batch.farther[0]} << ", " << int{batch.farther[1]}
+///           << '\n';
+/// const soms::NearTriangles near = soms::near_triangles(ball, points, 3.01);
+/// std::cout << near.offsets[1] << " triangles are at most 3.01 from the first point\n";
+/// \endcode
+/// It prints:
+/// \verbatim
+/// nearest: Vec3{0, 0, 1}, 3 away
+/// farther than 5: 0, 1
+/// 20 triangles are at most 3.01 from the first point
+/// \endverbatim
 #pragma once
 
 #include "soms/base/bracket.h"

@@ -1,5 +1,18 @@
 /// \file
 /// Is a point inside a closed body? Decided exactly, whatever way the triangles face.
+///
+/// \code
+/// const soms::ClosedBody ball{soms::Body{soms::generate_sphere(320)}};  // of radius 1
+/// for (const double z : {0.5, 1.0, 1.5}) {
+///   std::cout << "z = " << z << ": " << soms::contains(ball, {0, 0, z}).side << '\n';
+/// }
+/// \endcode
+/// It prints:
+/// \verbatim
+/// z = 0.5: inside
+/// z = 1: on
+/// z = 1.5: outside
+/// \endverbatim
 #pragma once
 
 #include "soms/base/parallel.h"

@@ -1,5 +1,20 @@
 /// \file
 /// Which parts of a body is a point inside? Each part is a body of its own, decided exactly.
+///
+/// \code
+/// const soms::PartedBody car(soms::Body{soms::generate_mover(soms::MoverKind::car)});
+/// const soms::Mesh& mesh = car.body().shape.mesh();
+/// std::cout << car.parts().size() << " parts; these hold the point:\n";
+/// for (const soms::PartSide& found : soms::contains(car, {0, 0, 0.6}).parts) {
+///   const soms::BodyPart& part = car.parts()[found.part];
+///   std::cout << mesh.parts[part.named].name << ": " << found.side << '\n';
+/// }
+/// \endcode
+/// It prints:
+/// \verbatim
+/// 12 parts; these hold the point:
+/// hull: inside
+/// \endverbatim
 #pragma once
 
 #include "soms/base/parallel.h"

@@ -1,5 +1,24 @@
 /// \file
 /// What does a ray, or the segment between two points, hit? Watertight, by exact decisions.
+///
+/// \code
+/// const soms::Body ball{soms::generate_sphere(320)};  // of radius 1, about the origin
+/// const soms::Ray down{{0.1, 0.2, 5}, {0, 0, -1}};
+/// const soms::ClosestHit first = soms::closest_hit(ball, down);
+/// std::cout << "hits triangle " << *first.triangle << " at " << first.point << '\n';
+/// const soms::AllHits all = soms::all_hits(ball, std::vector{down});
+/// for (std::size_t k = 0; k < all.kind.size(); ++k) {
+///   std::cout << all.kind[k] << " at t = " << all.lower[k] << '\n';
+/// }
+/// std::cout << std::boolalpha << "sees: " << soms::sees(ball, {0, 0, 5}, {3, 0, 5}) << '\n';
+/// \endcode
+/// It prints:
+/// \verbatim
+/// hits triangle 7 at Vec3{0.1, 0.2, 0.9600817648353335}
+/// enter at t = 4.03992
+/// leave at t = 5.96008
+/// sees: true
+/// \endverbatim
 #pragma once
 
 #include "soms/base/bracket.h"

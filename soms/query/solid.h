@@ -1,6 +1,24 @@
 /// \file
 /// How do two closed bodies stand to each other: apart, touching, one in the other? Decided
 /// exactly.
+///
+/// \code
+/// const soms::Body large{soms::generate_sphere(320)};  // of radius 1, about the origin
+/// soms::Mesh mesh = soms::generate_sphere(320);
+/// for (soms::Vec3& vertex : mesh.vertices) {
+///   vertex = vertex * 0.25;
+/// }
+/// for (const double z : {0.0, 1.0, 2.0}) {
+///   const soms::Body small(soms::Shape(mesh), soms::Pose::translation(0, 0, z));
+///   std::cout << "at " << z << ": " << soms::solid(small, large).relation << '\n';
+/// }
+/// \endcode
+/// It prints:
+/// \verbatim
+/// at 0: a_in_b
+/// at 1: crossing
+/// at 2: clear
+/// \endverbatim
 #pragma once
 
 #include "soms/base/parallel.h"

@@ -1,5 +1,24 @@
 /// \file
 /// Is a point inside a body that may be open? By its winding number, as a proved bracket.
+///
+/// \code
+/// soms::Mesh mesh = soms::generate_sphere(320);  // of radius 1
+/// mesh.triangles.resize(mesh.triangles.size() - 20);  // a hole at one of the poles
+/// mesh.parts.clear();
+/// const soms::WindingIndex open{soms::Body{mesh}};
+/// std::cout << open.boundary_edges() << " edges of holes\n";
+/// for (const double z : {-0.5, 0.0, 1.5}) {
+///   const soms::Winding answer = soms::winding(open, {0, 0, z});
+///   std::cout << "z = " << z << ": " << answer.side << ", " << answer.number.lower << '\n';
+/// }
+/// \endcode
+/// It prints:
+/// \verbatim
+/// 22 edges of holes
+/// z = -0.5: inside, 0.979953
+/// z = 0: inside, 0.957014
+/// z = 1.5: outside, 0.0251191
+/// \endverbatim
 #pragma once
 
 #include "soms/base/bracket.h"

@@ -1,6 +1,20 @@
 /// \file
 /// Are two surfaces within a clearance of each other? Decided exactly, and sooner than their
 /// distance is known.
+///
+/// \code
+/// const soms::Body a{soms::generate_sphere(320)};  // of radius 1, about the origin
+/// const soms::Body b(a.shape, soms::Pose::translation(0, 0, 2.5));
+/// for (const double clearance : {0.4, 0.5}) {
+///   const soms::Within answer = soms::within(a, b, clearance);
+///   std::cout << "within " << clearance << ": " << (answer.within ? "yes" : "no") << '\n';
+/// }
+/// \endcode
+/// It prints:
+/// \verbatim
+/// within 0.4: no
+/// within 0.5: yes
+/// \endverbatim
 #pragma once
 
 #include "soms/base/parallel.h"

@@ -1,5 +1,23 @@
 /// \file
 /// A robot and the cell that it moves in, ready for queries.
+///
+/// \code
+/// soms::Robot robot;  // three balls in a row, each turned by the one before
+/// for (const char* const name : {"base", "arm", "hand"}) {
+///   robot.links.push_back({name, {soms::generate_sphere(320)}});
+/// }
+/// robot.joints = {{"a", soms::JointType::continuous, 0, 1, soms::Pose::translation(1.9, 0, 0)},
+///                 {"b", soms::JointType::continuous, 1, 2, soms::Pose::translation(1.9, 0, 0)}};
+/// const soms::RobotModel model(robot);
+/// std::cout << model.bodies() << " bodies; links compared:";
+/// for (const soms::LinkPair& pair : model.compared()) {
+///   std::cout << ' ' << robot.links[pair.a].name << " and " << robot.links[pair.b].name << '\n';
+/// }
+/// \endcode
+/// It prints:
+/// \verbatim
+/// 3 bodies; links compared: base and hand
+/// \endverbatim
 #pragma once
 
 #include "soms/base/parallel.h"

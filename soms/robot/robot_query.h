@@ -1,6 +1,23 @@
 /// \file
 /// Which links of a robot touch each other or its cell in given states, and how near are they?
 /// Decided exactly for the poses that forward kinematics gives.
+///
+/// \code
+/// soms::Robot robot;  // a ball on a rail
+/// robot.links = {{"rail"}, {"ball", {soms::generate_sphere(320)}}};
+/// robot.joints = {{"slide", soms::JointType::prismatic, 0, 1}};
+/// const std::vector<soms::Mesh> cell{soms::generate_sphere(320)};
+/// const soms::RobotModel model(robot, cell);
+/// const std::vector<double> states{1.5, 3};  // of the one joint
+/// for (const auto& answer : soms::robot_contacts(model, states, {.distance = true})) {
+///   std::cout << answer.verdict << ", gap " << answer.gap->distance.lower << '\n';
+/// }
+/// \endcode
+/// It prints:
+/// \verbatim
+/// contact, gap 0
+/// free, gap 1.03038
+/// \endverbatim
 #pragma once
 
 #include "soms/base/bracket.h"

@@ -1,5 +1,21 @@
 /// \file
 /// Which of many bodies is nearest to a point, and which does a ray hit first?
+///
+/// \code
+/// const soms::Shape ball{soms::generate_sphere(320)};  // of radius 1, about the origin
+/// const std::vector<soms::Body> bodies{soms::Body(ball, soms::Pose::translation(5, 0, 0)),
+///                                      soms::Body(ball, soms::Pose::translation(0, 0, 3))};
+/// const soms::BodyIndex index(bodies);
+/// const soms::BodyClosest near = index.closest({0, 0, 0});
+/// std::cout << "body " << *near.body << " is nearest, " << near.distance.lower << " away\n";
+/// const soms::BodyHit hit = index.closest_hit(soms::Ray{{0, 0, 0}, {1, 0, 0}});
+/// std::cout << "body " << *hit.body << " is hit first, at t = " << hit.t.lower << '\n';
+/// \endcode
+/// It prints:
+/// \verbatim
+/// body 1 is nearest, 2 away
+/// body 0 is hit first, at t = 4.01519
+/// \endverbatim
 #pragma once
 
 #include "soms/base/parallel.h"

@@ -1,5 +1,21 @@
 /// \file
 /// Which of many moving boxes meet each other?
+///
+/// \code
+/// std::vector<soms::Box> boxes{
+///     {{0, 0, 0}, {1, 1, 1}}, {{1, 0, 0}, {2, 1, 1}}, {{5, 0, 0}, {6, 1, 1}}};
+/// soms::BroadPhase broad_phase;
+/// for (const auto& [a, b] : broad_phase.find(boxes)) {
+///   std::cout << a << " meets " << b << '\n';
+/// }
+/// boxes[2] = {{1.5, 0, 0}, {2.5, 1, 1}};  // it moved
+/// std::cout << broad_phase.find(boxes).size() << " pairs after the move\n";
+/// \endcode
+/// It prints:
+/// \verbatim
+/// 0 meets 1
+/// 2 pairs after the move
+/// \endverbatim
 #pragma once
 
 #include "soms/base/box.h"

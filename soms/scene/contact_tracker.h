@@ -1,5 +1,25 @@
 /// \file
 /// From step to step: which bodies begin to touch, still touch, and touch no longer.
+///
+/// \code
+/// soms::Scene scene;
+/// const soms::Shape ball{soms::generate_sphere(320)};  // of radius 1, about the origin
+/// scene.add_environment(soms::Body(ball));
+/// const soms::MoverId mover = scene.add_mover(soms::Body(ball));
+/// soms::ContactTracker tracker;
+/// for (const double x : {3.0, 1.5, 1.0, 3.0}) {
+///   scene.set_pose(mover, soms::Pose::translation(x, 0, 0));
+///   for (const soms::EnvironmentEvent& event : tracker.follow(scene.step()).environment) {
+///     std::cout << "at " << x << ": " << event.change << '\n';
+///   }
+/// }
+/// \endcode
+/// It prints:
+/// \verbatim
+/// at 1.5: begin
+/// at 1: stay
+/// at 3: end
+/// \endverbatim
 #pragma once
 
 #include "soms/scene/step_report.h"

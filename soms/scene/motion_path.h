@@ -1,5 +1,19 @@
 /// \file
 /// A path of a body: poses one after the other, and the motion from each to the next.
+///
+/// \code
+/// const soms::MotionPath path =
+///     soms::motion_path({soms::Pose::translation(0, 0, 0), soms::Pose::translation(4, 0, 0),
+///                        soms::Pose::translation(4, 3, 0)});
+/// std::cout << path.segments() << " motions, " << path.chainage.back() << " long\n";
+/// const soms::Pose middle = soms::pose_at(path, 1, 0.5);
+/// std::cout << "the origin goes through " << middle.apply({0, 0, 0}) << '\n';
+/// \endcode
+/// It prints:
+/// \verbatim
+/// 2 motions, 7 long
+/// the origin goes through Vec3{4, 1.5, 0}
+/// \endverbatim
 #pragma once
 
 #include "soms/base/pose.h"

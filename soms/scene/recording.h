@@ -1,6 +1,25 @@
 /// \file
 /// Writing down what happens in a scene, frame by frame; `replay.h` reads it. The bytes are
 /// described in docs/recording.md.
+///
+/// \code
+/// const soms::Shape drone{soms::generate_mover(soms::MoverKind::drone)};
+/// soms::Scene scene;
+/// scene.add_mover(soms::Body(drone));
+/// soms::RecordingHead head;
+/// head.models = {{.name = "drone", .origin = soms::RecordedMesh::Origin::mover, .source = "drone",
+///                 .triangles = drone.mesh().triangles.size(), .hash = corner_hash(drone.mesh())}};
+/// head.movers = {0};  // mover 0 is of model 0
+/// std::ostringstream out;
+/// soms::RecordingWriter writer(out, head);
+/// writer.add(std::vector{soms::Pose{}}, scene.step());
+/// writer.finish(soms::RecordingEnding::complete);
+/// std::cout << writer.so_far().frames << " frame recorded\n";
+/// \endcode
+/// It prints:
+/// \verbatim
+/// 1 frame recorded
+/// \endverbatim
 #pragma once
 
 #include "soms/base/hash.h"

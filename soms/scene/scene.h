@@ -1,6 +1,25 @@
 /// \file
 /// Many movers in a static environment: who touches whom, and who is near, step by step; and what
 /// is nearest to a point or first on a ray.
+///
+/// \code
+/// soms::Scene scene;
+/// const soms::Shape ball{soms::generate_sphere(320)};  // of radius 1, about the origin
+/// scene.add_environment(soms::Body(ball));
+/// const soms::MoverId a = scene.add_mover(soms::Body(ball, soms::Pose::translation(1.5, 0, 0)));
+/// scene.add_mover(soms::Body(ball, soms::Pose::translation(0, 4, 0)));
+/// for (const double y : {0.0, 3.0}) {
+///   scene.set_pose(a, soms::Pose::translation(1.5, y, 0));
+///   const soms::StepReport report = scene.step();
+///   std::cout << report.environment.size() << " pairs of triangles with the environment, "
+///             << report.movers.size() << " among movers\n";
+/// }
+/// \endcode
+/// It prints:
+/// \verbatim
+/// 74 pairs of triangles with the environment, 0 among movers
+/// 0 pairs of triangles with the environment, 40 among movers
+/// \endverbatim
 #pragma once
 
 #include "soms/base/parallel.h"
