@@ -35,9 +35,9 @@ struct Penetration {
 /// A convex part, prepared for `penetration`.
 class ConvexPart {
  public:
-  /// Nothing for an open part, and for one that is not convex: of which a vertex lies in front of
-  /// a face by more than a millionth of the part's extent, so that quads that are not quite plane
-  /// do no harm.
+  /// Nothing for an open part, and for one that is not convex. A part is not convex if a vertex
+  /// lies in front of a face by more than a millionth of the part's extent. So quads that are not
+  /// quite plane do no harm.
   /// \cost O(f v) for f triangles and v vertices, less where a part is not convex.
   [[nodiscard]] static std::optional<ConvexPart> of(const PartBody& part);
 
@@ -56,10 +56,11 @@ class ConvexPart {
 };
 
 /// The shortest translation of `b` after which no interior of the two is shared, by the axes that
-/// can separate convex polyhedra: across each face, and across each pair of an edge of `a` and an
-/// edge of `b`. After it they are separate for certain: rounding makes it longer by a few 1e-15 of
-/// the extents. It may exceed the least one by about a millionth of the extents, where faces or
-/// edges that are so nearly parallel count as one. Parts that are surely apart have depth 0.
+/// can separate convex polyhedra. These are across each face, and across each pair of an edge of
+/// `a` and an edge of `b`. After it they are separate for certain: rounding makes it longer by a
+/// few 1e-15 of the extents. It may exceed the least one by about a millionth of the extents, where
+/// faces or edges that are so nearly parallel count as one. Parts that are surely apart have depth
+/// 0.
 ///
 /// Nothing where the axes times the corners are more than `kMostPenetrationWork`: bodies with some
 /// hundred edges each in directions of their own.

@@ -53,7 +53,7 @@ void check(const ClosestOptions& options);
 /// The nearest point of a body.
 struct Closest {
   /// Holds the least distance of the point from the moved, rounded surface. The doubles next to it
-  /// where coverage is complete and the answer is not `farther`; [0, 0] exactly where the point is
+  /// where coverage is complete and the answer is not `farther`. [0, 0] exactly where the point is
   /// on the surface; [infinity, infinity] where the mesh is empty. Where coverage is `cut`, what
   /// was proved so far.
   Bracket distance;

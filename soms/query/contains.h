@@ -100,7 +100,7 @@ struct Contains {
 };
 
 /// On which side of a closed surface a point lies, by exact decisions on the moved vertices
-/// (Pose::apply): `on` if it is a point of a triangle, else `inside` where a ray in general
+/// (Pose::apply). It is `on` if it is a point of a triangle, else `inside` where a ray in general
 /// position from it crosses an odd number of triangles. Orientation plays no part; where closed
 /// surfaces are nested or overlap, each crossing changes sides, so a void in a solid is outside,
 /// and doubled triangles cancel. The answer but for `cost` does not depend on trees, layouts,

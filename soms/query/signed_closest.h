@@ -44,7 +44,7 @@ struct SignedClosest {
 /// guess from a normal or a winding number.
 ///
 /// \errors  As `closest`.
-/// \cost    Of both.
+/// \cost    That of both.
 /// \threads As `closest`.
 [[nodiscard]] SignedClosest closest(const ClosedBody& body, const Vec3& point,
                                     const ClosestOptions& options = {},

@@ -77,7 +77,7 @@ struct Solid {
 
 /// The relation of two closed bodies, by exact decisions on the moved vertices (Pose::apply). A
 /// point is inside a body where a ray in general position from it crosses an odd number of
-/// triangles, as `contains` says: so orientation plays no part, voids are outside, and the interior
+/// triangles, as `contains` says. So orientation plays no part, voids are outside, and the interior
 /// is all that is not within a surface. A triangle that bounds nothing, as a doubled one, is still
 /// a part of the surface: bodies may touch with it. A body without interior is in no other: `clear`
 /// or `touching`; so is an empty mesh.
@@ -89,8 +89,8 @@ struct Solid {
 /// \errors  ErrorKind::cancelled.
 /// \cost    Where surfaces do not meet or cross plainly, that of `overlap` with mode `any` and of
 ///          one `contains` for each connected part. Where they touch or have faces in a plane, of
-///          the order of 0.1 ms for each triangle that takes part, also where thousands meet one;
-///          more where they cross each other in it. `cost.exact_tests` counts triangles that exact
+///          the order of 0.1 ms for each triangle that takes part, also where thousands meet one.
+///          More where they cross each other in it. `cost.exact_tests` counts triangles that exact
 ///          arithmetic looked at.
 /// \threads Any number of callers.
 /// \source  Edelsbrunner and Muecke 1990, Simulation of Simplicity, section 4, for points on lines.
@@ -119,7 +119,7 @@ struct SolidBatch {
 };
 
 /// `solid` of `mover` at each of `poses`, in place of its own, and `fixed`: the answers of single
-/// queries, but that a pose at which the mover is not closed (`ClosedBody::at`) is `undecided`.
+/// queries. But a pose at which the mover is not closed (`ClosedBody::at`) is `undecided`.
 ///
 /// \shape   `poses`: n.
 /// \errors  As `overlap`; a pose at fault is named by its index.

@@ -46,8 +46,8 @@ struct Within {
   std::optional<TrianglePair> triangles = std::nullopt;
   Vec3 point_a = {};  ///< of that pair as `Distance` has them
   Vec3 point_b = {};
-  /// A lower bound of the distance: the clearance where nothing is within it, what was proved so
-  /// far where coverage is `cut`, infinity where a mesh is empty; 0 where `within` holds.
+  /// A lower bound of the distance: the clearance where nothing is within it, and what was proved
+  /// so far where coverage is `cut`. Infinity where a mesh is empty; 0 where `within` holds.
   double at_least = 0;
   /// Where it is `cut`, `within` is false and means nothing.
   Coverage coverage = Coverage::complete;

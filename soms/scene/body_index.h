@@ -166,8 +166,8 @@ class BodyIndex {
   /// `all_hits` has. Rows are sorted by exact t, crossings at the same t by body, then by their
   /// least triangles.
   /// \shape `rays`, `segments`: n.
-  /// \cost  One query for each body whose box a ray meets; O(k log k) comparisons for k crossings,
-  ///        exact ones where two bodies are met at nearly the same t; their memory.
+  /// \cost    One query for each body whose box a ray meets. O(k log k) comparisons for k
+  ///          crossings, exact ones where two bodies are met at nearly the same t; their memory.
   [[nodiscard]] BodyAllHits all_hits(std::span<const Ray> rays, const RayOptions& options = {},
                                      const BodyFilter& filter = {},
                                      const Parallel& parallel = {}) const;

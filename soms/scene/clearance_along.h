@@ -125,8 +125,8 @@ struct Clearance {
 /// the motion is). Stations are the poses of the path, and each multiple of `every` along it. The
 /// gap at a place is `distance`, exactly.
 ///
-/// Between two places no point of the body moves farther than a bound that is known; so neither
-/// does the gap change by more, and what is between is decided, too: a gap that is `at_least` is
+/// Between two places no point of the body moves farther than a bound that is known. So neither
+/// does the gap change by more, and the motion between is decided, too. A gap that is `at_least` is
 /// one of all the motion, for the ideal pose at each time and for the rounded one of `pose_at`.
 /// Stretches are halved, again and again, until
 ///

@@ -71,8 +71,9 @@ class ContactTracker {
   /// which pairs of bodies touch in the two steps: they are the same for any number of threads and
   /// any mode of the steps.
   /// \errors  ErrorKind::usage for a report of StepScope::first_contact, which may lack pairs that
-  ///          touch; and where this report compares movers with each other and the one before does
-  ///          not, or the reverse (`clear` starts again). The tracker stays as it was then.
+  ///          touch. ErrorKind::usage where this report compares movers with each other and the one
+  ///          before does not, or the reverse (`clear` starts again). The tracker stays as it was
+  ///          then.
   /// \cost    O(n), n contacts of the report and touching pairs of the report before.
   [[nodiscard]] ContactEvents follow(const StepReport& report);
 

@@ -26,8 +26,8 @@ namespace soms {
 /// Poses that a body takes in turn. From one to the next, at parts t from 0 to 1 of the way:
 ///
 /// - the pivot, a point of the body, moves on a straight line at constant speed;
-/// - meanwhile the body turns about the pivot the shorter way, about one axis: its rotation is that
-///   of the quaternion q0 + t (q1 - q0), whose length is made 1, where q0 and q1 are those of the
+/// - meanwhile the body turns about the pivot the shorter way, about one axis. Its rotation is that
+///   of the quaternion q0 + t (q1 - q0), whose length is made 1. Here q0 and q1 are those of the
 ///   two poses, with signs that leave the smaller angle.
 ///
 /// Only additions, products, quotients and square roots are needed, so poses between are the same

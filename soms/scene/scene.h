@@ -115,21 +115,21 @@ class Scene {
   [[nodiscard]] std::vector<MoverId> movers() const;              ///< ascending
   [[nodiscard]] std::vector<EnvironmentId> environments() const;  ///< ascending
 
-  /// Bytes held, bodies' shapes and names not counted: in proportion to the movers, the parts and
-  /// the ignored pairs that are there, and to the pairs of bodies and the contacts that the last
-  /// step found. What earlier steps needed beyond that is given back (what movers needed among
-  /// themselves, by the next step that compares them).
+  /// Bytes held, bodies' shapes and names not counted. They are in proportion to the movers, the
+  /// parts and the ignored pairs that are there, and to the pairs of bodies and the contacts that
+  /// the last step found. What earlier steps needed beyond that is given back (what movers needed
+  /// among themselves, by the next step that compares them).
   [[nodiscard]] std::size_t memory() const;
 
   /// All overlaps at the present poses. With StepScope::first_contact, which movers touch anything:
   /// each is compared with the parts of the environment, ascending, then with the other movers,
   /// ascending, until its first contact. No pair is compared twice, so no more comparisons are made
-  /// than by querying one mover after the other, and no more pairs of bodies touch in the report
-  /// than there are movers.
+  /// than by querying one mover after the other. No more pairs of bodies touch in the report than
+  /// there are movers.
   ///
-  /// With a clearance D the least distance of each pair of bodies within D is reported as well: the
-  /// answer of `distance` for the two, decided exactly, wherever the bodies lie. Groups and ignored
-  /// pairs are left out as for contacts, and contacts are those of a step without it.
+  /// With a clearance D the least distance of each pair of bodies within D is reported as well. It
+  /// is the answer of `distance` for the two, decided exactly, wherever the bodies lie. Groups and
+  /// ignored pairs are left out as for contacts, and contacts are those of a step without it.
   /// \errors  ErrorKind::cancelled; usage as `check(StepOptions)`; what
   ///          StepOptions::method throws.
   /// \cost    Time and memory linear in the pairs of bodies whose boxes meet, or, with a clearance,
