@@ -1,6 +1,6 @@
 """Sentences are short: at most 30 words, and none begins with "Of ".
 
-Read are the README, the pages of docs/, the comments of public headers, and the help of the command and
+Read are the README, the change log, the pages of docs/, the comments of public headers, and the help of the command and
 of its verbs. prose_exceptions.csv counts the sentences of each text that break a rule today. A count may
 only fall: --write records where it fell, and raises none. Where a header moves, its row moves with it.
 
@@ -105,7 +105,7 @@ def helps(command):
 def found_in(root, command):
     """By text, what breaks a rule."""
     found = {}
-    for page in [root / "README.md", *sorted(root.glob("docs/*.md"))]:
+    for page in [root / "README.md", root / "CHANGELOG.md", *sorted(root.glob("docs/*.md"))]:
         found[page.relative_to(root).as_posix()] = faults(page_prose(page.read_text(encoding="utf-8")))
     for header in sorted(root.glob("soms/**/*.h")):
         name = header.relative_to(root).as_posix()
