@@ -1,6 +1,23 @@
 /// \file
 /// Which parts of a building, a plant or a city clash: cross, contain, touch or come near each
 /// other? Decided exactly for each pair.
+///
+/// \code
+/// const soms::Mesh mesh = soms::generate_sphere(320);  // of radius 1, about the origin
+/// const auto ball = [&mesh](double x) {
+///   return soms::part_bodies(mesh, soms::Pose::translation(x, 0, 0)).front();
+/// };
+/// const std::vector<soms::PartBody> parts{ball(0), ball(1.5), ball(4)};
+/// for (const soms::Clash& clash : soms::clashes(parts, {.within = 1}).clashes) {
+///   std::cout << clash.a << " and " << clash.b << ": " << clash.kind << ", gap "
+///             << clash.gap.lower << '\n';
+/// }
+/// \endcode
+/// It prints:
+/// \verbatim
+/// 0 and 1: crossing, gap 0
+/// 1 and 2: near, gap 0.530384
+/// \endverbatim
 #pragma once
 
 #include "soms/base/box.h"
@@ -26,7 +43,7 @@ namespace soms {
 enum class ClashKind : unsigned char {
   /// Interior is shared, and each has interior outside the other. Where a part is open: an edge of
   /// one goes through the inside of a triangle of the other, so that both surfaces go on to both
-  /// sides of each other; or of several components of an open part some are in the other.
+  /// sides. Or some of several components of an open part are in the other.
   crossing,
   inside,     ///< one lies in the other: `Clash::relation` says which
   same,       ///< both fill the same space
@@ -58,16 +75,16 @@ struct Clash {
   /// As `solid` says, where both are closed; `clear` of near ones. An open part is in a closed one
   /// if its surface is.
   Relation relation = Relation::undecided;
-  /// Why it is undecided: `open` where a part is not closed (PartBody::odd_edges), and surfaces
-  /// meet without passing through each other, or the other part may be inside it, or inside what it
+  /// Why it is undecided. `open` where a part is not closed (PartBody::odd_edges), and surfaces
+  /// meet without passing through each other. Or the other part may be inside it, or inside what it
   /// encloses together with others (`body_in`).
   Undecided why = Undecided::none;
   std::uint64_t triangle_pairs = 0;  ///< pairs of triangles that overlap, as `overlap` counts them
   /// Holds the least distance of the surfaces: [0, 0] where they meet, otherwise as `Distance` has
   /// it.
   Bracket gap = {};
-  /// A point of the clash. Where surfaces meet, of both (rounded, as `crossing` says); where one is
-  /// in the other and they do not, a vertex of the inner one; otherwise the middle of a shortest
+  /// A point of the clash. Where surfaces meet, of both (rounded, as `crossing` says). Where one is
+  /// in the other and they do not, a vertex of the inner one. Otherwise the middle of a shortest
   /// segment between the two.
   Vec3 place = {};
   /// Holds all that the surfaces share; where they share nothing, the inner part, or a shortest
@@ -82,8 +99,8 @@ struct Clash {
 
 /// What `part` stands for in a clash with `other`. An undecided clash of parts whose surfaces do
 /// not meet is of the bodies that the two lead (PartBody::leads), of which one may be inside the
-/// other: its open group, if `other` is of another one or none. In all else a part stands for
-/// itself.
+/// other. That is its open group, if `other` is of another one or none. In all else a part stands
+/// for itself.
 [[nodiscard]] const PartBody& body_in(const Clash& clash, const PartBody& part,
                                       const PartBody& other);
 
@@ -123,27 +140,26 @@ using PartNumbers = std::pair<std::uint32_t, std::uint32_t>;
                                    const ClashOptions& options = {}, const Parallel& parallel = {});
 
 /// All clashes of a part of `a` with a part of `b`. Two parts are clear of each other, and not in
-/// the list, where both are closed and `solid` says so, or where their boxes share no point; those
+/// the list, where both are closed and `solid` says so, or where their boxes share no point. Those
 /// within ClashOptions::within are near.
 ///
-/// Of an open part nobody knows what is inside; it is taken to be closed by caps (PartBody::caps).
-/// So much is decided all the same: surfaces that pass through each other, where both bound
-/// something, cross; an open part whose surface lies in a closed one is inside, unless a component
-/// of that fits into its box; and where surfaces do not meet, and no component of either lies
-/// wholly in the box of an open one or goes through its caps, the two are clear. All else is
-/// undecided.
+/// What an open part encloses is unknown; it is taken to be closed by caps (PartBody::caps). So
+/// much is decided all the same. Surfaces that pass through each other, where both bound something,
+/// cross. An open part whose surface lies in a closed one is inside, unless a component of that
+/// fits into its box. Where surfaces do not meet, and no component of either lies wholly in the box
+/// of an open one or goes through its caps, the two are clear. All else is undecided.
 ///
 /// Open parts that hang together (PartBody::together) are compared one by one, and their group as
-/// one open body, too. Where surfaces of the group and of another body do not meet, and neither is
-/// in a closed one, but one may be inside the other, the first part and the other body are
+/// one open body, too. Surfaces of the group and of another body may not meet, with neither in a
+/// closed one. If one may then be inside the other, the first part and the other body are
 /// undecided, not near.
 ///
 /// The answer does not depend on threads, trees, layouts or instruction sets, nor on the order of
 /// the parts but for their numbers; with a deadline it may.
 ///
 /// \errors  As `clash_candidates` and `clashes_of`.
-/// \cost    A broad phase over the boxes; one `solid` for each pair of boxes that meet, and one
-///          `overlap` with mode `all` where surfaces meet; one `distance` for each other pair that
+/// \cost    A broad phase over the boxes. One `solid` for each pair of boxes that meet, and one
+///          `overlap` with mode `all` where surfaces meet. One `distance` for each other pair that
 ///          may be near.
 /// \threads Any number of callers; pairs are shared by as many threads as `parallel` says.
 [[nodiscard]] ClashList clashes(std::span<const PartBody> a, std::span<const PartBody> b,

@@ -1,5 +1,19 @@
 /// \file
 /// The parts of a mesh, each as a body of its own.
+///
+/// \code
+/// const soms::Mesh car = soms::generate_mover(soms::MoverKind::car);
+/// const std::vector<soms::PartBody> parts = soms::part_bodies(car);
+/// std::cout << parts.size() << " parts\n";
+/// const soms::PartBody& first = parts.front();
+/// std::cout << car.parts[first.part].name << ": " << first.triangles.size() << " triangles, "
+///           << (first.closed ? "closed" : "open") << '\n';
+/// \endcode
+/// It prints:
+/// \verbatim
+/// 12 parts
+/// hull: 420 triangles, closed
+/// \endverbatim
 #pragma once
 
 #include "soms/base/box.h"
@@ -42,7 +56,7 @@ struct OpenUnion {
 /// are one body together. A value; copies share the body.
 struct PartBody {
   /// Index in Mesh::parts, of an object of several runs that of the first; Part::kNoParent for the
-  /// triangles that no part holds. Of a body of several parts it is the first.
+  /// triangles that no part holds. For a body of several parts it is the first.
   std::uint32_t part = Part::kNoParent;
   std::vector<std::uint32_t> joined = {};  ///< the other parts of the body, Part::kNoParent last
   Body body = {};
@@ -50,11 +64,12 @@ struct PartBody {
   std::uint64_t odd_edges = 0;                      ///< edges of an odd number of triangles
   std::vector<EdgePlace> places = {};  ///< the first few of these; triangles are those of `body`
   /// What an open part is taken to be closed by, where the pose moves it: a triangle from each odd
-  /// edge to the middle of its opening, the box around odd edges that hang together.
+  /// edge to the middle of its opening. That is the middle of the box around odd edges that hang
+  /// together.
   Body caps = {};
   std::vector<PartComponent> components = {};  ///< by their first triangles
   std::vector<TriangleId> triangles = {};      ///< triangle i of `body` is triangles[i] of the mesh
-  /// Of a part that stays open in a group of several (`bodies_of`): all of them as one open body,
+  /// For a part that stays open in a group of several (`bodies_of`): all of them as one open body,
   /// named by the first, the others in its `joined`. It is the same object for each of them.
   OpenUnion together = {};
 

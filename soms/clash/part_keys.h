@@ -1,6 +1,22 @@
 /// \file
 /// Names of parts and clashes that survive renumbering: by them a list is compared with an older
 /// one.
+///
+/// \code
+/// const soms::Mesh car = soms::generate_mover(soms::MoverKind::car);
+/// const std::vector<soms::PartBody> parts = soms::part_bodies(car);
+/// std::vector<soms::MeshPart> named;
+/// for (const soms::PartBody& part : parts) {
+///   named.push_back({&car, &part});
+/// }
+/// const std::vector<std::uint64_t> keys = soms::part_keys(named);
+/// std::cout << std::boolalpha << keys.size() << " keys; the same in either order: "
+///           << (soms::clash_key(keys[0], keys[1]) == soms::clash_key(keys[1], keys[0])) << '\n';
+/// \endcode
+/// It prints:
+/// \verbatim
+/// 12 keys; the same in either order: true
+/// \endverbatim
 #pragma once
 
 #include "soms/clash/part_bodies.h"
@@ -18,11 +34,11 @@ struct MeshPart {
   const PartBody* part = nullptr;
 };
 
-/// A key for each part of a model, or of the models of several files. It is made of the part's id;
-/// of the path of names where the file gives no id; and, where other parts have the same, of the
-/// corners of its triangles where the file has them. So keys stay where parts and triangles come in
-/// another order, and where a part that is named alone moves or changes its shape. Parts that are
-/// alike in all of this differ by their order.
+/// A key for each part of a model, or of the models of several files. It is made of the part's id,
+/// or of the path of names where the file gives no id. Where other parts have the same, the corners
+/// of its triangles count, too, if the file has them. So keys stay where parts and triangles come
+/// in another order, and where a part that is named alone moves or changes its shape. Parts that
+/// are alike in all of this differ by their order.
 /// \pre   `mesh` and `part` are set.
 /// \cost  O(n log n) for n triangles.
 [[nodiscard]] std::vector<std::uint64_t> part_keys(std::span<const MeshPart> parts);

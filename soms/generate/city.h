@@ -49,9 +49,10 @@ struct City {
 ///
 /// Parts: `terrain`, `roads`, `buildings` and `furniture` cover all triangles; each building and
 /// each piece of furniture is a part below them with its kind in its name. No triangle is without
-/// area; areas spread over seven decades. Of a million triangles (seed 1) 5 % are of 0.001 to 0.01
-/// square meters, 36 % to 0.1, 25 % to 1, 8 % to 10, 12 % to 100, 14 % to 1,000 and 0.4 % (all of
-/// them road slabs) above; of 5,672 triangles 9 % are above 1,000 and 3 % above 10,000.
+/// area; areas spread over seven decades. A million triangles (seed 1) have these areas: 5 % are of
+/// 0.001 to 0.01 square meters, 36 % to 0.1, 25 % to 1, 8 % to 10, 12 % to 100, 14 % to 1,000. 0.4
+/// % (all of them road slabs) are above. Among 5,672 triangles 9 % are above 1,000 and 3 % above
+/// 10,000.
 ///
 /// `parallel` gives the stop; one thread works.
 /// \errors  ErrorKind::usage for a count or size out of range, which names the least; cancelled.

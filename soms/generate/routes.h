@@ -12,8 +12,8 @@
 
 namespace soms {
 
-/// A polyline that a mover follows at constant speed, heading along it, and starts again at its end
-/// (a closed route goes round; an open one is driven to and fro).
+/// A polyline that a mover follows at constant speed, heading along it, and starts again at its
+/// end. A closed route goes round; an open one is driven to and fro.
 struct Route {
   std::vector<Vec3> points;
   bool closed = false;
@@ -39,7 +39,7 @@ struct Route {
   [[nodiscard]] Pose at(double seconds) const;
 
   /// The same pose. It is found sooner where `line`, which may be any number, is what a call for a
-  /// time shortly before left there: the line of the route that the mover is on.
+  /// time shortly before left there. That is the line of the route that the mover is on.
   [[nodiscard]] Pose at(double seconds, std::size_t& line) const;
 };
 
@@ -52,8 +52,8 @@ struct Route {
 [[nodiscard]] Route street_route(const City& city, std::uint64_t seed, double speed,
                                  double clearance);
 
-/// A flight of a drone over and between the buildings: a loop above the streets that climbs and
-/// sinks between `lowest` and `highest` meters above ground and cuts corners, some too closely.
+/// A flight of a drone over and between the buildings. It is a loop above the streets that climbs
+/// and sinks between `lowest` and `highest` meters above ground and cuts corners, some too closely.
 [[nodiscard]] Route flight_route(const City& city, std::uint64_t seed, double speed, double lowest,
                                  double highest);
 

@@ -10,7 +10,7 @@
 namespace soms {
 
 /// (2,3) torus knot of tube radius 0.4 scaled to reach 1; exactly `triangles`, at least 18 and
-/// even: a closed tube has no other counts, and no tube is closed by fewer than 3 rings of 3
+/// even. A closed tube has no other counts, and no tube is closed by fewer than 3 rings of 3
 /// points. The same bits on every machine. \errors  ErrorKind::usage naming the least and nearest
 /// possible count.
 [[nodiscard]] Mesh generate_knot(std::uint64_t triangles);

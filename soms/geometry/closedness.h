@@ -56,7 +56,7 @@ struct ClosednessOptions {
 
 /// Decides exactly whether a mesh is closed, and counts and names its odd edges. Edges are counted
 /// in the mesh as it is; which parts are connected is decided there, too. Only whether odd edges
-/// cover their lines evenly depends on the pose: where no edge is odd, the mesh is closed at every
+/// cover their lines evenly depends on the pose. Where no edge is odd, the mesh is closed at every
 /// pose, and a T-junction, whose corner is rounded off its edge, may open.
 /// \pre     `check(mesh)` passes.
 /// \errors  ErrorKind::not_finite, not_rigid, out_of_range for the pose; cancelled.

@@ -78,7 +78,7 @@ void check(const Mesh& mesh);
 [[nodiscard]] Box bounds(const Mesh& mesh);
 
 /// Part that triangle `i` belongs to: the innermost by position, or Part::kNoParent without parts.
-/// Of an object of several runs it is the first, whichever run holds the triangle.
+/// For an object of several runs it is the first, whichever run holds the triangle.
 [[nodiscard]] std::uint32_t part_of(const Mesh& mesh, TriangleId i);
 
 /// The first run of the object that `part` is a run of: itself, if it continues none.
@@ -98,9 +98,9 @@ void append(Mesh& mesh, const Mesh& other);
 /// FNV-1a 64 over all corner coordinates, triangle by triangle, as little-endian doubles.
 [[nodiscard]] std::uint64_t corner_hash(const Mesh& mesh);
 
-/// A mesh with every vertex multiplied by `scale`, and turned from `up` to z up as COLLADA does it
-/// (y up: (x, y, z) becomes (x, -z, y); x up: it becomes (-y, -z, x); `unknown` and `z` do
-/// not turn). Turning permutes and negates, without rounding; the result states z up after x, y, z.
+/// A mesh with every vertex multiplied by `scale`, and turned from `up` to z up as COLLADA does it.
+/// With y up, (x, y, z) becomes (x, -z, y); with x up, it becomes (-y, -z, x); `unknown` and `z` do
+/// not turn. Turning permutes and negates, without rounding; the result states z up after x, y, z.
 /// A georeference is `scaled` with the vertices, and is gone from a mesh that was turned.
 /// \errors ErrorKind::usage unless `scale` is finite and positive.
 [[nodiscard]] Mesh transformed(Mesh mesh, double scale, UpAxis up);

@@ -36,9 +36,9 @@ struct ReadOptions {
 };
 
 /// Reads a PLY, 3DS, STL, OFF, OBJ, glTF, GLB, CityJSON, 3D Tiles or COLLADA model as stored, in
-/// double: nothing is welded, moved or lost but by the nodes of a scene, triangle i is triangle i
-/// of the file, a polygon of n corners gives n-2 triangles. The mesh passes `check`. What else the
-/// file holds is an error or is counted in `Mesh::notes`, by the rule of docs/formats.md, which
+/// double. Nothing is welded, moved or lost but by the nodes of a scene. Triangle i is triangle i
+/// of the file, and a polygon of n corners gives n-2 triangles. The mesh passes `check`. What else
+/// the file holds is an error or is counted in `Mesh::notes`, by the rule of docs/formats.md, which
 /// also says what each reader accepts. Only glTF models and tilesets open other files: those in
 /// their folder that they name.
 ///

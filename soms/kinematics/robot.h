@@ -44,7 +44,7 @@ struct Joint {
   std::uint32_t child = 0;   ///< link, whose frame is that of the joint
   Pose origin = {};          ///< of the joint at value 0, in the frame of the parent
   Vec3 axis = {1, 0, 0};     ///< in the frame of the joint; any length but 0
-  /// Least and greatest value: radians, or the unit of length. Of a continuous joint they are
+  /// Least and greatest value: radians, or the unit of length. Those of a continuous joint are
   /// infinite.
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();

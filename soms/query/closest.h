@@ -1,5 +1,23 @@
 /// \file
 /// Where is a surface nearest to a point? Which of its triangles are near?
+///
+/// \code
+/// const soms::Body ball{soms::generate_sphere(320)};  // of radius 1, about the origin
+/// const soms::Closest answer = soms::closest(ball, {0, 0, 4});
+/// std::cout << "nearest: " << answer.point << ", " << answer.distance.lower << " away\n";
+/// const std::vector<soms::Vec3> points{{0, 0, 4}, {0, 0, 9}};
+/// const soms::ClosestBatch batch = soms::closest(ball, points, {.at_most = 5});
+/// std::cout << "farther than 5: " << int{batch.farther[0]} << ", " << int{batch.farther[1]}
+///           << '\n';
+/// const soms::NearTriangles near = soms::near_triangles(ball, points, 3.01);
+/// std::cout << near.offsets[1] << " triangles are at most 3.01 from the first point\n";
+/// \endcode
+/// It prints:
+/// \verbatim
+/// nearest: Vec3{0, 0, 1}, 3 away
+/// farther than 5: 0, 1
+/// 20 triangles are at most 3.01 from the first point
+/// \endverbatim
 #pragma once
 
 #include "soms/base/bracket.h"
@@ -35,7 +53,7 @@ void check(const ClosestOptions& options);
 /// The nearest point of a body.
 struct Closest {
   /// Holds the least distance of the point from the moved, rounded surface. The doubles next to it
-  /// where coverage is complete and the answer is not `farther`; [0, 0] exactly where the point is
+  /// where coverage is complete and the answer is not `farther`. [0, 0] exactly where the point is
   /// on the surface; [infinity, infinity] where the mesh is empty. Where coverage is `cut`, what
   /// was proved so far.
   Bracket distance;

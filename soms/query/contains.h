@@ -1,5 +1,18 @@
 /// \file
 /// Is a point inside a closed body? Decided exactly, whatever way the triangles face.
+///
+/// \code
+/// const soms::ClosedBody ball{soms::Body{soms::generate_sphere(320)}};  // of radius 1
+/// for (const double z : {0.5, 1.0, 1.5}) {
+///   std::cout << "z = " << z << ": " << soms::contains(ball, {0, 0, z}).side << '\n';
+/// }
+/// \endcode
+/// It prints:
+/// \verbatim
+/// z = 0.5: inside
+/// z = 1: on
+/// z = 1.5: outside
+/// \endverbatim
 #pragma once
 
 #include "soms/base/parallel.h"
@@ -87,7 +100,7 @@ struct Contains {
 };
 
 /// On which side of a closed surface a point lies, by exact decisions on the moved vertices
-/// (Pose::apply): `on` if it is a point of a triangle, else `inside` where a ray in general
+/// (Pose::apply). It is `on` if it is a point of a triangle, else `inside` where a ray in general
 /// position from it crosses an odd number of triangles. Orientation plays no part; where closed
 /// surfaces are nested or overlap, each crossing changes sides, so a void in a solid is outside,
 /// and doubled triangles cancel. The answer but for `cost` does not depend on trees, layouts,

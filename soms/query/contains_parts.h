@@ -1,5 +1,20 @@
 /// \file
 /// Which parts of a body is a point inside? Each part is a body of its own, decided exactly.
+///
+/// \code
+/// const soms::PartedBody car(soms::Body{soms::generate_mover(soms::MoverKind::car)});
+/// const soms::Mesh& mesh = car.body().shape.mesh();
+/// std::cout << car.parts().size() << " parts; these hold the point:\n";
+/// for (const soms::PartSide& found : soms::contains(car, {0, 0, 0.6}).parts) {
+///   const soms::BodyPart& part = car.parts()[found.part];
+///   std::cout << mesh.parts[part.named].name << ": " << found.side << '\n';
+/// }
+/// \endcode
+/// It prints:
+/// \verbatim
+/// 12 parts; these hold the point:
+/// hull: inside
+/// \endverbatim
 #pragma once
 
 #include "soms/base/parallel.h"
@@ -27,7 +42,7 @@ enum class Partition : unsigned char {
 
 /// A part of a body, and whether points can be inside it.
 struct BodyPart {
-  /// Index in Mesh::parts; none for a connected part. Of several that are one body, the first.
+  /// Index in Mesh::parts; none for a connected part. The first of several that are one body.
   std::uint32_t named = Part::kNoParent;
   std::vector<std::uint32_t> joined = {};  ///< the others, Part::kNoParent last
   TriangleId first = 0;                    ///< its first triangle
@@ -45,7 +60,7 @@ class PartedBody {
   /// \errors  ErrorKind::not_rigid, not_finite, out_of_range for the pose; cancelled. Open parts
   ///          are no error.
   /// \cost    As `closedness`, once for the whole and once for the parts, and a copy of the mesh
-  ///          for as long as it takes; where named parts are open, as `bodies_of` and twice that.
+  ///          for as long as it takes. Where named parts are open, as `bodies_of` and twice that.
   ///          Keeps 4 bytes a triangle.
   explicit PartedBody(Body body, Partition partition = Partition::named,
                       const Parallel& parallel = {});
@@ -105,8 +120,8 @@ struct ContainsParts {
 };
 
 /// The parts that a point is inside, or on the surface of, each as `contains` decides it for the
-/// part alone. Of an open part it is said where a point is on it, and never that it is inside:
-/// PartedBody::parts tells which ones are open.
+/// part alone. An open part is listed where a point is on it, and never as one that the point is
+/// inside: PartedBody::parts tells which ones are open.
 ///
 /// \errors  ErrorKind::not_finite, out_of_range unless the point is finite and within 2^300.
 /// \cost    As `contains`: one ray for all parts.

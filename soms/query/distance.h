@@ -1,6 +1,21 @@
 /// \file
 /// How near are two surfaces, and are they nearer than a clearance? Surfaces only: a body wholly
 /// inside another has a distance above 0 from it.
+///
+/// \code
+/// const soms::Body a{soms::generate_sphere(320)};  // of radius 1, about the origin
+/// const soms::Body b(a.shape, soms::Pose::translation(0, 0, 5));
+/// const soms::Distance answer = soms::distance(a, b);
+/// std::cout << answer.distance.lower << " apart, from " << answer.point_a << " to "
+///           << answer.point_b << '\n';
+/// std::cout << std::boolalpha << "farther than 2: "
+///           << soms::distance(a, b, {.at_most = 2}).farther << '\n';
+/// \endcode
+/// It prints:
+/// \verbatim
+/// 3 apart, from Vec3{0, 0, 1} to Vec3{0, 0, 4}
+/// farther than 2: true
+/// \endverbatim
 #pragma once
 
 #include "soms/base/bracket.h"

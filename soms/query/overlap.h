@@ -1,6 +1,26 @@
 /// \file
 /// Which triangles of two bodies share a point? Surfaces only: a body wholly inside another
 /// overlaps nothing of it.
+///
+/// \code
+/// const soms::Body fixed{soms::generate_sphere(320)};  // of radius 1, about the origin
+/// soms::Body moved = fixed;
+/// for (const double x : {1.0, 2.5}) {
+///   moved.pose = soms::Pose::translation(x, 0, 0);
+///   const soms::Overlap answer = soms::overlap(moved, fixed);
+///   std::cout << "at " << x << ": " << answer.pairs.size() << " pairs of triangles touch\n";
+/// }
+/// const std::vector<soms::Pose> poses{moved.pose, soms::Pose::translation(0, 1, 0)};
+/// const soms::OverlapBatch batch =
+///     soms::overlap(fixed.shape, poses, fixed, {.mode = soms::OverlapMode::any});
+/// std::cout << "any: " << int{batch.any[0]} << ' ' << int{batch.any[1]} << '\n';
+/// \endcode
+/// It prints:
+/// \verbatim
+/// at 1: 114 pairs of triangles touch
+/// at 2.5: 0 pairs of triangles touch
+/// any: 0 1
+/// \endverbatim
 #pragma once
 
 #include "soms/base/parallel.h"

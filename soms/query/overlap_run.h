@@ -22,7 +22,7 @@ class OverlapRun {
 
   /// `overlap` of `mover` at each of `poses` with `fixed`, in place of what `batch` held; the
   /// memory of that is used again. Each query takes the steps that it would take alone, so answers
-  /// and costs do not depend on its neighbors. Of `parallel` only `stop` counts. \pre    All poses,
+  /// and costs do not depend on its neighbors. Only `stop` of `parallel` counts. \pre    All poses,
   /// that of `fixed` too, have passed `check` and, with their shapes, `check_range`. \errors As
   /// `overlap` but for poses.
   void ask(const Shape& mover, std::span<const Pose* const> poses, const Body& fixed,

@@ -1,5 +1,24 @@
 /// \file
 /// What does a ray, or the segment between two points, hit? Watertight, by exact decisions.
+///
+/// \code
+/// const soms::Body ball{soms::generate_sphere(320)};  // of radius 1, about the origin
+/// const soms::Ray down{{0.1, 0.2, 5}, {0, 0, -1}};
+/// const soms::ClosestHit first = soms::closest_hit(ball, down);
+/// std::cout << "hits triangle " << *first.triangle << " at " << first.point << '\n';
+/// const soms::AllHits all = soms::all_hits(ball, std::vector{down});
+/// for (std::size_t k = 0; k < all.kind.size(); ++k) {
+///   std::cout << all.kind[k] << " at t = " << all.lower[k] << '\n';
+/// }
+/// std::cout << std::boolalpha << "sees: " << soms::sees(ball, {0, 0, 5}, {3, 0, 5}) << '\n';
+/// \endcode
+/// It prints:
+/// \verbatim
+/// hits triangle 7 at Vec3{0.1, 0.2, 0.9600817648353335}
+/// enter at t = 4.03992
+/// leave at t = 5.96008
+/// sees: true
+/// \endverbatim
 #pragma once
 
 #include "soms/base/bracket.h"
@@ -72,9 +91,9 @@ struct ClosestHit {
 /// instruction sets.
 ///
 /// \errors  ErrorKind::not_finite, out_of_range unless the origin is finite and within 2^300 and
-///          the direction finite; usage for a direction of zero, and for a length that is negative
-///          or not a number; those of the pose as for `overlap`; usage for a skipped triangle that
-///          the mesh does not have.
+///          the direction finite. ErrorKind::usage for a direction of zero, for a length that is
+///          negative or not a number, and for a skipped triangle that the mesh does not have. Those
+///          of the pose as for `overlap`.
 /// \cost    Typically logarithmic in the number of triangles. `Cost::node_tests` counts boxes,
 ///          `triangle_tests` triangles, `exact_tests` those that needed exact arithmetic.
 /// \threads Any number of callers; a query takes one thread.
@@ -189,10 +208,10 @@ struct AllHits {
 /// ray at the same t are in the order of their least triangles.
 ///
 /// The kind follows from a ray beside the given one, shifted by (e, e^2, e^3) for an infinitesimal
-/// e so that it meets no edge and no corner: `graze` if that crosses an even number of the
-/// crossing's triangles, else `enter` or `leave` by the sides that it meets. It is local: neither
-/// the surface's being closed nor the ray's length matters. Triangles parallel to the ray do not
-/// count for it.
+/// e so that it meets no edge and no corner. It is `graze` if that ray crosses an even number of
+/// the crossing's triangles, else `enter` or `leave` by the sides that it meets. It is local:
+/// neither the surface's being closed nor the ray's length matters. Triangles parallel to the ray
+/// do not count for it.
 ///
 /// \shape   `rays`: n.
 /// \errors  As the batch of `closest_hit`.

@@ -1,5 +1,19 @@
 /// \file
 /// Where is the surface of a closed body nearest to a point, and on which side of it is the point?
+///
+/// \code
+/// const soms::ClosedBody ball{soms::Body{soms::generate_sphere(320)}};  // of radius 1
+/// for (const double z : {0.75, 1.0, 1.25}) {
+///   const soms::SignedClosest answer = soms::closest(ball, {0, 0, z});
+///   std::cout << "z = " << z << ": " << answer.side << ", " << answer.distance().upper << '\n';
+/// }
+/// \endcode
+/// It prints:
+/// \verbatim
+/// z = 0.75: inside, -0.246109
+/// z = 1: on, 0
+/// z = 1.25: outside, 0.25
+/// \endverbatim
 #pragma once
 
 #include "soms/base/bracket.h"
@@ -30,7 +44,7 @@ struct SignedClosest {
 /// guess from a normal or a winding number.
 ///
 /// \errors  As `closest`.
-/// \cost    Of both.
+/// \cost    That of both.
 /// \threads As `closest`.
 [[nodiscard]] SignedClosest closest(const ClosedBody& body, const Vec3& point,
                                     const ClosestOptions& options = {},

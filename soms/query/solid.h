@@ -1,6 +1,24 @@
 /// \file
 /// How do two closed bodies stand to each other: apart, touching, one in the other? Decided
 /// exactly.
+///
+/// \code
+/// const soms::Body large{soms::generate_sphere(320)};  // of radius 1, about the origin
+/// soms::Mesh mesh = soms::generate_sphere(320);
+/// for (soms::Vec3& vertex : mesh.vertices) {
+///   vertex = vertex * 0.25;
+/// }
+/// for (const double z : {0.0, 1.0, 2.0}) {
+///   const soms::Body small(soms::Shape(mesh), soms::Pose::translation(0, 0, z));
+///   std::cout << "at " << z << ": " << soms::solid(small, large).relation << '\n';
+/// }
+/// \endcode
+/// It prints:
+/// \verbatim
+/// at 0: a_in_b
+/// at 1: crossing
+/// at 2: clear
+/// \endverbatim
 #pragma once
 
 #include "soms/base/parallel.h"
@@ -59,7 +77,7 @@ struct Solid {
 
 /// The relation of two closed bodies, by exact decisions on the moved vertices (Pose::apply). A
 /// point is inside a body where a ray in general position from it crosses an odd number of
-/// triangles, as `contains` says: so orientation plays no part, voids are outside, and the interior
+/// triangles, as `contains` says. So orientation plays no part, voids are outside, and the interior
 /// is all that is not within a surface. A triangle that bounds nothing, as a doubled one, is still
 /// a part of the surface: bodies may touch with it. A body without interior is in no other: `clear`
 /// or `touching`; so is an empty mesh.
@@ -71,8 +89,8 @@ struct Solid {
 /// \errors  ErrorKind::cancelled.
 /// \cost    Where surfaces do not meet or cross plainly, that of `overlap` with mode `any` and of
 ///          one `contains` for each connected part. Where they touch or have faces in a plane, of
-///          the order of 0.1 ms for each triangle that takes part, also where thousands meet one;
-///          more where they cross each other in it. `cost.exact_tests` counts triangles that exact
+///          the order of 0.1 ms for each triangle that takes part, also where thousands meet one.
+///          More where they cross each other in it. `cost.exact_tests` counts triangles that exact
 ///          arithmetic looked at.
 /// \threads Any number of callers.
 /// \source  Edelsbrunner and Muecke 1990, Simulation of Simplicity, section 4, for points on lines.
@@ -101,7 +119,7 @@ struct SolidBatch {
 };
 
 /// `solid` of `mover` at each of `poses`, in place of its own, and `fixed`: the answers of single
-/// queries, but that a pose at which the mover is not closed (`ClosedBody::at`) is `undecided`.
+/// queries. But a pose at which the mover is not closed (`ClosedBody::at`) is `undecided`.
 ///
 /// \shape   `poses`: n.
 /// \errors  As `overlap`; a pose at fault is named by its index.

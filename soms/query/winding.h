@@ -1,5 +1,24 @@
 /// \file
 /// Is a point inside a body that may be open? By its winding number, as a proved bracket.
+///
+/// \code
+/// soms::Mesh mesh = soms::generate_sphere(320);  // of radius 1
+/// mesh.triangles.resize(mesh.triangles.size() - 20);  // a hole at one of the poles
+/// mesh.parts.clear();
+/// const soms::WindingIndex open{soms::Body{mesh}};
+/// std::cout << open.boundary_edges() << " edges of holes\n";
+/// for (const double z : {-0.5, 0.0, 1.5}) {
+///   const soms::Winding answer = soms::winding(open, {0, 0, z});
+///   std::cout << "z = " << z << ": " << answer.side << ", " << answer.number.lower << '\n';
+/// }
+/// \endcode
+/// It prints:
+/// \verbatim
+/// 22 edges of holes
+/// z = -0.5: inside, 0.979953
+/// z = 0: inside, 0.957014
+/// z = 1.5: outside, 0.0251191
+/// \endverbatim
 #pragma once
 
 #include "soms/base/bracket.h"
@@ -67,8 +86,8 @@ struct WindingOptions {
 
 /// Answer of `winding` for a point.
 struct Winding {
-  /// `on`, decided exactly, if the point is a point of a triangle; else `inside` if the number is
-  /// surely above 1/2, `outside` if surely below; `undecided` if the bracket holds 1/2, or the
+  /// `on`, decided exactly, if the point is a point of a triangle. Else `inside` if the number is
+  /// surely above 1/2, `outside` if surely below. `undecided` if the bracket holds 1/2, or the
   /// deadline passed.
   Side side = Side::undecided;
   /// Holds the winding number. For a point of the surface, where the number jumps, it holds the
@@ -81,15 +100,15 @@ struct Winding {
   [[nodiscard]] bool operator==(const Winding&) const = default;
 };
 
-/// The generalized winding number of a point: the solid angles under which it sees the body's
-/// moved triangles (Pose::apply), positive for those that turn their backs to it, over 4 pi. About
-/// any triangles: for closed surfaces that face outward it is how many of them the point is in;
-/// where surfaces have holes, it changes gradually from 1 inside to 0 outside. Triangles must face
-/// the same way, unlike for `contains`.
+/// The generalized winding number of a point: the solid angles under which it sees the body's moved
+/// triangles (Pose::apply), over 4 pi. They are positive for triangles that turn their backs to it.
+/// Any triangles have one. For closed surfaces that face outward it is how many of them the point
+/// is in. Where surfaces have holes, it changes gradually from 1 inside to 0 outside. Triangles
+/// must face the same way, unlike for `contains`.
 ///
 /// The bracket is proved, rounding included. Beside `width`, it is some 1e-14 for each boundary
-/// edge near the point, and 1e-12 for those next to it; of an edge nearer than 1e-17 of its length
-/// more and more is left open. If there is no boundary, it is the integer. The answer does not
+/// edge near the point, and 1e-12 for those next to it. More and more is left open nearer to an
+/// edge than 1e-17 of its length. If there is no boundary, it is the integer. The answer does not
 /// depend on the shape's tree and layout, on threads or instruction sets, but for `cost`.
 ///
 /// \errors  ErrorKind::not_finite, out_of_range unless the point is finite and within 2^300; usage

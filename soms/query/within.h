@@ -1,6 +1,20 @@
 /// \file
 /// Are two surfaces within a clearance of each other? Decided exactly, and sooner than their
 /// distance is known.
+///
+/// \code
+/// const soms::Body a{soms::generate_sphere(320)};  // of radius 1, about the origin
+/// const soms::Body b(a.shape, soms::Pose::translation(0, 0, 2.5));
+/// for (const double clearance : {0.4, 0.5}) {
+///   const soms::Within answer = soms::within(a, b, clearance);
+///   std::cout << "within " << clearance << ": " << (answer.within ? "yes" : "no") << '\n';
+/// }
+/// \endcode
+/// It prints:
+/// \verbatim
+/// within 0.4: no
+/// within 0.5: yes
+/// \endverbatim
 #pragma once
 
 #include "soms/base/parallel.h"
@@ -32,8 +46,8 @@ struct Within {
   std::optional<TrianglePair> triangles = std::nullopt;
   Vec3 point_a = {};  ///< of that pair as `Distance` has them
   Vec3 point_b = {};
-  /// A lower bound of the distance: the clearance where nothing is within it, what was proved so
-  /// far where coverage is `cut`, infinity where a mesh is empty; 0 where `within` holds.
+  /// A lower bound of the distance: the clearance where nothing is within it, and what was proved
+  /// so far where coverage is `cut`. Infinity where a mesh is empty; 0 where `within` holds.
   double at_least = 0;
   /// Where it is `cut`, `within` is false and means nothing.
   Coverage coverage = Coverage::complete;

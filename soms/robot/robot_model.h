@@ -1,5 +1,23 @@
 /// \file
 /// A robot and the cell that it moves in, ready for queries.
+///
+/// \code
+/// soms::Robot robot;  // three balls in a row, each turned by the one before
+/// for (const char* const name : {"base", "arm", "hand"}) {
+///   robot.links.push_back({name, {soms::generate_sphere(320)}});
+/// }
+/// robot.joints = {{"a", soms::JointType::continuous, 0, 1, soms::Pose::translation(1.9, 0, 0)},
+///                 {"b", soms::JointType::continuous, 1, 2, soms::Pose::translation(1.9, 0, 0)}};
+/// const soms::RobotModel model(robot);
+/// std::cout << model.bodies() << " bodies; links compared:";
+/// for (const soms::LinkPair& pair : model.compared()) {
+///   std::cout << ' ' << robot.links[pair.a].name << " and " << robot.links[pair.b].name << '\n';
+/// }
+/// \endcode
+/// It prints:
+/// \verbatim
+/// 3 bodies; links compared: base and hand
+/// \endverbatim
 #pragma once
 
 #include "soms/base/parallel.h"
@@ -41,7 +59,7 @@ struct RobotMeshPart {
 struct RobotBody {
   std::uint32_t owner = 0;  ///< the link; of the cell, the number of the body
   std::uint32_t mesh = 0;   ///< number of its mesh among those of the link, or of the cell
-  /// Of the part of its mesh, or the mesh's source; of several parts, with " + " between.
+  /// That of the part of its mesh, or the mesh's source; of several parts, with " + " between.
   std::string name = {};
   /// Its `part` is of `mesh`; its triangles count through all meshes of the link, or of the cell.
   PartBody part = {};
@@ -65,10 +83,9 @@ struct RobotPair {
 
 /// The bodies of a robot's links and of its cell, and which of them are compared: pairs of links
 /// but `skipped_pairs`, and each link with each part of the cell. Bodies of one link are not, nor
-/// parts of the cell. Meshes are divided into their parts; parts that close each other are one
-/// body, also those of several meshes of a link or of the cell, and so are open parts that may
-/// enclose something together (OpenParts::joined). A value; copies share the meshes and their
-/// trees.
+/// parts of the cell. Meshes are divided into their parts. Parts that close each other are one
+/// body, also those of several meshes of a link or of the cell. So are open parts that may enclose
+/// something together (OpenParts::joined). A value; copies share the meshes and their trees.
 class RobotModel {
  public:
   /// \errors  As `check(Robot)`, `part_bodies` and `check(Pose)`; ErrorKind::out_of_range for a

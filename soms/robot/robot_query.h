@@ -1,6 +1,23 @@
 /// \file
 /// Which links of a robot touch each other or its cell in given states, and how near are they?
 /// Decided exactly for the poses that forward kinematics gives.
+///
+/// \code
+/// soms::Robot robot;  // a ball on a rail
+/// robot.links = {{"rail"}, {"ball", {soms::generate_sphere(320)}}};
+/// robot.joints = {{"slide", soms::JointType::prismatic, 0, 1}};
+/// const std::vector<soms::Mesh> cell{soms::generate_sphere(320)};
+/// const soms::RobotModel model(robot, cell);
+/// const std::vector<double> states{1.5, 3};  // of the one joint
+/// for (const auto& answer : soms::robot_contacts(model, states, {.distance = true})) {
+///   std::cout << answer.verdict << ", gap " << answer.gap->distance.lower << '\n';
+/// }
+/// \endcode
+/// It prints:
+/// \verbatim
+/// contact, gap 0
+/// free, gap 1.03038
+/// \endverbatim
 #pragma once
 
 #include "soms/base/bracket.h"
@@ -37,15 +54,14 @@ struct RobotContact {
 
 /// The least distance of what is compared.
 struct RobotGap {
-  /// Holds the least distance of the surfaces of all pairs, as `Distance` has it; [0, 0] where
-  /// something touches, also inside of a closed body; of surfaces alone, too, where a pair is
-  /// undecided; [infinity, infinity] where nothing is
-  /// compared.
+  /// Holds the least distance of the surfaces of all pairs, as `Distance` has it. [0, 0] where
+  /// something touches, also inside of a closed body; where a pair is undecided, of surfaces alone,
+  /// too. [infinity, infinity] where nothing is compared.
   Bracket distance = {};
   /// The least pair (by link, then links before parts of the cell) whose distance is in the same
   /// bracket; of a contact, the first one.
   std::optional<RobotPair> pair = std::nullopt;
-  /// Of that pair, where it does not touch: ends of a shortest segment, as `Distance` has them.
+  /// Where that pair does not touch: ends of a shortest segment, as `Distance` has them.
   std::optional<std::array<Vec3, 2>> points = std::nullopt;
   /// The distance exceeds RobotOptions::at_most: `distance.lower` is that, `distance.upper`
   /// infinity.
@@ -72,7 +88,7 @@ void check(const RobotOptions& options);
 struct RobotAnswer {
   RobotVerdict verdict = RobotVerdict::undecided;
   std::vector<RobotContact> contacts = {};  ///< by pair
-  /// Pairs of bodies that were not decided: one may be inside the other, which is open, also where
+  /// Pairs of bodies that were not decided. One may be inside the other, which is open, also where
   /// a pose rounds a T-junction; or the deadline passed, and `coverage` is `cut`.
   std::uint64_t undecided = 0;
   std::vector<std::uint32_t> beyond_limits = {};  ///< joints; the state is answered nevertheless
@@ -84,8 +100,8 @@ struct RobotAnswer {
 };
 
 /// For each state, which of the pairs that `model` compares touch. Two bodies touch if their
-/// surfaces share a point, as `overlap` decides it, or if a point of one is inside the other, as
-/// `contains` decides it, where the other is closed, or in such a connected part of it
+/// surfaces share a point, as `overlap` decides it. They also touch if a point of one is inside the
+/// other, as `contains` decides it, where the other is closed, or in such a connected part of it
 /// (RobotBody::core). What an open body encloses else is unknown (PartBody::closed says which these
 /// are): it is taken to be closed by caps, as for `clashes`. Where surfaces do not meet, and a
 /// connected part of a body lies in the box of an open one or goes through its caps, the pair is
@@ -98,9 +114,9 @@ struct RobotAnswer {
 /// \shape   `states`: n x k, row by row, for k joints of `model.kinematics().movable()`.
 /// \errors  ErrorKind::usage unless the numbers are whole rows, and as `check(RobotOptions)`;
 ///          not_finite, out_of_range for a state, which is named by its index; cancelled.
-/// \cost    Forward kinematics and a broad phase over the boxes; for pairs of boxes that meet,
+/// \cost    Forward kinematics and a broad phase over the boxes. For pairs of boxes that meet,
 ///          `overlap` with mode `any`, and where that finds nothing, `contains` for each connected
-///          part; where one is open, the vertices of both and an `overlap` with its caps. With
+///          part. Where one is open, the vertices of both and an `overlap` with its caps. With
 ///          `distance`, `distance` of the pairs whose boxes are near enough.
 /// \threads Any number of callers; states are shared by as many threads as `parallel` says.
 [[nodiscard]] std::vector<RobotAnswer> robot_contacts(const RobotModel& model,

@@ -1,5 +1,21 @@
 /// \file
 /// Which of many bodies is nearest to a point, and which does a ray hit first?
+///
+/// \code
+/// const soms::Shape ball{soms::generate_sphere(320)};  // of radius 1, about the origin
+/// const std::vector<soms::Body> bodies{soms::Body(ball, soms::Pose::translation(5, 0, 0)),
+///                                      soms::Body(ball, soms::Pose::translation(0, 0, 3))};
+/// const soms::BodyIndex index(bodies);
+/// const soms::BodyClosest near = index.closest({0, 0, 0});
+/// std::cout << "body " << *near.body << " is nearest, " << near.distance.lower << " away\n";
+/// const soms::BodyHit hit = index.closest_hit(soms::Ray{{0, 0, 0}, {1, 0, 0}});
+/// std::cout << "body " << *hit.body << " is hit first, at t = " << hit.t.lower << '\n';
+/// \endcode
+/// It prints:
+/// \verbatim
+/// body 1 is nearest, 2 away
+/// body 0 is hit first, at t = 4.01519
+/// \endverbatim
 #pragma once
 
 #include "soms/base/parallel.h"
@@ -150,8 +166,8 @@ class BodyIndex {
   /// `all_hits` has. Rows are sorted by exact t, crossings at the same t by body, then by their
   /// least triangles.
   /// \shape `rays`, `segments`: n.
-  /// \cost  One query for each body whose box a ray meets; O(k log k) comparisons for k crossings,
-  ///        exact ones where two bodies are met at nearly the same t; their memory.
+  /// \cost    One query for each body whose box a ray meets. O(k log k) comparisons for k
+  ///          crossings, exact ones where two bodies are met at nearly the same t; their memory.
   [[nodiscard]] BodyAllHits all_hits(std::span<const Ray> rays, const RayOptions& options = {},
                                      const BodyFilter& filter = {},
                                      const Parallel& parallel = {}) const;

@@ -1,5 +1,21 @@
 /// \file
 /// Which of many moving boxes meet each other?
+///
+/// \code
+/// std::vector<soms::Box> boxes{
+///     {{0, 0, 0}, {1, 1, 1}}, {{1, 0, 0}, {2, 1, 1}}, {{5, 0, 0}, {6, 1, 1}}};
+/// soms::BroadPhase broad_phase;
+/// for (const auto& [a, b] : broad_phase.find(boxes)) {
+///   std::cout << a << " meets " << b << '\n';
+/// }
+/// boxes[2] = {{1.5, 0, 0}, {2.5, 1, 1}};  // it moved
+/// std::cout << broad_phase.find(boxes).size() << " pairs after the move\n";
+/// \endcode
+/// It prints:
+/// \verbatim
+/// 0 meets 1
+/// 2 pairs after the move
+/// \endverbatim
 #pragma once
 
 #include "soms/base/box.h"
@@ -16,9 +32,9 @@ namespace soms {
 /// Numbers of two boxes, the lesser first.
 using BoxPair = std::pair<std::uint32_t, std::uint32_t>;
 
-/// All pairs of meeting boxes, call after call, where all boxes may have moved in between. Kept
-/// from call to call are larger boxes, stretched along the way that each took, and the pairs of
-/// these: while boxes stay inside, a call only looks through the pairs. That serves speed alone: an
+/// All pairs of meeting boxes, call after call, where all boxes may have moved in between. What is
+/// kept from call to call is larger boxes, stretched along the way that each took, and the pairs of
+/// these. While boxes stay inside, a call only looks through the pairs. That serves speed alone: an
 /// answer depends on the filter and on the boxes of its call only. \threads One caller at a time.
 class BroadPhase {
  public:
@@ -42,8 +58,8 @@ class BroadPhase {
   /// until the next call. Empty boxes meet nothing.
   /// \pre     Ends of magnitude at most 2^300, `lower` at most `upper`; or default boxes.
   /// \errors  ErrorKind::out_of_range above 2^27 boxes; those of `instruction_set`.
-  /// \cost    n boxes, p pairs: O(n + p) where the boxes are scattered; O(n log n + p) or somewhat
-  ///          more where they are not (clusters far apart, sizes over many decades); never
+  /// \cost    n boxes, p pairs: O(n + p) where the boxes are scattered. O(n log n + p) or somewhat
+  ///          more where they are not (clusters far apart, sizes over many decades). Never
   ///          quadratic because boxes coincide, but for their pairs. Memory is reused, and given
   ///          back where it is far more than a call needs.
   [[nodiscard]] std::span<const BoxPair> find(std::span<const Box> boxes);

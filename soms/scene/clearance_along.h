@@ -1,6 +1,23 @@
 /// \file
 /// How near a body comes to others along a path: the gap at stations, and what is proved of the
 /// motion between them.
+///
+/// \code
+/// const soms::Shape ball{soms::generate_sphere(320)};  // of radius 1, about the origin
+/// const std::vector<soms::Body> fixed{soms::Body(ball)};
+/// const soms::MotionPath path = soms::motion_path(
+///     {soms::Pose::translation(-6, 0, 2.5), soms::Pose::translation(6, 0, 2.5)});
+/// const soms::Clearance answer = soms::clearance_along(
+///     ball, path, fixed, {.every = 1, .accuracy = 0.01, .clearance = 0.6});
+/// std::cout << "the gap is at least " << answer.at_least << ", and " << answer.least.gap.upper
+///           << " at chainage " << answer.least.chainage << '\n';
+/// std::cout << std::boolalpha << "contact: " << answer.first_contact.has_value() << '\n';
+/// \endcode
+/// It prints:
+/// \verbatim
+/// the gap is at least 0.490662, and 0.5 at chainage 6
+/// contact: false
+/// \endverbatim
 #pragma once
 
 #include "soms/base/bracket.h"
@@ -108,8 +125,8 @@ struct Clearance {
 /// the motion is). Stations are the poses of the path, and each multiple of `every` along it. The
 /// gap at a place is `distance`, exactly.
 ///
-/// Between two places no point of the body moves farther than a bound that is known; so neither
-/// does the gap change by more, and what is between is decided, too: a gap that is `at_least` is
+/// Between two places no point of the body moves farther than a bound that is known. So neither
+/// does the gap change by more, and the motion between is decided, too. A gap that is `at_least` is
 /// one of all the motion, for the ideal pose at each time and for the rounded one of `pose_at`.
 /// Stretches are halved, again and again, until
 ///

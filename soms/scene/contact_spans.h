@@ -1,5 +1,24 @@
 /// \file
 /// Who touches whom, and from when to when: one record for each pair of bodies and stretch of time.
+///
+/// \code
+/// soms::Scene scene;
+/// const soms::Shape ball{soms::generate_sphere(320)};  // of radius 1, about the origin
+/// scene.add_environment(soms::Body(ball));
+/// const soms::MoverId mover = scene.add_mover(soms::Body(ball));
+/// soms::ContactSpans spans;
+/// for (unsigned step = 0; step < 6; ++step) {
+///   scene.set_pose(mover, soms::Pose::translation(4.0 - step, 1, 0));
+///   spans.follow(step, scene.step(), soms::contact_bodies(scene));
+/// }
+/// for (const soms::ContactSpan& span : spans.spans()) {
+///   std::cout << "touches in steps " << span.begin << " to " << span.end << '\n';
+/// }
+/// \endcode
+/// It prints:
+/// \verbatim
+/// touches in steps 3 to 5
+/// \endverbatim
 #pragma once
 
 #include "soms/base/box.h"

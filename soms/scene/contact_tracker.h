@@ -1,5 +1,25 @@
 /// \file
 /// From step to step: which bodies begin to touch, still touch, and touch no longer.
+///
+/// \code
+/// soms::Scene scene;
+/// const soms::Shape ball{soms::generate_sphere(320)};  // of radius 1, about the origin
+/// scene.add_environment(soms::Body(ball));
+/// const soms::MoverId mover = scene.add_mover(soms::Body(ball));
+/// soms::ContactTracker tracker;
+/// for (const double x : {3.0, 1.5, 1.0, 3.0}) {
+///   scene.set_pose(mover, soms::Pose::translation(x, 0, 0));
+///   for (const soms::EnvironmentEvent& event : tracker.follow(scene.step()).environment) {
+///     std::cout << "at " << x << ": " << event.change << '\n';
+///   }
+/// }
+/// \endcode
+/// It prints:
+/// \verbatim
+/// at 1.5: begin
+/// at 1: stay
+/// at 3: end
+/// \endverbatim
 #pragma once
 
 #include "soms/scene/step_report.h"
@@ -51,8 +71,9 @@ class ContactTracker {
   /// which pairs of bodies touch in the two steps: they are the same for any number of threads and
   /// any mode of the steps.
   /// \errors  ErrorKind::usage for a report of StepScope::first_contact, which may lack pairs that
-  ///          touch; and where this report compares movers with each other and the one before does
-  ///          not, or the reverse (`clear` starts again). The tracker stays as it was then.
+  ///          touch. ErrorKind::usage where this report compares movers with each other and the one
+  ///          before does not, or the reverse (`clear` starts again). The tracker stays as it was
+  ///          then.
   /// \cost    O(n), n contacts of the report and touching pairs of the report before.
   [[nodiscard]] ContactEvents follow(const StepReport& report);
 

@@ -1,5 +1,19 @@
 /// \file
 /// A path of a body: poses one after the other, and the motion from each to the next.
+///
+/// \code
+/// const soms::MotionPath path =
+///     soms::motion_path({soms::Pose::translation(0, 0, 0), soms::Pose::translation(4, 0, 0),
+///                        soms::Pose::translation(4, 3, 0)});
+/// std::cout << path.segments() << " motions, " << path.chainage.back() << " long\n";
+/// const soms::Pose middle = soms::pose_at(path, 1, 0.5);
+/// std::cout << "the origin goes through " << middle.apply({0, 0, 0}) << '\n';
+/// \endcode
+/// It prints:
+/// \verbatim
+/// 2 motions, 7 long
+/// the origin goes through Vec3{4, 1.5, 0}
+/// \endverbatim
 #pragma once
 
 #include "soms/base/pose.h"
@@ -12,8 +26,8 @@ namespace soms {
 /// Poses that a body takes in turn. From one to the next, at parts t from 0 to 1 of the way:
 ///
 /// - the pivot, a point of the body, moves on a straight line at constant speed;
-/// - meanwhile the body turns about the pivot the shorter way, about one axis: its rotation is that
-///   of the quaternion q0 + t (q1 - q0), whose length is made 1, where q0 and q1 are those of the
+/// - meanwhile the body turns about the pivot the shorter way, about one axis. Its rotation is that
+///   of the quaternion q0 + t (q1 - q0), whose length is made 1. Here q0 and q1 are those of the
 ///   two poses, with signs that leave the smaller angle.
 ///
 /// Only additions, products, quotients and square roots are needed, so poses between are the same

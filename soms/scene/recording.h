@@ -1,6 +1,25 @@
 /// \file
 /// Writing down what happens in a scene, frame by frame; `replay.h` reads it. The bytes are
 /// described in docs/recording.md.
+///
+/// \code
+/// const soms::Shape drone{soms::generate_mover(soms::MoverKind::drone)};
+/// soms::Scene scene;
+/// scene.add_mover(soms::Body(drone));
+/// soms::RecordingHead head;
+/// head.models = {{.name = "drone", .origin = soms::RecordedMesh::Origin::mover, .source = "drone",
+///                 .triangles = drone.mesh().triangles.size(), .hash = corner_hash(drone.mesh())}};
+/// head.movers = {0};  // mover 0 is of model 0
+/// std::ostringstream out;
+/// soms::RecordingWriter writer(out, head);
+/// writer.add(std::vector{soms::Pose{}}, scene.step());
+/// writer.finish(soms::RecordingEnding::complete);
+/// std::cout << writer.so_far().frames << " frame recorded\n";
+/// \endcode
+/// It prints:
+/// \verbatim
+/// 1 frame recorded
+/// \endverbatim
 #pragma once
 
 #include "soms/base/hash.h"
@@ -95,20 +114,20 @@ struct RecordingEnd {
 class RecordingWriter {
  public:
   /// Writes the head. `out` must live as long as the writer.
-  /// \errors ErrorKind::usage for a mover of no model, and for numbers that no recording can have
-  ///         (a scale or frame rate that is not positive, a clearance below 0, a pose of the
-  ///         environment that is none); cannot_write.
+  /// \errors  ErrorKind::usage for a mover of no model, and for numbers that no recording can have.
+  ///          Such are a scale or frame rate that is not positive, a clearance below 0, and a pose
+  ///          of the environment that is none. cannot_write.
   RecordingWriter(std::ostream& out, RecordingHead head);
 
   /// Adds the next frame.
   /// \pre     `report` is of the bodies that the head names: movers 0 to n-1.
-  /// \errors  ErrorKind::usage where there are not as many poses as movers, for the report of a
-  ///          step with StepScope::first_contact or with another clearance than the head's, and
+  /// \errors  ErrorKind::usage where there are not as many poses as movers, and for the report of a
+  ///          step with StepScope::first_contact or with another clearance than the head's. Also
   ///          where a shape was set in the scene since the frame before (`Scene::set_shape`): a
   ///          recording holds one mesh for each mover. not_finite, not_rigid, out_of_range for a
-  ///          pose that no body of a scene can have, which no replay would play.
-  ///          cannot_write. Frames before stay good. Where memory runs short, `so_far` tells
-  ///          whether the frame was added.
+  ///          pose that no body of a scene can have, which no replay would play. cannot_write.
+  ///          Frames before stay good. Where memory runs short, `so_far` tells whether the frame
+  ///          was added.
   void add(std::span<const Pose> poses, const StepReport& report);
 
   /// Writes what is held back, and the end. Call it once, last. \errors ErrorKind::cannot_write.

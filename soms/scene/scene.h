@@ -1,6 +1,25 @@
 /// \file
 /// Many movers in a static environment: who touches whom, and who is near, step by step; and what
 /// is nearest to a point or first on a ray.
+///
+/// \code
+/// soms::Scene scene;
+/// const soms::Shape ball{soms::generate_sphere(320)};  // of radius 1, about the origin
+/// scene.add_environment(soms::Body(ball));
+/// const soms::MoverId a = scene.add_mover(soms::Body(ball, soms::Pose::translation(1.5, 0, 0)));
+/// scene.add_mover(soms::Body(ball, soms::Pose::translation(0, 4, 0)));
+/// for (const double y : {0.0, 3.0}) {
+///   scene.set_pose(a, soms::Pose::translation(1.5, y, 0));
+///   const soms::StepReport report = scene.step();
+///   std::cout << report.environment.size() << " pairs of triangles with the environment, "
+///             << report.movers.size() << " among movers\n";
+/// }
+/// \endcode
+/// It prints:
+/// \verbatim
+/// 74 pairs of triangles with the environment, 0 among movers
+/// 0 pairs of triangles with the environment, 40 among movers
+/// \endverbatim
 #pragma once
 
 #include "soms/base/parallel.h"
@@ -96,21 +115,21 @@ class Scene {
   [[nodiscard]] std::vector<MoverId> movers() const;              ///< ascending
   [[nodiscard]] std::vector<EnvironmentId> environments() const;  ///< ascending
 
-  /// Bytes held, bodies' shapes and names not counted: in proportion to the movers, the parts and
-  /// the ignored pairs that are there, and to the pairs of bodies and the contacts that the last
-  /// step found. What earlier steps needed beyond that is given back (what movers needed among
-  /// themselves, by the next step that compares them).
+  /// Bytes held, bodies' shapes and names not counted. They are in proportion to the movers, the
+  /// parts and the ignored pairs that are there, and to the pairs of bodies and the contacts that
+  /// the last step found. What earlier steps needed beyond that is given back (what movers needed
+  /// among themselves, by the next step that compares them).
   [[nodiscard]] std::size_t memory() const;
 
   /// All overlaps at the present poses. With StepScope::first_contact, which movers touch anything:
   /// each is compared with the parts of the environment, ascending, then with the other movers,
   /// ascending, until its first contact. No pair is compared twice, so no more comparisons are made
-  /// than by querying one mover after the other, and no more pairs of bodies touch in the report
-  /// than there are movers.
+  /// than by querying one mover after the other. No more pairs of bodies touch in the report than
+  /// there are movers.
   ///
-  /// With a clearance D the least distance of each pair of bodies within D is reported as well: the
-  /// answer of `distance` for the two, decided exactly, wherever the bodies lie. Groups and ignored
-  /// pairs are left out as for contacts, and contacts are those of a step without it.
+  /// With a clearance D the least distance of each pair of bodies within D is reported as well. It
+  /// is the answer of `distance` for the two, decided exactly, wherever the bodies lie. Groups and
+  /// ignored pairs are left out as for contacts, and contacts are those of a step without it.
   /// \errors  ErrorKind::cancelled; usage as `check(StepOptions)`; what
   ///          StepOptions::method throws.
   /// \cost    Time and memory linear in the pairs of bodies whose boxes meet, or, with a clearance,

@@ -13,7 +13,7 @@
 
 namespace soms {
 
-/// Of which list of a scene a body is.
+/// The list of a scene that a body is of.
 enum class SceneBodyKind : std::uint8_t {
   environment,  ///< a part of the environment
   mover,

@@ -33,7 +33,7 @@ PAGES_OF_VERBS = dict.fromkeys(["completion", "man", "version"], "docs/install.m
 NEEDS_VIEWER = re.compile(r"\bsoms (view|render)\b|--view\b|--picture\b")
 NEEDS_DISPLAY = re.compile(r"\bsoms view\b|--view\b")
 NEEDS_BENCH = re.compile(r"\bsoms bench\b")
-# The README says "With your own files": these stand for them.
+# docs/README.md says "Your own files": these stand for them.
 YOURS = {
     "walls.obj": ["generate", "knot", "--triangles", "200"],
     "pipes.glb": ["generate", "sphere", "--triangles", "200"],
@@ -44,7 +44,8 @@ YOURS = {
     "van.3ds": ["generate", "drone"],
     "poses.csv": "x,y,z\n0.5,0,0\n0,0.5,0\n9,0,0\n",
 }
-PAGE_OF_YOURS = "README.md"
+PAGE_OF_YOURS = "docs/README.md"
+PAGE_OF_BUILDS = "README.md"
 # Stands for the command and notes what it did: "VERB STATUS", a line each.
 WRAPPER = """#!/bin/sh
 "$SOMS_REAL" "$@"
@@ -134,7 +135,7 @@ class Page:
                 (self.folder / block.value).write_text(block.text + "\n", encoding="utf-8")
                 continue
             fault = block.fault()
-            builds = self.name == PAGE_OF_YOURS and block.language in SHELL
+            builds = self.name == PAGE_OF_BUILDS and block.language in SHELL
             if fault and not builds:  # the README's first commands: tests/install/bare_debian_test.py
                 self.faults.append(f"{self.name}, line {block.number}: {fault}\n{block.text}")
             reason = block.value if block.mark == "not run" else missing(block.text + block.value)

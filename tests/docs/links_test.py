@@ -1,5 +1,5 @@
-"""Links of the repository's pages lead somewhere, also where only the pages are installed, and
-pictures say in words what they show.
+"""Links of the repository's pages lead somewhere, also where only the pages are installed, pictures say
+in words what they show, and the index docs/README.md lists every page of docs/.
 
 usage: links_test.py ROOT
 """
@@ -50,12 +50,22 @@ def faults(root, page):
             yield f"{name}: no such heading"
 
 
+def unlisted(root):
+    """Pages of docs/ that its index does not link to."""
+    index = root / "docs/README.md"
+    listed = {target.partition("#")[0] for _, _, target in LINK.findall(prose(index.read_text(encoding="utf-8")))}
+    for page in sorted(root.glob("docs/*.md")):
+        if page != index and page.name not in listed:
+            yield f"docs/README.md does not list {page.name}"
+
+
 def main():
     root = pathlib.Path(sys.argv[1]).resolve()
     pages = [*root.glob("*.md"), *(p for folder in ("docs", "bench", "tests", "apps")
                                    for p in root.glob(f"{folder}/**/*.md")
                                    if "node_modules" not in p.parts)]
     found = [fault for page in sorted(pages) for fault in faults(root, page)]
+    found += unlisted(root)
     print(*found, f"{len(pages)} pages, {len(found)} faults", sep="\n")
     return 1 if found or not pages else 0
 

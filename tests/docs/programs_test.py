@@ -1,6 +1,6 @@
 """Every program that docs/ shows is C++ that soms' headers accept, and one that the page follows with
-"It prints:" and a block of text prints that. (The program of README is built and run by
-tests/install.)
+"It prints:" and a block of text prints that. The examples on top of public headers run and print what
+their comments show, too (header_examples.py). (The program of README is built and run by tests/install.)
 
 usage: programs_test.py ROOT COMPILER [FLAG...] [-- LIBRARY...]
 
@@ -12,6 +12,8 @@ import re
 import subprocess
 import sys
 import tempfile
+
+import header_examples
 
 PROGRAM = re.compile(r"^```cpp\n(.*?)^```\n(?:\nIt prints:\n\n```text\n(.*?)^```)?",
                      re.DOTALL | re.MULTILINE)
@@ -52,7 +54,15 @@ def main():
     cut = rest.index("--") if "--" in rest else len(rest)
     flags, libraries = rest[:cut], rest[cut + 1:]
     with tempfile.TemporaryDirectory() as folder:
-        return check_pages(root, compile_command_of(root, compiler, flags, folder), flags, libraries)
+        command = compile_command_of(root, compiler, flags, folder)
+        return max(check_headers(root, command, libraries), check_pages(root, command, flags, libraries))
+
+
+def check_headers(root, compile_command, libraries):
+    """The exit status: 1 if a public header has no example, or one that is wrong."""
+    wrong, count = header_examples.faults(root, compile_command, libraries)
+    print(*wrong, f"{count} headers, {len(wrong)} examples wrong", sep="\n")
+    return 1 if wrong or not count else 0
 
 
 def check_pages(root, compile_command, flags, libraries):
