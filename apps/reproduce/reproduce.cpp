@@ -2,6 +2,7 @@
 
 #include "soms/base/error.h"
 
+#include "apps/cli/parser.h"
 #include "apps/reproduce/draw_frames.h"
 #include "apps/reproduce/print_pdf.h"
 #include "apps/reproduce/timing_process.h"
@@ -14,7 +15,6 @@
 #include "reproduce/nearest_verdict.h"
 #include "reproduce/report.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -179,18 +179,19 @@ std::string summary(const reproduce::Report& report, const ReproduceOptions& opt
 }
 
 /// An option that names a folder to read.
-void add_folder(CLI::App& app, const std::string& option, std::string& folder,
+void add_folder(Parser& parser, const std::string& option, std::string& folder,
                 const std::string& help) {
-  app.add_option_function<std::string>(
-         option,
-         [&folder, option](const std::string& name) {
-           if (name.empty()) {
-             throw Error(ErrorKind::usage, option + ": the name is empty",
-                         "give the name of a folder, or leave it out");
-           }
-           folder = name;
-         },
-         help)
+  parser
+      .add_option_function(
+          option,
+          [&folder, option](const std::string& name) {
+            if (name.empty()) {
+              throw Error(ErrorKind::usage, option + ": the name is empty",
+                          "give the name of a folder, or leave it out");
+            }
+            folder = name;
+          },
+          help)
       ->option_text("DIR");
 }
 
@@ -232,29 +233,30 @@ int status_of(const reproduce::Report& report, const Console& console) {
 
 }  // namespace
 
-Action add_reproduce(CLI::App& app, Shared&) {
+Action add_reproduce(Parser& parser, Shared&) {
   const auto options = std::make_shared<ReproduceOptions>();
-  add_folder(app, "--models", options->models,
+  add_folder(parser, "--models", options->models,
              "folder of the thesis' models; missing models are generated; see below");
-  app.add_option("--item", options->items,
-                 "run only these, separated by commas: table-5.3, figure-5.2,\n"
-                 "5.3 for both, or a chapter: claims, thesis, beyond; see below")
+  parser
+      .add_option("--item", options->items,
+                  "run only these, separated by commas: table-5.3, figure-5.2,\n"
+                  "5.3 for both, or a chapter: claims, thesis, beyond; see below")
       ->option_text("LIST");
-  add_output(app, "-o,--output", options->output,
+  add_output(parser, "-o,--output", options->output,
              "folder to write, created if missing (default: soms-thesis)", "DIR");
-  add_output(app, "--report", options->report,
+  add_output(parser, "--report", options->report,
              "also write the page as a single, self-contained file");
-  add_folder(app, "--golden", options->golden,
+  add_folder(parser, "--golden", options->golden,
              "compare all counts with thesis_counts.csv and\n"
              "thesis_traversal.csv in this folder; a difference gives exit status 6");
-  add_output(app, "--pdf", options->pdf, "also print the page as a PDF; needs Chromium");
-  app.add_flag("--latex", options->latex, "also write the tables for LaTeX, into DIR/latex");
-  app.add_flag("--quick", options->quick, "run a tenth of the repetitions and smaller sweeps");
-  app.footer(std::string(reproduce::kModelsHelp) + "\n" + help_of_items() +
-             "\nWrites DIR/index.html, a page with all results, tables/*.csv, figures/*.svg,\n"
-             "scenes/*.3ds and run.json. Counts are the same in every run; times depend on the\n"
-             "machine. A full run takes some minutes, with --quick one to two.\n"
-             "\nExample:\n  soms reproduce --quick --item 5.3,5.9 -o thesis");
+  add_output(parser, "--pdf", options->pdf, "also print the page as a PDF; needs Chromium");
+  parser.add_flag("--latex", options->latex, "also write the tables for LaTeX, into DIR/latex");
+  parser.add_flag("--quick", options->quick, "run a tenth of the repetitions and smaller sweeps");
+  parser.footer(std::string(reproduce::kModelsHelp) + "\n" + help_of_items() +
+                "\nWrites DIR/index.html, a page with all results, tables/*.csv, figures/*.svg,\n"
+                "scenes/*.3ds and run.json. Counts are the same in every run; times depend on the\n"
+                "machine. A full run takes some minutes, with --quick one to two.\n"
+                "\nExample:\n  soms reproduce --quick --item 5.3,5.9 -o thesis");
   return [options](Console& console) { return run_reproduce(*options, console); };
 }
 

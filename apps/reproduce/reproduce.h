@@ -20,7 +20,7 @@ struct ReproduceOptions {
   std::string golden = {};  ///< folder of golden tables; empty: none
 };
 
-Action add_reproduce(CLI::App& app, Shared& shared);
+Action add_reproduce(Parser& parser, Shared& shared);
 
 /// Runs the experiments. Status 130 if it was interrupted, 4 if time ran out; what is written by
 /// then is whole. Status 3 if a count differs from the golden tables.

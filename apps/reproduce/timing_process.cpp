@@ -2,12 +2,12 @@
 
 #include "soms/base/error.h"
 
+#include "apps/cli/parser.h"
 #include "apps/support/console.h"
 #include "apps/support/exit_status.h"
 #include "apps/support/spawn.h"
 #include "reproduce/experiment.h"
 
-#include <CLI/CLI.hpp>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
@@ -249,10 +249,10 @@ reproduce::RaceLeader::Followers start_timing_processes(int count, const TimingO
   return followers;
 }
 
-Action add_timing_process(CLI::App& app, Shared&) {
+Action add_timing_process(Parser& parser, Shared&) {
   const auto options = std::make_shared<TimingOptions>();
-  app.add_option("--models", options->models, "as of soms reproduce")->option_text("DIR");
-  app.add_flag("--quick", options->quick, "as of soms reproduce");
+  parser.add_option("--models", options->models, "as of soms reproduce")->option_text("DIR");
+  parser.add_flag("--quick", options->quick, "as of soms reproduce");
   return [options](Console& console) { return time_for_a_run(*options, console); };
 }
 

@@ -32,6 +32,6 @@ struct TimingOptions {
                                                                       const Shared& shared,
                                                                       const Parallel& limits);
 
-Action add_timing_process(CLI::App& app, Shared& shared);
+Action add_timing_process(Parser& parser, Shared& shared);
 
 }  // namespace soms::command

@@ -37,8 +37,8 @@ std::uint8_t code(Enum value) {
 
 }  // namespace
 
-void add_binary(CLI::App& app, std::string& target) {
-  add_output(app, "--binary", target, "write the answers as columns, arrays that NumPy loads")
+void add_binary(Parser& parser, std::string& target) {
+  add_output(parser, "--binary", target, "write the answers as columns, arrays that NumPy loads")
       ->group(kQuestionGroup);
 }
 

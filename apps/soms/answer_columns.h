@@ -29,7 +29,7 @@
 namespace soms::command {
 
 /// Adds --binary.
-void add_binary(CLI::App& app, std::string& target);
+void add_binary(Parser& parser, std::string& target);
 
 /// A file of columns, if one is wanted.
 class AnswerColumns {

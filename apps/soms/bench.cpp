@@ -2,12 +2,11 @@
 
 #include "soms/base/error.h"
 
+#include "apps/cli/parser.h"
 #include "apps/support/child.h"
 #include "apps/support/console.h"
 #include "apps/support/models.h"
 #include "apps/support/parse.h"
-
-#include <CLI/CLI.hpp>
 
 #include <memory>
 #include <vector>
@@ -22,20 +21,21 @@ std::filesystem::path bench_program() {
                  "SOMS_BENCH to its path; see docs/bench.md"});
 }
 
-Action add_bench(CLI::App& app, Shared&) {
+Action add_bench(Parser& parser, Shared&) {
   const auto options = std::make_shared<BenchOptions>();
   const char* const group = "Question";
-  app.add_option("A", options->a, "model that moves")->required()->type_name("");
-  app.add_option("B", options->b, "model that does not move")->required()->type_name("");
-  CLI::Option* pose =
-      app.add_option("--pose", options->pose, "pose of A: \"x y z [qw qx qy qz]\", or a CSV file")
+  parser.add_option("A", options->a, "model that moves")->required();
+  parser.add_option("B", options->b, "model that does not move")->required();
+  Option* pose =
+      parser
+          .add_option("--pose", options->pose, "pose of A: \"x y z [qw qx qy qz]\", or a CSV file")
           ->option_text("POSE")
           ->group(group);
-  add_count(app, "--random", options->random, 1, 1'000'000,
+  add_count(parser, "--random", options->random, 1, 1'000'000,
             "number of random poses of A around B's box (default 1000)")
       ->excludes(pose)
       ->group(group);
-  add_choice<std::string>(app, "--ask", options->jobs,
+  add_choice<std::string>(parser, "--ask", options->jobs,
                           {{"any", "any"},
                            {"all", "all"},
                            {"both", "any,all"},
@@ -43,14 +43,14 @@ Action add_bench(CLI::App& app, Shared&) {
                            {"within", "within"}},
                           "what to time (both: any and all)")
       ->group(group);
-  add_count(app, "--rounds", options->rounds, 1, 1000,
+  add_count(parser, "--rounds", options->rounds, 1, 1000,
             "timed rounds, in which libraries alternate (default 7)")
       ->group(group);
-  add_output(app, "--out", options->out, "also write peers.csv and peers.md to this folder",
+  add_output(parser, "--out", options->out, "also write peers.csv and peers.md to this folder",
              "FOLDER")
       ->group(group);
-  add_strict(app, options->strict);
-  app.footer(
+  add_strict(parser, options->strict);
+  parser.footer(
       "Runs soms-bench, which times soms and every installed peer library on one thread pinned to\n"
       "one processor. Vertices are first rounded to floats, the same for all libraries. Answers\n"
       "are compared, too: if one is wrong, the ratio of the times is void.\n\nExample:\n"

@@ -24,7 +24,7 @@ struct BenchOptions {
   bool strict = false;
 };
 
-[[nodiscard]] Action add_bench(CLI::App& app, Shared& shared);
+[[nodiscard]] Action add_bench(Parser& parser, Shared& shared);
 [[nodiscard]] int run_bench(const BenchOptions& options, Console& console);
 
 /// The program soms-bench, sought as `find_program` does. \errors As there.

@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 #include "soms/clash/part_keys.h"
 
+#include "apps/cli/parser.h"
 #include "apps/soms/clash_baseline.h"
 #include "apps/soms/clash_looked_at.h"
 #include "apps/soms/clash_output.h"
@@ -17,7 +18,6 @@
 #include "apps/support/parse.h"
 #include "apps/support/text.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -226,148 +226,148 @@ void check_options(const ClashVerbOptions& options) {
   }
 }
 
-void add_clash_questions(CLI::App& app, ClashVerbOptions& options) {
-  app.add_option_function<std::string>(
-         "--within",
-         [&options](const std::string& text) {
-           options.within = parse_number("--within", text);
-           check(ClashOptions{.within = options.within});
-         },
-         "also list parts that share nothing and are at most D apart, as near")
+void add_clash_questions(Parser& parser, ClashVerbOptions& options) {
+  parser
+      .add_option_function(
+          "--within",
+          [&options](const std::string& text) {
+            options.within = parse_number("--within", text);
+            check(ClashOptions{.within = options.within});
+          },
+          "also list parts that share nothing and are at most D apart, as near")
       ->option_text("D")
       ->group(kQuestionGroup);
   std::vector<std::string> kinds;
   for (std::size_t k = 0; k < kClashKinds; ++k) {
     kinds.emplace_back(clash_name(static_cast<ClashKind>(k)));
   }
-  app.add_option_function<std::vector<std::string>>(
-         "--ignore",
-         [&options, kinds](const std::vector<std::string>& names) {
-           for (const std::string& name : names) {
-             if (std::find(kinds.begin(), kinds.end(), name) == kinds.end()) {
-               throw unknown_choice("--ignore", name, kinds);
-             }
-             options.ignored_kinds.push_back(name);
-           }
-         },
-         "leave out clashes of a class (repeatable): " + word_list(kinds))
+  parser
+      .add_each_time(
+          "--ignore",
+          [&options, kinds](const std::string& name) {
+            if (std::find(kinds.begin(), kinds.end(), name) == kinds.end()) {
+              throw unknown_choice("--ignore", name, kinds);
+            }
+            options.ignored_kinds.push_back(name);
+          },
+          "leave out clashes of a class (repeatable): " + word_list(kinds))
       ->option_text(kChoiceText)
-      ->allow_extra_args(false)
       ->group(kQuestionGroup);
-  app.add_option("--ignore-pairs", options.ignored_pairs,
-                 "leave out pairs of parts that fit a line \"PATTERN,PATTERN\" of this file")
+  parser
+      .add_option("--ignore-pairs", options.ignored_pairs,
+                  "leave out pairs of parts that fit a line \"PATTERN,PATTERN\" of this file")
       ->option_text("FILE")
       ->group(kQuestionGroup);
-  app.add_flag("--ignore-siblings", options.ignore_siblings,
-               "leave out pairs of parts of one object, as the parts of a building are")
+  parser
+      .add_flag("--ignore-siblings", options.ignore_siblings,
+                "leave out pairs of parts of one object, as the parts of a building are")
       ->group(kQuestionGroup);
-  app.add_option_function<std::string>(
-         "--tolerance",
-         [&options](const std::string& text) {
-           options.tolerance = parse_number("--tolerance", text);
-           if (!(std::isfinite(*options.tolerance) && *options.tolerance >= 0)) {
-             throw Error(ErrorKind::usage, "--tolerance " + text + " is not a depth",
-                         "give a finite number of at least 0");
-           }
-         },
-         "leave out what touches, and convex parts that are at most D deep in each other")
+  parser
+      .add_option_function(
+          "--tolerance",
+          [&options](const std::string& text) {
+            options.tolerance = parse_number("--tolerance", text);
+            if (!(std::isfinite(*options.tolerance) && *options.tolerance >= 0)) {
+              throw Error(ErrorKind::usage, "--tolerance " + text + " is not a depth",
+                          "give a finite number of at least 0");
+            }
+          },
+          "leave out what touches, and convex parts that are at most D deep in each other")
       ->option_text("D")
       ->group(kQuestionGroup);
-  app.add_option("--baseline", options.baseline,
-                 "an older list, as JSON: which clashes are new, active or resolved")
+  parser
+      .add_option("--baseline", options.baseline,
+                  "an older list, as JSON: which clashes are new, active or resolved")
       ->option_text("FILE")
       ->group(kQuestionGroup);
-  app.add_option_function<std::vector<std::string>>(
-         "--status",
-         [&options](const std::vector<std::string>& names) {
-           for (const std::string& name : names) {
-             if (name != "new" && name != "active" && name != kResolved) {
-               throw unknown_choice("--status", name, {"new", "active", std::string(kResolved)});
-             }
-             options.statuses.push_back(name);
-           }
-         },
-         "list only clashes that are new, active or resolved (repeatable)")
+  parser
+      .add_each_time(
+          "--status",
+          [&options](const std::string& name) {
+            if (name != "new" && name != "active" && name != kResolved) {
+              throw unknown_choice("--status", name, {"new", "active", std::string(kResolved)});
+            }
+            options.statuses.push_back(name);
+          },
+          "list only clashes that are new, active or resolved (repeatable)")
       ->option_text(kChoiceText)
-      ->allow_extra_args(false)
       ->group(kQuestionGroup);
   add_choice<ClashFailure>(
-      app, "--fail-if", options.fail_if,
+      parser, "--fail-if", options.fail_if,
       {{"clash", ClashFailure::listed}, {"hard", ClashFailure::hard}, {"new", ClashFailure::fresh}},
       "exit with 1 if a clash is listed, one shares interior, or one is new")
       ->group(kQuestionGroup);
-  app.add_option("--journal", options.journal,
-                 "keep what is decided in a file, and go on from it when run again")
+  parser
+      .add_option("--journal", options.journal,
+                  "keep what is decided in a file, and go on from it when run again")
       ->option_text("FILE")
       ->group(kQuestionGroup);
-  app.add_flag("--verify", options.verify,
-               "compare every pair of parts with brute force; exit with status 6 if they differ")
+  parser
+      .add_flag("--verify", options.verify,
+                "compare every pair of parts with brute force; exit with status 6 if they differ")
       ->group(kQuestionGroup);
 }
 
-void add_clash_sets(CLI::App& app, ClashVerbOptions& options) {
-  app.add_option_function<std::vector<std::string>>(
-         "--set",
-         [&options](const std::vector<std::string>& words) {
-           for (const std::string& word : words) {
-             options.sets.patterns.push_back(set_pattern(word));
-           }
-         },
-         "parts whose name, id, type or file fits a pattern are a set (repeatable); others by file")
+void add_clash_sets(Parser& parser, ClashVerbOptions& options) {
+  parser
+      .add_each_time(
+          "--set",
+          [&options](const std::string& word) {
+            options.sets.patterns.push_back(set_pattern(word));
+          },
+          "parts whose name, id, type or file fits a pattern are a set (repeatable); others by "
+          "file")
       ->option_text("NAME=PATTERN")
-      ->allow_extra_args(false)
       ->group(kQuestionGroup);
-  app.add_option_function<std::vector<std::string>>(
-         "--between",
-         [&options](const std::vector<std::string>& words) {
-           for (const std::string& word : words) {
-             options.sets.between.push_back(set_pair(word));
-           }
-         },
-         "compare only parts of these two sets (repeatable)")
+  parser
+      .add_each_time(
+          "--between",
+          [&options](const std::string& word) { options.sets.between.push_back(set_pair(word)); },
+          "compare only parts of these two sets (repeatable)")
       ->option_text("SET,SET")
-      ->allow_extra_args(false)
       ->group(kQuestionGroup);
-  app.add_option_function<std::string>(
-         "--group-by",
-         [&options](const std::string& word) { options.grouping = clash_grouping(word); },
-         "count clashes by a, b, parent, type, set or cell=SIZE")
+  parser
+      .add_option_function(
+          "--group-by",
+          [&options](const std::string& word) { options.grouping = clash_grouping(word); },
+          "count clashes by a, b, parent, type, set or cell=SIZE")
       ->option_text("WHAT")
       ->group(kQuestionGroup);
 }
 
 }  // namespace
 
-Action add_clash(CLI::App& app, Shared&) {
+Action add_clash(Parser& parser, Shared&) {
   const auto options = std::make_shared<ClashVerbOptions>();
-  app.add_option("FILE", options->models.files,
-                 "models whose parts are compared; a folder stands for the models in it, without "
-                 "subfolders")
-      ->required()
-      ->type_name("");
-  app.add_option("--against", options->models.against,
-                 "models of a second set: parts of the first are compared with those of the "
-                 "second alone")
+  parser
+      .add_option("FILE", options->models.files,
+                  "models whose parts are compared; a folder stands for the models in it, without "
+                  "subfolders")
+      ->required();
+  parser
+      .add_option("--against", options->models.against,
+                  "models of a second set: parts of the first are compared with those of the "
+                  "second alone")
       ->option_text("FILE...")
       ->group(kQuestionGroup);
-  add_clash_questions(app, *options);
-  add_clash_sets(app, *options);
-  add_repeatable(app, "-o,--output", options->outputs,
+  add_clash_questions(parser, *options);
+  add_clash_sets(parser, *options);
+  add_repeatable(parser, "-o,--output", options->outputs,
                  "write the list: .csv, .json, .jsonl, .html, .bcfzip or .bcf; may be repeated",
                  "FILE");
-  add_clash_file_options(app, options->files);
-  add_model_options(app, options->models.model, "--scale", "--up", "the models");
-  add_model_options(app, options->models.model_against, "--scale-b", "--up-b",
+  add_clash_file_options(parser, options->files);
+  add_model_options(parser, options->models.model, "--scale", "--up", "the models");
+  add_model_options(parser, options->models.model_against, "--scale-b", "--up-b",
                     "the models of --against");
-  add_city_options(app, options->models.model, "", "the models");
-  add_city_options(app, options->models.model_against, "-b", "the models of --against");
-  add_strict(app, options->models.model.strict);
-  app.footer(
+  add_city_options(parser, options->models.model, "", "the models");
+  add_city_options(parser, options->models.model_against, "-b", "the models of --against");
+  add_strict(parser, options->models.model.strict);
+  parser.footer(
       "Exact: crossing, inside, same or touching, as soms solid says of each pair of parts. If a\n"
       "part is open, the pair is undecided where the answer depends on what the part encloses." +
       example_of_pair("clash knot.ply --against ball.off --within 0.1 -o clashes.csv"));
-  return [options, &app](Console& console) {
-    options->files.command = stated_command(app);
+  return [options, &parser](Console& console) {
+    options->files.command = stated_command(parser);
     options->models.model_against.strict = options->models.model.strict;
     options->models.expected_gap = options->within.value_or(0);
     return run_clash(*options, console);

@@ -40,7 +40,7 @@ struct ClashVerbOptions {
   bool verify = false;
 };
 
-[[nodiscard]] Action add_clash(CLI::App& app, Shared& shared);
+[[nodiscard]] Action add_clash(Parser& parser, Shared& shared);
 [[nodiscard]] int run_clash(const ClashVerbOptions& options, Console& console);
 
 }  // namespace soms::command

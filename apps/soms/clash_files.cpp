@@ -2,6 +2,7 @@
 
 #include "soms/base/error.h"
 
+#include "apps/cli/parser.h"
 #include "apps/soms/clash_output.h"
 #include "apps/soms/clash_page.h"
 #include "apps/soms/pair_options.h"
@@ -10,7 +11,6 @@
 #include "apps/support/output.h"
 #include "apps/support/parse.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -44,18 +44,19 @@ bool is_bcf(const std::string& name) {
 
 }  // namespace
 
-void add_clash_file_options(CLI::App& app, ClashFileOptions& options) {
-  app.add_option_function<std::string>(
-         "--bcf-version",
-         [&options](const std::string& text) {
-           if (text != "2.1" && text != "3.0") {
-             throw unknown_choice("--bcf-version", text, {"2.1", "3.0"});
-           }
-           options.bcf_version = text == "3.0" ? BcfVersion::v3_0 : BcfVersion::v2_1;
-         },
-         "version of BCF archives: 2.1 (the default) or 3.0")
+void add_clash_file_options(Parser& parser, ClashFileOptions& options) {
+  parser
+      .add_option_function(
+          "--bcf-version",
+          [&options](const std::string& text) {
+            if (text != "2.1" && text != "3.0") {
+              throw unknown_choice("--bcf-version", text, {"2.1", "3.0"});
+            }
+            options.bcf_version = text == "3.0" ? BcfVersion::v3_0 : BcfVersion::v2_1;
+          },
+          "version of BCF archives: 2.1 (the default) or 3.0")
       ->option_text(kChoiceText);
-  app.add_flag("--no-snapshots", options.no_snapshots, "leave the pictures out of BCF archives");
+  parser.add_flag("--no-snapshots", options.no_snapshots, "leave the pictures out of BCF archives");
 }
 
 void check_clash_file_options(const ClashFileOptions& options,
@@ -90,21 +91,21 @@ void write_clash_file(const std::string& name, const ClashReport& report, bool v
   }
 }
 
-std::string stated_command(const CLI::App& app) {
-  std::string command = app.get_name();
+std::string stated_command(const Parser& parser) {
+  std::string command = parser.name();
   std::string named;
-  for (const CLI::Option* const option : app.get_options()) {
-    const bool is_of_output = option->check_lname("output") || option->check_lname("json") ||
-                              option->check_lname("quiet");
+  for (const Option* const option : parser.options()) {
+    const bool is_of_output =
+        option->is_named("output") || option->is_named("json") || option->is_named("quiet");
     if (option->count() == 0 || is_of_output) {
       continue;
     }
-    const std::string name = option->get_name();
-    if (option->get_positional()) {
+    const std::string name = option->name();
+    if (option->is_argument()) {
       for (const std::string& word : option->results()) {
         command += " " + shell_word(word);
       }
-    } else if (option->get_items_expected_max() == 0) {
+    } else if (!option->has_value()) {
       named += " " + name;
     } else {
       for (const std::string& word : option->results()) {

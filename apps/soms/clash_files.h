@@ -11,13 +11,10 @@
 #include <string_view>
 #include <vector>
 
-namespace CLI {
-class App;
-}  // namespace CLI
-
 namespace soms::command {
 
 class Console;
+class Parser;
 
 /// How the files of `clash` are written.
 struct ClashFileOptions {
@@ -27,7 +24,7 @@ struct ClashFileOptions {
 };
 
 /// Adds the options of files: --bcf-version and --no-snapshots.
-void add_clash_file_options(CLI::App& app, ClashFileOptions& options);
+void add_clash_file_options(Parser& parser, ClashFileOptions& options);
 
 /// \errors ErrorKind::usage for an output with an extension that is not known, and for an option of
 /// BCF archives where no output is one.
@@ -41,6 +38,6 @@ void write_clash_file(const std::string& name, const ClashReport& report, bool v
 
 /// The command line of a parsed verb but for its outputs, as a shell takes it:
 /// "soms clash a.obj --against b.obj".
-[[nodiscard]] std::string stated_command(const CLI::App& app);
+[[nodiscard]] std::string stated_command(const Parser& parser);
 
 }  // namespace soms::command

@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 #include "soms/scene/reference/clearance_along.h"
 
+#include "apps/cli/parser.h"
 #include "apps/soms/clearance_city.h"
 #include "apps/soms/clearance_map.h"
 #include "apps/soms/clearance_output.h"
@@ -18,7 +19,6 @@
 #include "apps/support/parse.h"
 #include "apps/support/text.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -171,48 +171,54 @@ int status_of(const ClearanceVerbOptions& options, const ClearanceReport& report
   return proved && report.answer.coverage == Coverage::complete ? 0 : kOutOfTime;
 }
 
-void add_profile_and_path(CLI::App& app, ClearanceVerbOptions& options) {
-  app.add_option("CITY", options.world.cities,
-                 "static models, in one coordinate frame; - is standard input")
+void add_profile_and_path(Parser& parser, ClearanceVerbOptions& options) {
+  parser
+      .add_option("CITY", options.world.cities,
+                  "static models, in one coordinate frame; - is standard input")
       ->required()
       ->option_text("FILE...");
-  app.add_option("--profile,--mover", options.profile, "the model that moves")
+  parser.add_option("--profile,--mover", options.profile, "the model that moves")
       ->required()
       ->option_text("FILE");
-  app.add_option("--path,--route", options.path,
-                 "its path, a CSV file of points or poses as of soms simulate; - is standard input")
+  parser
+      .add_option(
+          "--path,--route", options.path,
+          "its path, a CSV file of points or poses as of soms simulate; - is standard input")
       ->required()
       ->option_text("FILE");
   add_choice<Forward>(
-      app, "--forward", options.forward,
+      parser, "--forward", options.forward,
       {{"x", Forward::x}, {"y", Forward::y}, {"-x", Forward::minus_x}, {"-y", Forward::minus_y}},
       "axis of the profile that heads along the path (x)");
-  add_repeatable(app, "--ignore", options.ignored,
+  add_repeatable(parser, "--ignore", options.ignored,
                  "leave out parts of the city, such as roads, whose name, id or type fits a\n"
                  "pattern; may be repeated",
                  "PATTERN");
-  add_model_options(app, options.world.city_model, "--scale", "--up", "the city");
-  add_model_options(app, options.world.mover_model, "--mover-scale", "--mover-up", "the profile");
-  app.add_flag_callback(
-         "--strict",
-         [&options] { options.world.city_model.strict = options.world.mover_model.strict = true; },
-         kStrictMeaning)
+  add_model_options(parser, options.world.city_model, "--scale", "--up", "the city");
+  add_model_options(parser, options.world.mover_model, "--mover-scale", "--mover-up",
+                    "the profile");
+  parser
+      .add_flag_callback(
+          "--strict",
+          [&options] { options.world.city_model.strict = options.world.mover_model.strict = true; },
+          kStrictMeaning)
       ->group("Models");
 }
 
-void add_clearance_questions(CLI::App& app, ClearanceVerbOptions& options) {
+void add_clearance_questions(Parser& parser, ClearanceVerbOptions& options) {
   const auto add_optional = [&](const std::string& name, std::optional<double>& target,
                                 const std::string& text) {
-    app.add_option_function<std::string>(
-           name,
-           [name, &target](const std::string& value) {
-             target = parse_number(name, value);
-             if (!(*target > 0)) {
-               throw Error(ErrorKind::usage, name + " " + value + " is not above 0",
-                           "give a number above 0");
-             }
-           },
-           text)
+    parser
+        .add_option_function(
+            name,
+            [name, &target](const std::string& value) {
+              target = parse_number(name, value);
+              if (!(*target > 0)) {
+                throw Error(ErrorKind::usage, name + " " + value + " is not above 0",
+                            "give a number above 0");
+              }
+            },
+            text)
         ->option_text("D")
         ->group(kQuestionGroup);
   };
@@ -221,36 +227,37 @@ void add_clearance_questions(CLI::App& app, ClearanceVerbOptions& options) {
                "diagonal); each row of the path is a station, too");
   add_optional("--accuracy", options.accuracy,
                "how well least gaps are known between stations (about a 500th of the\ndiagonal)");
-  add_positive(app, "--clearance", options.clearance,
+  add_positive(parser, "--clearance", options.clearance,
                "the clearance that is required: stations and stretches are ok, below,\ncontact or "
                "undecided")
       ->option_text("D")
       ->group(kQuestionGroup);
   add_choice<ClearanceFailure>(
-      app, "--fail-if", options.fail_if,
+      parser, "--fail-if", options.fail_if,
       {{"contact", ClearanceFailure::contact}, {"below", ClearanceFailure::below}},
       "exit with status 1 if anything touches, or is nearer than the\n--clearance")
       ->group(kQuestionGroup);
-  app.add_flag("--verify", options.verify,
-               "compare stations, and places between them, with brute force; exit with\nstatus 6 "
-               "if they differ")
+  parser
+      .add_flag("--verify", options.verify,
+                "compare stations, and places between them, with brute force; exit with\nstatus 6 "
+                "if they differ")
       ->group(kQuestionGroup);
   add_repeatable(
-      app, "-o,--output", options.outputs,
+      parser, "-o,--output", options.outputs,
       "write the stations to a file, by its extension: .csv, .json or .jsonl; may be repeated",
       "FILE");
-  add_output(app, "--map", options.map, "draw the path and the city around it as SVG");
-  add_output(app, "--report", options.report,
+  add_output(parser, "--map", options.map, "draw the path and the city around it as SVG");
+  add_output(parser, "--report", options.report,
              "write an HTML report with figures, a plot and the scene in 3-D");
 }
 
 }  // namespace
 
-Action add_clearance(CLI::App& app, Shared&) {
+Action add_clearance(Parser& parser, Shared&) {
   const auto options = std::make_shared<ClearanceVerbOptions>();
-  add_profile_and_path(app, *options);
-  add_clearance_questions(app, *options);
-  app.footer(
+  add_profile_and_path(parser, *options);
+  add_clearance_questions(parser, *options);
+  parser.footer(
       "A path is a CSV file. x,y,z: points of a line that the foot of the profile (the middle of\n"
       "the underside of its box) is on, with +x (or --forward) heading along; it turns on the\n"
       "spot where lines meet, a half turn to the left. With qw,qx,qy,qz, or as r00,...,tz: poses,\n"

@@ -32,7 +32,7 @@ struct ClearanceVerbOptions {
   std::string report;                ///< likewise
 };
 
-[[nodiscard]] Action add_clearance(CLI::App& app, Shared& shared);
+[[nodiscard]] Action add_clearance(Parser& parser, Shared& shared);
 [[nodiscard]] int run_clearance(const ClearanceVerbOptions& options, Console& console);
 
 }  // namespace soms::command

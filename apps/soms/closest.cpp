@@ -284,42 +284,44 @@ void check_options(const ClosestVerbOptions& options) {
 
 }  // namespace
 
-Action add_closest(CLI::App& app, Shared&) {
+Action add_closest(Parser& parser, Shared&) {
   const auto options = std::make_shared<ClosestVerbOptions>();
-  add_points(app, *options, "model");
-  add_count(app, "--nearest", options->nearest, 1, 0xffffffffU,
+  add_points(parser, *options, "model");
+  add_count(parser, "--nearest", options->nearest, 1, 0xffffffffU,
             "list the N nearest triangles of each point")
       ->group(kQuestionGroup);
-  app.add_option_function<std::string>(
-         "--radius",
-         [options](const std::string& text) {
-           const double radius = parse_number("--radius", text);
-           if (radius < 0) {
-             throw Error(ErrorKind::usage, "--radius: " + text + " is negative", "give 0 or more");
-           }
-           options->radius = radius;
-         },
-         "list all triangles within this distance of each point")
+  parser
+      .add_option_function(
+          "--radius",
+          [options](const std::string& text) {
+            const double radius = parse_number("--radius", text);
+            if (radius < 0) {
+              throw Error(ErrorKind::usage, "--radius: " + text + " is negative", "give 0 or more");
+            }
+            options->radius = radius;
+          },
+          "list all triangles within this distance of each point")
       ->option_text("X")
       ->group(kQuestionGroup);
-  add_length(app, "--at-most", options->at_most,
+  add_length(parser, "--at-most", options->at_most,
              "only say that the model is farther than D, if it is")
       ->group(kQuestionGroup);
-  app.add_flag("--signed", options->with_side,
-               "also say whether each point is inside; the model must be closed")
+  parser
+      .add_flag("--signed", options->with_side,
+                "also say whether each point is inside; the model must be closed")
       ->group(kQuestionGroup);
-  add_output(app, "--csv", options->csv, "write the answers as CSV")->group(kQuestionGroup);
-  add_binary(app, options->binary);
-  add_probe_options(app, *options);
-  app.footer(
+  add_output(parser, "--csv", options->csv, "write the answers as CSV")->group(kQuestionGroup);
+  add_binary(parser, options->binary);
+  add_probe_options(parser, *options);
+  parser.footer(
       "The nearest point of the surface to each point, exact to the last bit, with its triangle "
       "and\n"
       "whether it is a vertex of that triangle, on an edge, or inside its face.\n\n"
       "Example:\n"
       "  soms generate knot --triangles 2000 -o knot.ply\n"
       "  printf 'x,y,z\\n0,0,0\\n2,0,0\\n' | soms closest knot.ply --points -");
-  return [options, &app](Console& console) {
-    check_probe_options(app, *options, options->points);
+  return [options, &parser](Console& console) {
+    check_probe_options(parser, *options, options->points);
     return run_closest(*options, console);
   };
 }

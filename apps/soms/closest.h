@@ -20,7 +20,7 @@ struct ClosestVerbOptions : PointOptions {
   std::string csv = {};    ///< empty: none
 };
 
-[[nodiscard]] Action add_closest(CLI::App& app, Shared& shared);
+[[nodiscard]] Action add_closest(Parser& parser, Shared& shared);
 [[nodiscard]] int run_closest(const ClosestVerbOptions& options, Console& console);
 
 }  // namespace soms::command

@@ -142,11 +142,11 @@ std::string fish_script() {
 
 }  // namespace
 
-Action add_completion(CLI::App& app, Shared&) {
+Action add_completion(Parser& parser, Shared&) {
   const auto options = std::make_shared<CompletionOptions>();
-  add_choice<Shell>(app, "SHELL", options->shell, shells(), "shell that will run the script")
+  add_choice<Shell>(parser, "SHELL", options->shell, shells(), "shell that will run the script")
       ->required();
-  app.footer("Example:\n  soms completion bash > soms.bash");
+  parser.footer("Example:\n  soms completion bash > soms.bash");
   return [options](Console& console) { return run_completion(*options, console); };
 }
 

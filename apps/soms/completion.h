@@ -14,7 +14,7 @@ struct CompletionOptions {
   Shell shell = Shell::bash;
 };
 
-[[nodiscard]] Action add_completion(CLI::App& app, Shared& shared);
+[[nodiscard]] Action add_completion(Parser& parser, Shared& shared);
 [[nodiscard]] int run_completion(const CompletionOptions& options, Console& console);
 
 }  // namespace soms::command

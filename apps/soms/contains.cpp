@@ -5,6 +5,7 @@
 #include "soms/query/contains.h"
 #include "soms/query/reference/contains.h"
 
+#include "apps/cli/parser.h"
 #include "apps/soms/closed_body.h"
 #include "apps/soms/contains_by_part.h"
 #include "apps/soms/contains_output.h"
@@ -16,7 +17,6 @@
 #include "apps/support/parse.h"
 #include "apps/support/text.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <cstdint>
@@ -107,8 +107,8 @@ class ContainsRun : public SideRun {
 };
 
 /// \errors ErrorKind::usage for options that have no effect together.
-void check_question(const CLI::App& app, const ContainsVerbOptions& options) {
-  if (app.count("--width") != 0 && !options.winding) {
+void check_question(const Parser& parser, const ContainsVerbOptions& options) {
+  if (parser.count("--width") != 0 && !options.winding) {
     throw Error(ErrorKind::usage, "--width is about winding numbers", "add --winding");
   }
   if (options.winding && options.closed_parts) {
@@ -127,45 +127,48 @@ void check_question(const CLI::App& app, const ContainsVerbOptions& options) {
 
 }  // namespace
 
-Action add_contains(CLI::App& app, Shared&) {
+Action add_contains(Parser& parser, Shared&) {
   const auto options = std::make_shared<ContainsVerbOptions>();
-  add_points(app, *options, "a model, closed unless --winding or --by is given");
-  app.add_flag("--closed-parts", options->closed_parts,
-               "leave out connected parts that are not closed by themselves")
+  add_points(parser, *options, "a model, closed unless --winding or --by is given");
+  parser
+      .add_flag("--closed-parts", options->closed_parts,
+                "leave out connected parts that are not closed by themselves")
       ->group(kQuestionGroup);
-  add_choice<ContainsBy>(app, "--by", options->by,
+  add_choice<ContainsBy>(parser, "--by", options->by,
                          {{"model", ContainsBy::model},
                           {"part", ContainsBy::part},
                           {"connected", ContainsBy::connected}},
                          "answer for the model, or for each named or connected part by itself")
       ->group(kQuestionGroup);
-  app.add_flag("--winding", options->winding,
-               "decide by the winding number, also of an open model: inside where it is above 1/2")
+  parser
+      .add_flag("--winding", options->winding,
+                "decide by the winding number, also of an open model: inside where it is above 1/2")
       ->group(kQuestionGroup);
-  app.add_option_function<std::string>(
-         "--width",
-         [options](const std::string& text) {
-           options->width = parse_number("--width", text);
-           if (options->width < 0 || options->width > 1) {
-             throw Error(ErrorKind::usage, "--width: " + text + " is not a width",
-                         "give 0 to 1; the default is 1e-9");
-           }
-         },
-         "with --winding: by how much far triangles may widen its bracket")
+  parser
+      .add_option_function(
+          "--width",
+          [options](const std::string& text) {
+            options->width = parse_number("--width", text);
+            if (options->width < 0 || options->width > 1) {
+              throw Error(ErrorKind::usage, "--width: " + text + " is not a width",
+                          "give 0 to 1; the default is 1e-9");
+            }
+          },
+          "with --winding: by how much far triangles may widen its bracket")
       ->option_text("W")
       ->group(kQuestionGroup);
-  add_output(app, "--csv", options->csv, "write the answers as CSV")->group(kQuestionGroup);
-  add_binary(app, options->binary);
-  add_probe_options(app, *options);
-  app.footer(
+  add_output(parser, "--csv", options->csv, "write the answers as CSV")->group(kQuestionGroup);
+  add_binary(parser, options->binary);
+  add_probe_options(parser, *options);
+  parser.footer(
       "Exact for every point: inside, outside, or on the surface. The model must be closed; soms\n"
       "info says whether it is. Which way its triangles face does not matter, but for --winding.\n"
       "\nExample:\n"
       "  soms generate sphere --triangles 800 -o ball.off\n"
       "  printf 'x,y,z\\n0,0,0\\n2,0,0\\n' | soms contains ball.off --points -");
-  return [options, &app](Console& console) {
-    check_question(app, *options);
-    check_probe_options(app, *options, options->points);
+  return [options, &parser](Console& console) {
+    check_question(parser, *options);
+    check_probe_options(parser, *options, options->points);
     return run_contains(*options, console);
   };
 }

@@ -20,7 +20,7 @@ struct ContainsVerbOptions : PointOptions {
   std::string csv = {};  ///< empty: none
 };
 
-[[nodiscard]] Action add_contains(CLI::App& app, Shared& shared);
+[[nodiscard]] Action add_contains(Parser& parser, Shared& shared);
 [[nodiscard]] int run_contains(const ContainsVerbOptions& options, Console& console);
 
 }  // namespace soms::command

@@ -1,11 +1,11 @@
 #include "apps/soms/convert.h"
 
+#include "apps/cli/parser.h"
 #include "apps/support/console.h"
 #include "apps/support/georeference.h"
 #include "apps/support/json.h"
 #include "apps/support/text.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <memory>
@@ -14,20 +14,17 @@
 
 namespace soms::command {
 
-Action add_convert(CLI::App& app, Shared&) {
+Action add_convert(Parser& parser, Shared&) {
   const auto options = std::make_shared<ConvertOptions>();
-  app.add_option("IN", options->input, "model to read; - is standard input")
-      ->required()
-      ->type_name("");
-  app.add_option("OUT", options->output.path, "model to write; - is standard output")
-      ->required()
-      ->type_name("");
-  add_format(app, options->output);
-  add_model_options(app, options->model, "--scale", "--up", "the model");
-  add_city_options(app, options->model, "", "the model");
-  add_allow_empty(app, options->model);
-  add_strict(app, options->model.strict);
-  app.footer(
+  parser.add_option("IN", options->input, "model to read; - is standard input")->required();
+  parser.add_option("OUT", options->output.path, "model to write; - is standard output")
+      ->required();
+  add_format(parser, options->output);
+  add_model_options(parser, options->model, "--scale", "--up", "the model");
+  add_city_options(parser, options->model, "", "the model");
+  add_allow_empty(parser, options->model);
+  add_strict(parser, options->model.strict);
+  parser.footer(
       "Triangles and vertices keep their order and coordinates. Binary STL, 3DS and GLB round\n"
       "to floats. 3DS holds objects of at most 65,535 triangles, split in order, with names of at "
       "most\n"

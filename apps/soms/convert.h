@@ -17,7 +17,7 @@ struct ConvertOptions {
   ModelOutput output;
 };
 
-[[nodiscard]] Action add_convert(CLI::App& app, Shared& shared);
+[[nodiscard]] Action add_convert(Parser& parser, Shared& shared);
 [[nodiscard]] int run_convert(const ConvertOptions& options, Console& console);
 
 }  // namespace soms::command

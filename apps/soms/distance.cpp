@@ -224,19 +224,19 @@ std::optional<std::string> DistanceQuestion::difference(const Body& a, const Bod
 
 }  // namespace
 
-Action add_distance(CLI::App& app, Shared&) {
+Action add_distance(Parser& parser, Shared&) {
   const auto options = std::make_shared<DistanceVerbOptions>();
-  add_posed_models(app, *options);
-  add_length(app, "--at-most", options->at_most,
+  add_posed_models(parser, *options);
+  add_length(parser, "--at-most", options->at_most,
              "only say that they are farther apart than D, if they are")
       ->group(kQuestionGroup);
-  add_near_options(app, *options);
-  app.footer(
+  add_near_options(parser, *options);
+  parser.footer(
       "The distance of surfaces, exact to the last bit: 0 if they overlap, and greater if a body\n"
       "is entirely inside another one. The nearest triangles and points are named, too." +
       example_of_pair("distance knot.ply ball.off --pose \"2.2 0 0\""));
-  return [options, &app](Console& console) {
-    settle(app, *options);
+  return [options, &parser](Console& console) {
+    settle(parser, *options);
     return run_distance(*options, console);
   };
 }

@@ -14,7 +14,7 @@ struct DistanceVerbOptions : NearOptions {
   double at_most = std::numeric_limits<double>::infinity();
 };
 
-[[nodiscard]] Action add_distance(CLI::App& app, Shared& shared);
+[[nodiscard]] Action add_distance(Parser& parser, Shared& shared);
 [[nodiscard]] int run_distance(const DistanceVerbOptions& options, Console& console);
 
 }  // namespace soms::command

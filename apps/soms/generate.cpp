@@ -118,29 +118,31 @@ std::span<const GenerateKind> generate_kinds() {
   return kKinds;
 }
 
-Action add_generate(CLI::App& app, Shared&) {
+Action add_generate(Parser& parser, Shared&) {
   const auto options = std::make_shared<GenerateOptions>();
-  app.add_option_function<std::string>(
-         "KIND",
-         [options](const std::string& word) {
-           Choices<const GenerateKind*> choices;
-           for (const GenerateKind& kind : kKinds) {
-             choices.emplace_back(kind.name, &kind);
-           }
-           options->kind = parse_choice("KIND", word, choices);
-         },
-         "kind of model; see below")
-      ->required()
-      ->type_name("");
-  add_count(app, "--triangles", options->triangles, 1, kMaxPrimitives, "exact number of triangles");
-  app.add_option("-o,--output", options->output.path,
-                 fmt::format("file to write: {}; - is standard output", writable_extensions()))
+  parser
+      .add_option_function(
+          "KIND",
+          [options](const std::string& word) {
+            Choices<const GenerateKind*> choices;
+            for (const GenerateKind& kind : kKinds) {
+              choices.emplace_back(kind.name, &kind);
+            }
+            options->kind = parse_choice("KIND", word, choices);
+          },
+          "kind of model; see below")
+      ->required();
+  add_count(parser, "--triangles", options->triangles, 1, kMaxPrimitives,
+            "exact number of triangles");
+  parser
+      .add_option("-o,--output", options->output.path,
+                  fmt::format("file to write: {}; - is standard output", writable_extensions()))
       ->required()
       ->option_text("FILE");
-  add_format(app, options->output);
-  app.footer(help_of_kinds() +
-             "\nThe same options and --seed give the same bytes on every machine.\n\nExample:\n"
-             "  soms generate city --triangles 20000 --seed 7 -o city.ply");
+  add_format(parser, options->output);
+  parser.footer(help_of_kinds() +
+                "\nThe same options and --seed give the same bytes on every machine.\n\nExample:\n"
+                "  soms generate city --triangles 20000 --seed 7 -o city.ply");
   return [options](Console& console) { return run_generate(*options, console); };
 }
 

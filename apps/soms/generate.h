@@ -33,7 +33,7 @@ struct GenerateOptions {
   ModelOutput output;
 };
 
-[[nodiscard]] Action add_generate(CLI::App& app, Shared& shared);
+[[nodiscard]] Action add_generate(Parser& parser, Shared& shared);
 [[nodiscard]] int run_generate(const GenerateOptions& options, Console& console);
 
 }  // namespace soms::command

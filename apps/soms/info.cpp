@@ -261,22 +261,22 @@ std::size_t parse_places(const std::string& text) {
 
 /// Options of trees that change nothing are refused. Where trees are built by every rule, those
 /// that some rules do not use are noted.
-void check_trees(const CLI::App& app, const InfoOptions& options, const Console& console) {
-  const std::string given = given_of_trees(app);
+void check_trees(const Parser& parser, const InfoOptions& options, const Console& console) {
+  const std::string given = given_of_trees(parser);
   if (!options.trees && !given.empty()) {
     throw Error(ErrorKind::usage, given + " has no effect: --no-trees builds no trees",
                 "leave one of the two out");
   }
   if (!options.every_rule) {
-    check_build(app, options.build);
+    check_build(parser, options.build);
     return;
   }
   BuildOptions build = options.build;
   build.rule = Rule::soms;  // which uses them all
-  check_build(app, build);
+  check_build(parser, build);
   for (const RuleEntry& row : rules()) {
     build.rule = row.rule;
-    if (const auto without = given_of(app, idle_options(build)); !without.empty()) {
+    if (const auto without = given_of(parser, idle_options(build)); !without.empty()) {
       console.note(fmt::format("rule {} does not use {}", row.kebab, fmt::join(without, ", ")));
     }
   }
@@ -284,30 +284,31 @@ void check_trees(const CLI::App& app, const InfoOptions& options, const Console&
 
 }  // namespace
 
-Action add_info(CLI::App& app, Shared&) {
+Action add_info(Parser& parser, Shared&) {
   const auto options = std::make_shared<InfoOptions>();
-  app.add_option("FILE", options->files, "models; - is standard input")->required()->type_name("");
-  app.add_flag_callback(
+  parser.add_option("FILE", options->files, "models; - is standard input")->required();
+  parser.add_flag_callback(
       "--no-trees", [options] { options->trees = false; },
       "do not build trees, which take the most time");
-  app.add_option_function<std::string>(
-         "--list", [options](const std::string& text) { options->places = parse_places(text); },
-         fmt::format("list the first N locations of each kind of defect, or all ({})",
-                     options->places))
+  parser
+      .add_option_function(
+          "--list", [options](const std::string& text) { options->places = parse_places(text); },
+          fmt::format("list the first N locations of each kind of defect, or all ({})",
+                      options->places))
       ->option_text("N");
-  add_model_options(app, options->model, "--scale", "--up", "the models");
-  add_city_options(app, options->model, "", "the models");
-  add_allow_empty(app, options->model);
-  add_strict(app, options->model.strict);
-  add_build_options(app, options->build);
-  app.get_option("--rule")->description("splitting rule (every one)");
-  app.footer(
+  add_model_options(parser, options->model, "--scale", "--up", "the models");
+  add_city_options(parser, options->model, "", "the models");
+  add_allow_empty(parser, options->model);
+  add_strict(parser, options->model.strict);
+  add_build_options(parser, options->build);
+  parser.option("--rule")->description("splitting rule (every one)");
+  parser.footer(
       "Builds a tree with every splitting rule, or only with the one given by --rule.\n\nExample:\n"
       "  soms generate knot --triangles 2000 -o knot.ply\n"
       "  soms info knot.ply");
-  return [options, &app](Console& console) {
-    options->every_rule = app.count("--rule") == 0;
-    check_trees(app, *options, console);
+  return [options, &parser](Console& console) {
+    options->every_rule = parser.count("--rule") == 0;
+    check_trees(parser, *options, console);
     return run_info(*options, console);
   };
 }

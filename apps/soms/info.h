@@ -24,7 +24,7 @@ struct InfoOptions {
   std::size_t places = 10;  ///< most places of each kind of defect to name
 };
 
-[[nodiscard]] Action add_info(CLI::App& app, Shared& shared);
+[[nodiscard]] Action add_info(Parser& parser, Shared& shared);
 [[nodiscard]] int run_info(const InfoOptions& options, Console& console);
 
 }  // namespace soms::command

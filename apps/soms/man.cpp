@@ -66,13 +66,12 @@ const Verb& verb_named(const std::string& word) {
 
 }  // namespace
 
-Action add_man(CLI::App& app, Shared&) {
+Action add_man(Parser& parser, Shared&) {
   const auto options = std::make_shared<ManOptions>();
-  app.add_option("VERB", options->verb, "verb whose page to print (default: the page of soms)")
-      ->type_name("");
-  add_output(app, "--output", options->folder, "write all pages to this existing folder instead",
+  parser.add_option("VERB", options->verb, "verb whose page to print (default: the page of soms)");
+  add_output(parser, "--output", options->folder, "write all pages to this existing folder instead",
              "FOLDER");
-  app.footer(
+  parser.footer(
       "Pages are in roff format and have the same content as --help. After installation, man\n"
       "finds them: man soms-overlap.\n\n"
       "Example:\n"

@@ -14,7 +14,7 @@ struct ManOptions {
   std::string folder;  ///< gets all pages as files instead
 };
 
-[[nodiscard]] Action add_man(CLI::App& app, Shared& shared);
+[[nodiscard]] Action add_man(Parser& parser, Shared& shared);
 [[nodiscard]] int run_man(const ManOptions& options, Console& console);
 
 }  // namespace soms::command

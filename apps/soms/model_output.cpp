@@ -77,8 +77,8 @@ void check_name(const std::string& path, MeshFormat format) {
 
 }  // namespace
 
-void add_format(CLI::App& app, ModelOutput& output) {
-  add_choice<MeshFormat>(app, "--format", output.format, formats(),
+void add_format(Parser& parser, ModelOutput& output) {
+  add_choice<MeshFormat>(parser, "--format", output.format, formats(),
                          "format (default: by file extension)");
 }
 

@@ -8,13 +8,10 @@
 #include <optional>
 #include <string>
 
-namespace CLI {
-class App;
-}  // namespace CLI
-
 namespace soms::command {
 
 class Console;
+class Parser;
 
 /// Where a model goes, and how.
 struct ModelOutput {
@@ -23,7 +20,7 @@ struct ModelOutput {
 };
 
 /// Adds --format.
-void add_format(CLI::App& app, ModelOutput& output);
+void add_format(Parser& parser, ModelOutput& output);
 
 /// The format to write. \errors ErrorKind::usage for a folder, for an unknown extension, naming
 /// those that are offered, and for one that says another format than --format.

@@ -5,15 +5,15 @@
 
 namespace soms::command {
 
-void add_near_options(CLI::App& app, NearOptions& options) {
-  add_output(app, "--report", options.report,
+void add_near_options(Parser& parser, NearOptions& options) {
+  add_output(parser, "--report", options.report,
              "write an HTML report with figures and a 3-D view of the nearest points")
       ->group(kQuestionGroup);
-  add_output(app, "--csv", options.csv, "write the answers as CSV, one row per pose")
+  add_output(parser, "--csv", options.csv, "write the answers as CSV, one row per pose")
       ->group(kQuestionGroup);
-  add_binary(app, options.binary);
-  add_verify(app, options);
-  add_model_reading(app, options);
+  add_binary(parser, options.binary);
+  add_verify(parser, options);
+  add_model_reading(parser, options);
 }
 
 }  // namespace soms::command

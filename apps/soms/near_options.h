@@ -17,6 +17,6 @@ struct NearOptions : PairOptions {
 
 /// Adds what follows the options of the question: --report, --csv, --binary, --verify, and those of
 /// the models.
-void add_near_options(CLI::App& app, NearOptions& options);
+void add_near_options(Parser& parser, NearOptions& options);
 
 }  // namespace soms::command

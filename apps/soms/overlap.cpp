@@ -106,53 +106,52 @@ class OverlapRun : public PoseRun {
   std::vector<thesis::CountedOverlap> answers_;
 };
 
-void add_questions(CLI::App& app, OverlapVerbOptions& options) {
+void add_questions(Parser& parser, OverlapVerbOptions& options) {
   const char* const group = kQuestionGroup;
   OverlapMode& mode = options.query.mode;
   const auto asks = [&](const std::string& name, OverlapMode value, const std::string& text) {
-    return app
+    return parser
         .add_flag_callback(
             name, [&mode, value] { mode = value; }, text)
         ->group(group);
   };
-  CLI::Option* all = asks("--all", OverlapMode::all, "find every pair (default)");
-  CLI::Option* any =
-      asks("--any", OverlapMode::any, "stop at the first pair found, whichever it is");
-  CLI::Option* first =
-      asks("--first", OverlapMode::first, "find the lowest pair by triangle numbers");
+  Option* all = asks("--all", OverlapMode::all, "find every pair (default)");
+  Option* any = asks("--any", OverlapMode::any, "stop at the first pair found, whichever it is");
+  Option* first = asks("--first", OverlapMode::first, "find the lowest pair by triangle numbers");
   any->excludes(all)->excludes(first);
   first->excludes(all);
-  add_count(app, "--limit", options.query.limit, 1, std::numeric_limits<std::uint64_t>::max(),
+  add_count(parser, "--limit", options.query.limit, 1, std::numeric_limits<std::uint64_t>::max(),
             "stop after N pairs per pose")
       ->excludes(any)
       ->excludes(first)
       ->group(group);
-  CLI::Option* no_pairs = app.add_flag_callback(
-                                 "--no-pairs", [&options] { options.list_pairs = false; },
-                                 "count the pairs without listing them")
-                              ->group(group);
-  add_choice<bool>(app, "--by", options.by_part, {{"triangle", false}, {"part", true}},
+  Option* no_pairs = parser
+                         .add_flag_callback(
+                             "--no-pairs", [&options] { options.list_pairs = false; },
+                             "count the pairs without listing them")
+                         ->group(group);
+  add_choice<bool>(parser, "--by", options.by_part, {{"triangle", false}, {"part", true}},
                    "what to list pairs of")
       ->excludes(any)
       ->excludes(first)
       ->excludes(no_pairs)
       ->group(group);
-  add_choice<std::string>(app, "--fail-if", options.fail_if,
+  add_choice<std::string>(parser, "--fail-if", options.fail_if,
                           {{"overlap", "overlap"}, {"within", "within"}},
                           "exit with status 1 if this is found")
       ->group(group);
-  add_output(app, "--report", options.report,
+  add_output(parser, "--report", options.report,
              "write an HTML report with figures, plots and a 3-D view of the overlap")
       ->group(group);
-  add_output(app, "--csv", options.csv, "write the pairs as CSV, one row per pair")
+  add_output(parser, "--csv", options.csv, "write the pairs as CSV, one row per pair")
       ->excludes(no_pairs)
       ->group(group);
-  add_binary(app, options.binary);
+  add_binary(parser, options.binary);
   add_length(
-      app, "--within", options.within,
+      parser, "--within", options.within,
       "only decide whether they are within D, as soms within does; not with options of pairs")
       ->group(group);
-  add_verify(app, options);
+  add_verify(parser, options);
 }
 
 /// \errors ErrorKind::usage for a condition that is not part of the question.
@@ -168,10 +167,10 @@ void check_condition(const std::string& condition, bool within) {
 }
 
 /// The question of `soms within`.
-int run_within_of(const CLI::App& app, const OverlapVerbOptions& options, Console& console) {
+int run_within_of(const Parser& parser, const OverlapVerbOptions& options, Console& console) {
   for (const char* const idle :
        {"--all", "--any", "--first", "--limit", "--no-pairs", "--by", "--traversal", "--descent"}) {
-    if (app.count(idle) > 0) {
+    if (parser.count(idle) > 0) {
       throw Error(ErrorKind::usage, fmt::format("{} has no effect with --within", idle),
                   "leave one of them out");
     }
@@ -189,24 +188,24 @@ int run_within_of(const CLI::App& app, const OverlapVerbOptions& options, Consol
 
 }  // namespace
 
-Action add_overlap(CLI::App& app, Shared&) {
+Action add_overlap(Parser& parser, Shared&) {
   const auto options = std::make_shared<OverlapVerbOptions>();
-  add_posed_models(app, *options);
-  add_questions(app, *options);
-  add_model_reading(app, *options);
-  add_traversal_options(app, options->traversal);
-  app.footer(
+  add_posed_models(parser, *options);
+  add_questions(parser, *options);
+  add_model_reading(parser, *options);
+  add_traversal_options(parser, options->traversal);
+  parser.footer(
       "Touching counts as overlap: corners and edges belong to their triangles. Only surfaces are\n"
       "tested: a body entirely inside another one does not overlap it." +
       example_of_pair("overlap knot.ply ball.off --pose \"0.5 0 0\""));
-  return [options, &app](Console& console) {
-    settle(app, *options);
-    const bool within = app.count("--within") > 0;
+  return [options, &parser](Console& console) {
+    settle(parser, *options);
+    const bool within = parser.count("--within") > 0;
     check_condition(options->fail_if, within);
     if (within) {
-      return run_within_of(app, *options, console);
+      return run_within_of(parser, *options, console);
     }
-    check_traversal(app, options->traversal);
+    check_traversal(parser, options->traversal);
     if (!options->list_pairs && options->query.mode != OverlapMode::all && !console.shared().json) {
       throw Error(ErrorKind::usage,
                   "--no-pairs has no effect: --any and --first list no pairs without --json",

@@ -25,7 +25,7 @@ struct OverlapVerbOptions : PairOptions {
   double within = 0;         ///< with --within: the clearance
 };
 
-[[nodiscard]] Action add_overlap(CLI::App& app, Shared& shared);
+[[nodiscard]] Action add_overlap(Parser& parser, Shared& shared);
 [[nodiscard]] int run_overlap(const OverlapVerbOptions& options, Console& console);
 
 }  // namespace soms::command

@@ -2,47 +2,49 @@
 
 #include "soms/base/error.h"
 
-#include <CLI/CLI.hpp>
+#include "apps/cli/parser.h"
 
 #include <algorithm>
 #include <array>
 
 namespace soms::command {
 
-void add_posed_models(CLI::App& app, PairOptions& options) {
-  app.add_option("A", options.a, "first model; - is standard input")->required()->type_name("");
-  app.add_option("B", options.b, "second model")->required()->type_name("");
-  app.add_option("--pose", options.pose_a,
-                 "pose of A: \"x y z [qw qx qy qz]\", or CSV, .npy, .npz, a row per pose; - "
-                 "is standard input")
+void add_posed_models(Parser& parser, PairOptions& options) {
+  parser.add_option("A", options.a, "first model; - is standard input")->required();
+  parser.add_option("B", options.b, "second model")->required();
+  parser
+      .add_option("--pose", options.pose_a,
+                  "pose of A: \"x y z [qw qx qy qz]\", or CSV, .npy, .npz, a row per pose; - "
+                  "is standard input")
       ->option_text("POSE")
       ->group(kQuestionGroup);
-  app.add_option("--pose-b", options.pose_b, "pose of B, in the same form")
+  parser.add_option("--pose-b", options.pose_b, "pose of B, in the same form")
       ->option_text("POSE")
       ->group(kQuestionGroup);
 }
 
-void add_verify(CLI::App& app, PairOptions& options) {
-  app.add_flag("--verify", options.verify,
-               "compare with brute force; exit with status 6 if they differ")
+void add_verify(Parser& parser, PairOptions& options) {
+  parser
+      .add_flag("--verify", options.verify,
+                "compare with brute force; exit with status 6 if they differ")
       ->group(kQuestionGroup);
 }
 
-void add_model_reading(CLI::App& app, PairOptions& options) {
-  add_model_options(app, options.model_a, "--scale", "--up", "A");
-  add_model_options(app, options.model_b, "--scale-b", "--up-b", "B");
-  app.add_flag("--allow-empty", options.model_a.allow_empty, "accept models without triangles")
+void add_model_reading(Parser& parser, PairOptions& options) {
+  add_model_options(parser, options.model_a, "--scale", "--up", "A");
+  add_model_options(parser, options.model_b, "--scale-b", "--up-b", "B");
+  parser.add_flag("--allow-empty", options.model_a.allow_empty, "accept models without triangles")
       ->group("Models");
-  add_strict(app, options.model_a.strict);
-  add_build_options(app, options.build);
+  add_strict(parser, options.model_a.strict);
+  add_build_options(parser, options.build);
 }
 
-void settle(const CLI::App& app, PairOptions& options) {
+void settle(const Parser& parser, PairOptions& options) {
   options.model_a.offers_empty = true;
   options.model_b.offers_empty = true;
   options.model_b.allow_empty = options.model_a.allow_empty;
   options.model_b.strict = options.model_a.strict;
-  check_build(app, options.build);
+  check_build(parser, options.build);
 }
 
 std::string example_of_pair(const std::string& line) {

@@ -28,17 +28,17 @@ struct PairOptions {
 };
 
 /// Adds A, B, --pose and --pose-b.
-void add_posed_models(CLI::App& app, PairOptions& options);
+void add_posed_models(Parser& parser, PairOptions& options);
 
 /// Adds --verify.
-void add_verify(CLI::App& app, PairOptions& options);
+void add_verify(Parser& parser, PairOptions& options);
 
 /// Adds the options that say how models are read, and those of their trees.
-void add_model_reading(CLI::App& app, PairOptions& options);
+void add_model_reading(Parser& parser, PairOptions& options);
 
 /// Spreads options that hold for both models.
 /// \errors As `check_build`.
-void settle(const CLI::App& app, PairOptions& options);
+void settle(const Parser& parser, PairOptions& options);
 
 /// The end of --help: two models, and `line` as a command that asks about them.
 [[nodiscard]] std::string example_of_pair(const std::string& line);

@@ -12,47 +12,47 @@
 
 namespace soms::command {
 
-void add_probed_model(CLI::App& app, ProbeOptions& options, const std::string& model) {
-  app.add_option("MODEL", options.model, model + "; - is standard input")
-      ->required()
-      ->type_name("");
+void add_probed_model(Parser& parser, ProbeOptions& options, const std::string& model) {
+  parser.add_option("MODEL", options.model, model + "; - is standard input")->required();
 }
 
-CLI::Option* add_rows(CLI::App& app, const std::string& name, std::string& target,
-                      const std::string& what, const std::string& header) {
-  return app
+Option* add_rows(Parser& parser, const std::string& name, std::string& target,
+                 const std::string& what, const std::string& header) {
+  return parser
       .add_option(name, target,
                   what + ": CSV (header " + header + "), .npy or .npz; - is standard input")
       ->option_text("FILE")
       ->group(kQuestionGroup);
 }
 
-void add_model_pose(CLI::App& app, ProbeOptions& options) {
-  app.add_option("--pose", options.pose,
-                 "pose of the model: \"x y z [qw qx qy qz]\", or a file of one row")
+void add_model_pose(Parser& parser, ProbeOptions& options) {
+  parser
+      .add_option("--pose", options.pose,
+                  "pose of the model: \"x y z [qw qx qy qz]\", or a file of one row")
       ->option_text("POSE")
       ->group(kQuestionGroup);
 }
 
-void add_points(CLI::App& app, PointOptions& options, const std::string& model) {
-  add_probed_model(app, options, model);
-  add_rows(app, "--points", options.points, "points", "x,y,z")->required();
-  add_model_pose(app, options);
+void add_points(Parser& parser, PointOptions& options, const std::string& model) {
+  add_probed_model(parser, options, model);
+  add_rows(parser, "--points", options.points, "points", "x,y,z")->required();
+  add_model_pose(parser, options);
 }
 
-void add_probe_options(CLI::App& app, ProbeOptions& options) {
-  app.add_flag("--verify", options.verify,
-               "compare with brute force; exit with status 6 if they differ")
+void add_probe_options(Parser& parser, ProbeOptions& options) {
+  parser
+      .add_flag("--verify", options.verify,
+                "compare with brute force; exit with status 6 if they differ")
       ->group(kQuestionGroup);
-  add_model_options(app, options.reading, "--scale", "--up", "the model");
-  add_allow_empty(app, options.reading);
-  add_strict(app, options.reading.strict);
-  add_build_options(app, options.build);
+  add_model_options(parser, options.reading, "--scale", "--up", "the model");
+  add_allow_empty(parser, options.reading);
+  add_strict(parser, options.reading.strict);
+  add_build_options(parser, options.build);
 }
 
-void check_probe_options(CLI::App& app, ProbeOptions& options, const std::string& rows) {
+void check_probe_options(Parser& parser, ProbeOptions& options, const std::string& rows) {
   options.reading.offers_empty = true;
-  check_build(app, options.build);
+  check_build(parser, options.build);
   const std::array<std::string, 3> inputs{options.model, rows, options.pose.value_or("")};
   if (std::count(inputs.begin(), inputs.end(), "-") > 1) {
     throw Error(ErrorKind::usage, "standard input is given twice", "give one of them as a file");

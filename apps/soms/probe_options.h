@@ -33,24 +33,24 @@ struct PointOptions : ProbeOptions {
 };
 
 /// Adds MODEL. `model` says in the help what kind of model is needed.
-void add_probed_model(CLI::App& app, ProbeOptions& options, const std::string& model);
+void add_probed_model(Parser& parser, ProbeOptions& options, const std::string& model);
 
 /// Adds the option that names a file of rows: "--points", "points", "x,y,z".
-CLI::Option* add_rows(CLI::App& app, const std::string& name, std::string& target,
-                      const std::string& what, const std::string& header);
+Option* add_rows(Parser& parser, const std::string& name, std::string& target,
+                 const std::string& what, const std::string& header);
 
 /// Adds --pose.
-void add_model_pose(CLI::App& app, ProbeOptions& options);
+void add_model_pose(Parser& parser, ProbeOptions& options);
 
 /// Adds MODEL, --points and --pose.
-void add_points(CLI::App& app, PointOptions& options, const std::string& model);
+void add_points(Parser& parser, PointOptions& options, const std::string& model);
 
 /// Adds what follows the options of the question: --verify, and those of the model and its tree.
-void add_probe_options(CLI::App& app, ProbeOptions& options);
+void add_probe_options(Parser& parser, ProbeOptions& options);
 
 /// Settles the options once they are parsed. `rows` is the file of rows.
 /// \errors ErrorKind::usage for standard input given twice.
-void check_probe_options(CLI::App& app, ProbeOptions& options, const std::string& rows);
+void check_probe_options(Parser& parser, ProbeOptions& options, const std::string& rows);
 
 /// The pose that --pose gives, by its text or a file of one row.
 /// \errors As `PoseSource`; ErrorKind::usage for more than one row.

@@ -70,40 +70,42 @@ std::optional<std::string> difference_of(const RayAnswer& answer, const RayAnswe
                                ", and the answer is another");
 }
 
-Action add_ray(CLI::App& app, Shared&) {
+Action add_ray(Parser& parser, Shared&) {
   const auto options = std::make_shared<RayVerbOptions>();
-  add_probed_model(app, *options, "model");
-  add_rows(app, "--rays", options->rays, "rays", "ox,oy,oz,dx,dy,dz[,length]");
-  add_rows(app, "--segments", options->segments, "segments", "x0,y0,z0,x1,y1,z1");
-  add_model_pose(app, *options);
-  app.add_flag("--any", options->any, "only say whether each ray hits anything")
+  add_probed_model(parser, *options, "model");
+  add_rows(parser, "--rays", options->rays, "rays", "ox,oy,oz,dx,dy,dz[,length]");
+  add_rows(parser, "--segments", options->segments, "segments", "x0,y0,z0,x1,y1,z1");
+  add_model_pose(parser, *options);
+  parser.add_flag("--any", options->any, "only say whether each ray hits anything")
       ->group(kQuestionGroup);
-  app.add_flag("--all", options->all, "list every place where each ray meets the model")
+  parser.add_flag("--all", options->all, "list every place where each ray meets the model")
       ->group(kQuestionGroup);
-  app.add_option_function<std::string>(
-         "--skip",
-         [options](const std::string& text) {
-           options->skip = static_cast<TriangleId>(parse_count("--skip", text, 0, 0xffffffffU));
-         },
-         "leave this triangle out, as the one that the rays start on")
+  parser
+      .add_option_function(
+          "--skip",
+          [options](const std::string& text) {
+            options->skip = static_cast<TriangleId>(parse_count("--skip", text, 0, 0xffffffffU));
+          },
+          "leave this triangle out, as the one that the rays start on")
       ->option_text("N")
       ->group(kQuestionGroup);
-  add_choice<bool>(app, "--fail-if", options->fail_if_hit, {{"hit", true}},
+  add_choice<bool>(parser, "--fail-if", options->fail_if_hit, {{"hit", true}},
                    "exit with status 1 if a ray hits anything")
       ->group(kQuestionGroup);
-  add_output(app, "--csv", options->csv, "write the answers as CSV")->group(kQuestionGroup);
-  add_binary(app, options->binary);
-  add_probe_options(app, *options);
-  app.footer(
+  add_output(parser, "--csv", options->csv, "write the answers as CSV")->group(kQuestionGroup);
+  add_binary(parser, options->binary);
+  add_probe_options(parser, *options);
+  parser.footer(
       "The first point of the surface on each ray, decided exactly: none slips through an edge or\n"
       "a corner. A ray counts its t in units of its direction, a segment from 0 to 1.\n\n"
       "Example:\n"
       "  soms generate knot --triangles 2000 -o knot.ply\n"
       "  printf 'ox,oy,oz,dx,dy,dz\\n-3,0,0,1,0,0\\n3,0.25,0.125,-1,0,0\\n' | soms ray knot.ply "
       "--rays -");
-  return [options, &app](Console& console) {
+  return [options, &parser](Console& console) {
     check_ray_options(*options);
-    check_probe_options(app, *options, options->rays.empty() ? options->segments : options->rays);
+    check_probe_options(parser, *options,
+                        options->rays.empty() ? options->segments : options->rays);
     return run_ray(*options, console);
   };
 }

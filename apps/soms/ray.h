@@ -22,7 +22,7 @@ struct RayVerbOptions : ProbeOptions {
   std::string csv = {};  ///< empty: none
 };
 
-[[nodiscard]] Action add_ray(CLI::App& app, Shared& shared);
+[[nodiscard]] Action add_ray(Parser& parser, Shared& shared);
 [[nodiscard]] int run_ray(const RayVerbOptions& options, Console& console);
 
 }  // namespace soms::command

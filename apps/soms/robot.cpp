@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 #include "soms/robot/reference/robot_query.h"
 
+#include "apps/cli/parser.h"
 #include "apps/soms/pair_options.h"
 #include "apps/soms/robot_output.h"
 #include "apps/soms/robot_states.h"
@@ -13,7 +14,6 @@
 #include "apps/support/row_run.h"
 #include "apps/support/text.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -235,8 +235,8 @@ class RobotRun : public RowRun {
   bool all_right_ = true;
 };
 
-void check_options(const CLI::App& app, const RobotVerbOptions& options) {
-  if (options.states.empty() == (app.count("--random") == 0)) {
+void check_options(const Parser& parser, const RobotVerbOptions& options) {
+  if (options.states.empty() == (parser.count("--random") == 0)) {
     throw Error(ErrorKind::usage,
                 options.states.empty() ? "no states are given"
                                        : "--states and --random both give the states",
@@ -246,7 +246,7 @@ void check_options(const CLI::App& app, const RobotVerbOptions& options) {
     throw Error(ErrorKind::usage, "--home has no effect without --states",
                 "leave it out, or also give --states FILE");
   }
-  if (app.count("--at-most") != 0 && !options.distance) {
+  if (parser.count("--at-most") != 0 && !options.distance) {
     throw Error(ErrorKind::usage, "--at-most has no effect without --distance",
                 "leave it out, or also give --distance");
   }
@@ -266,80 +266,87 @@ void check_options(const CLI::App& app, const RobotVerbOptions& options) {
   }
 }
 
-void add_robot_models(CLI::App& app, RobotVerbOptions& options) {
+void add_robot_models(Parser& parser, RobotVerbOptions& options) {
   constexpr const char* kGroup = "Robot and cell";
-  app.add_option("ROBOT", options.urdf, "the robot: a URDF file")->required()->type_name("");
-  app.add_option("--srdf", options.srdf, "SRDF file: pairs of links that may touch, named states")
+  parser.add_option("ROBOT", options.urdf, "the robot: a URDF file")->required();
+  parser
+      .add_option("--srdf", options.srdf, "SRDF file: pairs of links that may touch, named states")
       ->option_text("FILE")
       ->group(kGroup);
-  add_repeatable(app, "--package", options.packages,
+  add_repeatable(parser, "--package", options.packages,
                  "folder of a package, where package://NAME/ is looked for; may be repeated",
                  "NAME=DIR");
-  add_repeatable(app, "--cell", options.cell,
+  add_repeatable(parser, "--cell", options.cell,
                  "model of the cell, in meters, compared with all links; may be repeated", "FILE");
-  app.add_option("--base", options.base,
-                 "pose of the root link in the cell: \"x y z [qw qx qy qz]\"")
+  parser
+      .add_option("--base", options.base,
+                  "pose of the root link in the cell: \"x y z [qw qx qy qz]\"")
       ->option_text("POSE");
-  add_repeatable(app, "--ignore", options.ignored,
+  add_repeatable(parser, "--ignore", options.ignored,
                  "leave out a pair of links, besides those of the SRDF file; may be repeated",
                  "LINK,LINK");
-  add_repeatable(app, "--off-cell", options.off_cell,
+  add_repeatable(parser, "--off-cell", options.off_cell,
                  "do not compare a link with the cell, such as one that stands on it; may be "
                  "repeated",
                  "LINK");
-  add_positive(app, "--round-error", options.round_error,
+  add_positive(parser, "--round-error", options.round_error,
                "how far meshes of cylinders and spheres may exceed them, in meters (0.0005)");
   for (const char* const name :
        {"--package", "--cell", "--base", "--ignore", "--off-cell", "--round-error"}) {
-    app.get_option(name)->group(kGroup);
+    parser.option(name)->group(kGroup);
   }
 }
 
-void add_robot_questions(CLI::App& app, RobotVerbOptions& options) {
-  app.add_option("--states", options.states,
-                 "states: CSV, with names of joints as a header or without, or .npy; - is standard "
-                 "input")
+void add_robot_questions(Parser& parser, RobotVerbOptions& options) {
+  parser
+      .add_option(
+          "--states", options.states,
+          "states: CSV, with names of joints as a header or without, or .npy; - is standard "
+          "input")
       ->option_text("FILE")
       ->group(kQuestionGroup);
-  add_count(app, "--random", options.random, 1, kMostRandom,
+  add_count(parser, "--random", options.random, 1, kMostRandom,
             "random states inside the joint limits, by --seed")
       ->group(kQuestionGroup);
-  app.add_option("--home", options.home,
-                 "values of joints without a column: zero, or a named state of the SRDF file")
+  parser
+      .add_option("--home", options.home,
+                  "values of joints without a column: zero, or a named state of the SRDF file")
       ->option_text("NAME")
       ->group(kQuestionGroup);
-  app.add_flag("--any", options.any, "stop at the first contact of each state")
+  parser.add_flag("--any", options.any, "stop at the first contact of each state")
       ->group(kQuestionGroup);
-  app.add_flag("--distance", options.distance, "also measure how near the nearest pair is")
+  parser.add_flag("--distance", options.distance, "also measure how near the nearest pair is")
       ->group(kQuestionGroup);
-  add_length(app, "--at-most", options.at_most, "beyond this distance, say no more than that")
+  add_length(parser, "--at-most", options.at_most, "beyond this distance, say no more than that")
       ->option_text("D")
       ->group(kQuestionGroup);
-  app.add_flag("--path", options.path, "the states are a path: say which one is blocked first")
+  parser.add_flag("--path", options.path, "the states are a path: say which one is blocked first")
       ->group(kQuestionGroup);
-  add_choice<bool>(app, "--fail-if", options.fail_if_contact, {{"contact", true}},
+  add_choice<bool>(parser, "--fail-if", options.fail_if_contact, {{"contact", true}},
                    "exit with status 1 if anything touches in any state")
       ->group(kQuestionGroup);
-  app.add_flag("--verify", options.verify,
-               "compare with brute force; exit with status 6 if they differ")
+  parser
+      .add_flag("--verify", options.verify,
+                "compare with brute force; exit with status 6 if they differ")
       ->group(kQuestionGroup);
   add_repeatable(
-      app, "-o,--output", options.outputs,
+      parser, "-o,--output", options.outputs,
       "write the states to a file, by its extension: .csv, .json or .jsonl; may be repeated",
       "FILE");
 }
 
 }  // namespace
 
-Action add_robot(CLI::App& app, Shared& shared) {
+Action add_robot(Parser& parser, Shared& shared) {
   const auto options = std::make_shared<RobotVerbOptions>();
-  add_robot_models(app, *options);
-  add_robot_questions(app, *options);
-  add_model_options(app, options->reading, "--scale", "--up", "the cell");
-  app.add_flag("--strict", options->reading.strict,
-               "make errors of notes, warnings, states out of limits or undecided by an open body")
+  add_robot_models(parser, *options);
+  add_robot_questions(parser, *options);
+  add_model_options(parser, options->reading, "--scale", "--up", "the cell");
+  parser
+      .add_flag("--strict", options->reading.strict,
+                "make errors of notes, warnings, states out of limits or undecided by an open body")
       ->group("Models");
-  app.footer(
+  parser.footer(
       "Exact for the poses that the joints give: surfaces that meet, and links inside of closed\n"
       "bodies. What may be inside of an open one is undecided. Without --srdf, links that a joint\n"
       "connects are not compared. Radians and meters.\n"
@@ -348,9 +355,9 @@ Action add_robot(CLI::App& app, Shared& shared) {
       "  printf '<robot><link name=\"a\"><collision><geometry><box size=\"1 1 1\"/></geometry>"
       "</collision></link></robot>' |\n"
       "    soms robot /dev/stdin --cell ball.off --base \"1 0 0\" --random 1");
-  return [options, &app, &shared](Console& console) {
+  return [options, &parser, &shared](Console& console) {
     options->seed = shared.seed;
-    check_options(app, *options);
+    check_options(parser, *options);
     return run_robot(*options, console);
   };
 }

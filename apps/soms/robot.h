@@ -26,7 +26,7 @@ struct RobotVerbOptions : RobotModelsOptions {
   std::vector<std::string> outputs;  ///< files
 };
 
-[[nodiscard]] Action add_robot(CLI::App& app, Shared& shared);
+[[nodiscard]] Action add_robot(Parser& parser, Shared& shared);
 [[nodiscard]] int run_robot(const RobotVerbOptions& options, Console& console);
 
 }  // namespace soms::command

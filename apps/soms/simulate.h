@@ -40,7 +40,7 @@ struct SimulateOptions {
   std::vector<std::string> ignored = {};  ///< pairs of movers that are not, "A,B"
 };
 
-[[nodiscard]] Action add_simulate(CLI::App& app, Shared& shared);
+[[nodiscard]] Action add_simulate(Parser& parser, Shared& shared);
 [[nodiscard]] int run_simulate(const SimulateOptions& given, Console& console);
 
 }  // namespace soms::command

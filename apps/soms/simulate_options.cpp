@@ -1,7 +1,6 @@
+#include "apps/cli/parser.h"
 #include "apps/soms/simulate.h"
 #include "apps/support/parse.h"
-
-#include <CLI/CLI.hpp>
 
 #include <memory>
 #include <string>
@@ -30,12 +29,12 @@ const char* const kFooter =
     "  soms simulate town.ply --mover car.ply --count 50 --frames 60 --events events.csv";
 
 /// The options of trees and traversals that were given, with their values.
-std::vector<std::string> words_of_trees(const CLI::App& app) {
-  const std::string group = app.get_option("--rule")->get_group();
+std::vector<std::string> words_of_trees(const Parser& parser) {
+  const std::string group = parser.option("--rule")->group();
   std::vector<std::string> words;
-  for (const CLI::Option* const option : app.get_options()) {
-    if (option->get_group() == group && option->count() > 0) {
-      words.push_back(option->get_name());
+  for (const Option* const option : parser.options()) {
+    if (option->group() == group && option->count() > 0) {
+      words.push_back(option->name());
       words.insert(words.end(), option->results().begin(), option->results().end());
     }
   }
@@ -44,56 +43,58 @@ std::vector<std::string> words_of_trees(const CLI::App& app) {
 
 }  // namespace
 
-Action add_simulate(CLI::App& app, Shared&) {
+Action add_simulate(Parser& parser, Shared&) {
   const auto options = std::make_shared<SimulateOptions>();
-  add_world_options(app, options->world);
-  add_world_tree_options(app, options->world);
-  const CLI::Option* frames =
-      add_count(app, "--frames", options->frames, 1, kMostFrames,
+  add_world_options(parser, options->world);
+  add_world_tree_options(parser, options->world);
+  const Option* frames =
+      add_count(parser, "--frames", options->frames, 1, kMostFrames,
                 "number of frames (600; with --route of poses, as many as the longest has rows)");
-  app.add_flag("--verify", options->verify,
-               "check contacts, and a sample of free movers, by brute force");
-  app.add_flag_callback(
+  parser.add_flag("--verify", options->verify,
+                  "check contacts, and a sample of free movers, by brute force");
+  parser.add_flag_callback(
       "--no-between-movers", [options] { options->between_movers = false; },
       "test movers against the city alone, not against each other");
   add_repeatable(
-      app, "--ignore", options->ignored,
+      parser, "--ignore", options->ignored,
       "do not test two movers against each other, as neighboring links of\n"
       "a robot; each is a number as in --events or the name of a model;\nmay be repeated",
       "A,B");
-  add_positive(app, "--clearance", options->clearance,
+  add_positive(parser, "--clearance", options->clearance,
                "report what comes within this distance (above 0), too, and how\n"
                "near; --map, --report and --picture draw it, --record keeps it");
-  add_output(app, "--map", options->map, "draw the city, its movers and contacts as SVG");
-  add_output(app, "--report", options->report,
+  add_output(parser, "--map", options->map, "draw the city, its movers and contacts as SVG");
+  add_output(parser, "--report", options->report,
              "write an HTML report with figures, a time line and the scene in 3-D");
-  add_output(app, "--events", options->events,
+  add_output(parser, "--events", options->events,
              "write who touches what, from when to when, as CSV: one row for a mover and\n"
              "the part of the city, or other mover, that it touches (and near events)");
-  add_output(app, "--contacts", options->contacts,
+  add_output(parser, "--contacts", options->contacts,
              "write the beginning and end of every contact, triangle by triangle, as CSV");
-  add_output(app, "--record", options->record,
+  add_output(parser, "--record", options->record,
              "write poses and contacts (and gaps) of every frame; soms view plays the\n"
              "file");
-  app.add_flag("--view", options->view, "show the simulation in a window instead of reporting it");
-  add_output(app, "--picture", options->picture, "draw the last frame and its contacts as PNG");
-  app.add_option_function<std::string>(
-         "--picture-frame",
-         [options](const std::string& value) {
-           options->picture_frame = parse_count("--picture-frame", value, 0, kMostFrames);
-         },
-         "frame to draw with --picture, counted from 0 (the last)")
+  parser.add_flag("--view", options->view,
+                  "show the simulation in a window instead of reporting it");
+  add_output(parser, "--picture", options->picture, "draw the last frame and its contacts as PNG");
+  parser
+      .add_option_function(
+          "--picture-frame",
+          [options](const std::string& value) {
+            options->picture_frame = parse_count("--picture-frame", value, 0, kMostFrames);
+          },
+          "frame to draw with --picture, counted from 0 (the last)")
       ->option_text("N");
   add_choice<FailIf>(
-      app, "--fail-if", options->fail_if,
+      parser, "--fail-if", options->fail_if,
       {{"overlap", FailIf::contact}, {"contact", FailIf::contact}, {"near", FailIf::near}},
       "exit with status 1 if anything touches, or comes within the\n--clearance");
-  app.footer(kFooter);
-  return [options, frames, &app](Console& console) {
+  parser.footer(kFooter);
+  return [options, frames, &parser](Console& console) {
     options->frames_given = frames->count() > 0;
-    check_build(app, options->world.build);
-    check_traversal(app, options->world.traversal);
-    options->tree_words = words_of_trees(app);
+    check_build(parser, options->world.build);
+    check_traversal(parser, options->world.traversal);
+    options->tree_words = words_of_trees(parser);
     return run_simulate(*options, console);
   };
 }

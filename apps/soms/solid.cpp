@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 #include "soms/query/reference/solid.h"
 
+#include "apps/cli/parser.h"
 #include "apps/soms/pose_run.h"
 #include "apps/soms/solid_output.h"
 #include "apps/soms/solid_parts.h"
@@ -13,7 +14,6 @@
 #include "apps/support/part_names.h"
 #include "apps/support/text.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -323,25 +323,25 @@ class SolidPartsRun : public PoseRun {
 
 }  // namespace
 
-Action add_solid(CLI::App& app, Shared&) {
+Action add_solid(Parser& parser, Shared&) {
   const auto options = std::make_shared<SolidVerbOptions>();
-  add_posed_models(app, *options);
-  add_choice<bool>(app, "--by", options->by_part, {{"model", false}, {"part", true}},
+  add_posed_models(parser, *options);
+  add_choice<bool>(parser, "--by", options->by_part, {{"model", false}, {"part", true}},
                    "whether to answer for the models or for each pair of their parts")
       ->group(kQuestionGroup);
-  add_choice<bool>(app, "--fail-if", options->fail_if_solid, {{"solid", true}},
+  add_choice<bool>(parser, "--fail-if", options->fail_if_solid, {{"solid", true}},
                    "exit with status 1 if interior is shared; touching is not enough")
       ->group(kQuestionGroup);
-  add_output(app, "--csv", options->csv, "write the answers as CSV")->group(kQuestionGroup);
-  add_binary(app, options->binary);
-  add_verify(app, *options);
-  add_model_reading(app, *options);
-  app.footer(
+  add_output(parser, "--csv", options->csv, "write the answers as CSV")->group(kQuestionGroup);
+  add_binary(parser, options->binary);
+  add_verify(parser, *options);
+  add_model_reading(parser, *options);
+  parser.footer(
       "Exact: clear, touching, crossing, A in B, B in A or same. Both models must be closed; soms\n"
       "info says whether they are. Which way their triangles face does not matter." +
       example_of_pair("solid knot.ply ball.off --pose \"0.5 0 0\""));
-  return [options, &app](Console& console) {
-    settle(app, *options);
+  return [options, &parser](Console& console) {
+    settle(parser, *options);
     return run_solid(*options, console);
   };
 }

@@ -19,7 +19,7 @@ struct SolidVerbOptions : PairOptions {
   bool fail_if_solid = false;
 };
 
-[[nodiscard]] Action add_solid(CLI::App& app, Shared& shared);
+[[nodiscard]] Action add_solid(Parser& parser, Shared& shared);
 [[nodiscard]] int run_solid(const SolidVerbOptions& options, Console& console);
 
 }  // namespace soms::command

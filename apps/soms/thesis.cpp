@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 #include "soms/thesis/thesis_frames.h"
 
+#include "apps/cli/parser.h"
 #include "apps/soms/thesis_lists.h"
 #include "apps/soms/thesis_output.h"
 #include "apps/soms/thesis_picture.h"
@@ -13,7 +14,6 @@
 #include "apps/support/parse.h"
 #include "apps/support/text.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <memory>
@@ -47,62 +47,62 @@ Choices<std::string> test_choices() {
   return choices;
 }
 
-void add_tests(CLI::App& app, ThesisOptions& options) {
-  app.add_option("A", options.a, "model that does not move (default: the models of the thesis)")
-      ->type_name("");
-  app.add_option("B", options.b, "model that moves (A)")->type_name("");
+void add_tests(Parser& parser, ThesisOptions& options) {
+  parser.add_option("A", options.a, "model that does not move (default: the models of the thesis)");
+  parser.add_option("B", options.b, "model that moves (A)");
   add_choice<std::string>(
-      app, "--test", options.test, test_choices(),
+      parser, "--test", options.test, test_choices(),
       "side from which B comes, drive (through A), or all: every side and,\n"
       "without A, the drive (the thesis' four sides and, without A, its drive)\n")
       ->group(kTestGroup);
-  add_choice<bool>(app, "--frames", options.all_frames, {{"overlap", false}, {"all", true}},
+  add_choice<bool>(parser, "--frames", options.all_frames, {{"overlap", false}, {"all", true}},
                    "frames in the table of one test: those in which the roots overlap, or all\n"
                    "(overlap)")
       ->group(kTestGroup);
-  add_count(app, "--repeat", options.repetitions, 1, 10'000,
+  add_count(parser, "--repeat", options.repetitions, 1, 10'000,
             fmt::format("runs of which times are the median ({})", options.repetitions))
       ->group(kTestGroup);
-  app.add_option("--models", options.models,
-                 "folder of the thesis' models: bun_zipper_res4.ply, venus.ply, teapot_1177.ply,\n"
-                 "teapot.ply, there or in its folder ply; .3ds scenes there or in scenes")
+  parser
+      .add_option("--models", options.models,
+                  "folder of the thesis' models: bun_zipper_res4.ply, venus.ply, teapot_1177.ply,\n"
+                  "teapot.ply, there or in its folder ply; .3ds scenes there or in scenes")
       ->option_text("DIR")
       ->group("Models");
 }
 
-void add_results(CLI::App& app, ThesisOptions& options) {
-  add_output(app, "--csv", options.csv, "write the frames as CSV, one row per frame");
-  add_repeatable(app, "-o,--output", options.outputs,
+void add_results(Parser& parser, ThesisOptions& options) {
+  add_output(parser, "--csv", options.csv, "write the frames as CSV, one row per frame");
+  add_repeatable(parser, "-o,--output", options.outputs,
                  "write the tests to a file, by its extension: .csv or .json; may be repeated",
                  "FILE");
-  CLI::Option* const picture = add_output(
-      app, "--picture", options.picture,
+  Option* const picture = add_output(
+      parser, "--picture", options.picture,
       "draw the first frame in which roots overlap, the first contact and the\nlast frame "
       "of each test, as PNG in this folder",
       "DIR");
-  app.add_flag("--view", options.view, "show the test in a window instead")->excludes(picture);
+  parser.add_flag("--view", options.view, "show the test in a window instead")->excludes(picture);
 }
 
 /// Adds the options of trees with the defaults of the thesis, and --level for --levels.
-void add_trees(CLI::App& app, ThesisOptions& options) {
-  add_build_options(app, options.build);
-  CLI::Option* const levels = app.get_option("--levels");
+void add_trees(Parser& parser, ThesisOptions& options) {
+  add_build_options(parser, options.build);
+  Option* const levels = parser.option("--levels");
   levels->description(
       "maximum number of levels; 0: no limit (15; of a scene to drive\nthrough 13)");
-  const std::string group = levels->get_group();
-  add_count(app, "--level", options.build.level, 0, 64, "the same as --levels")
+  const std::string group = levels->group();
+  add_count(parser, "--level", options.build.level, 0, 64, "the same as --levels")
       ->excludes(levels)
       ->group(group);
   // Their words name the defaults of other verbs.
-  app.get_option("--midpoint")->description("point that represents a triangle (thesis)");
-  app.get_option("--empty-side")->description("action when one side is empty (stop)");
-  add_traversal_options(app, options.traversal);
+  parser.option("--midpoint")->description("point that represents a triangle (thesis)");
+  parser.option("--empty-side")->description("action when one side is empty (stop)");
+  add_traversal_options(parser, options.traversal);
 }
 
 /// \errors ErrorKind::usage for an option that would change nothing beside the others.
-void check_effects(const CLI::App& app, const ThesisOptions& options) {
+void check_effects(const Parser& parser, const ThesisOptions& options) {
   const auto needs = [&](const char* option, bool there, const char* other) {
-    if (app.count(option) > 0 && !there) {
+    if (parser.count(option) > 0 && !there) {
       throw Error(ErrorKind::usage, fmt::format("{} has no effect without {}", option, other),
                   fmt::format("also give {}, or leave it out", other));
     }
@@ -113,7 +113,7 @@ void check_effects(const CLI::App& app, const ThesisOptions& options) {
   for (const char* const option : {"--scale-b", "--up-b"}) {
     needs(option, !options.b.empty(), "B");
   }
-  if (!options.a.empty() && app.count("--models") > 0) {
+  if (!options.a.empty() && parser.count("--models") > 0) {
     throw Error(ErrorKind::usage, "--models has no effect beside A",
                 "leave A out to run the models of the thesis, or leave --models out");
   }
@@ -125,16 +125,16 @@ void check_effects(const CLI::App& app, const ThesisOptions& options) {
 }
 
 /// \errors ErrorKind::usage, in words of the command, for options that do not go together.
-void settle(const CLI::App& app, ThesisOptions& options) {
+void settle(const Parser& parser, ThesisOptions& options) {
   options.model_b.strict = options.model_a.strict;
-  options.levels_are_given = app.count("--levels") + app.count("--level") > 0;
-  check_effects(app, options);
+  options.levels_are_given = parser.count("--levels") + parser.count("--level") > 0;
+  check_effects(parser, options);
   // What the thesis' options set and another rule does not use is no fault.
-  if (given_of(app, idle_options(options.build)).empty()) {
+  if (given_of(parser, idle_options(options.build)).empty()) {
     options.build = without_idle(options.build);
   }
-  check_build(app, options.build);
-  check_traversal(app, options.traversal);
+  check_build(parser, options.build);
+  check_traversal(parser, options.traversal);
 }
 
 void check_files(const ThesisOptions& options) {
@@ -197,19 +197,19 @@ std::vector<ThesisResult> run_trips(std::vector<ThesisTrip> trips, const ThesisO
 
 }  // namespace
 
-Action add_thesis(CLI::App& app, Shared&) {
+Action add_thesis(Parser& parser, Shared&) {
   const auto options = std::make_shared<ThesisOptions>();
-  add_tests(app, *options);
-  add_results(app, *options);
-  add_model_options(app, options->model_a, "--scale", "--up", "A");
-  add_model_options(app, options->model_b, "--scale-b", "--up-b", "B");
-  app.remove_option(app.get_option("--crs"));  // places on the Earth change nothing here
-  app.remove_option(app.get_option("--crs-b"));
-  add_strict(app, options->model_a.strict);
-  add_trees(app, *options);
-  app.footer(kFooter);
-  return [options, &app](Console& console) {
-    settle(app, *options);
+  add_tests(parser, *options);
+  add_results(parser, *options);
+  add_model_options(parser, options->model_a, "--scale", "--up", "A");
+  add_model_options(parser, options->model_b, "--scale-b", "--up-b", "B");
+  parser.remove_option(parser.option("--crs"));  // places on the Earth change nothing here
+  parser.remove_option(parser.option("--crs-b"));
+  add_strict(parser, options->model_a.strict);
+  add_trees(parser, *options);
+  parser.footer(kFooter);
+  return [options, &parser](Console& console) {
+    settle(parser, *options);
     return run_thesis(*options, console);
   };
 }

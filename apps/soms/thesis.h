@@ -38,7 +38,7 @@ struct ThesisOptions {
 };
 
 /// Adds the options of `thesis`.
-[[nodiscard]] Action add_thesis(CLI::App& app, Shared& shared);
+[[nodiscard]] Action add_thesis(Parser& parser, Shared& shared);
 
 /// Runs the tests and reports them; returns the exit status.
 [[nodiscard]] int run_thesis(const ThesisOptions& options, Console& console);

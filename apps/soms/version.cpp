@@ -74,8 +74,8 @@ std::string folded(const std::vector<std::string_view>& words) {
 
 }  // namespace
 
-Action add_version(CLI::App& app, Shared&) {
-  app.footer(
+Action add_version(Parser& parser, Shared&) {
+  parser.footer(
       "Example:\n"
       "  soms version");
   return [](Console& console) { return run_version(console); };

@@ -9,7 +9,7 @@ namespace soms::command {
 class Console;
 
 /// Adds the verb's options.
-[[nodiscard]] Action add_version(CLI::App& app, Shared& shared);
+[[nodiscard]] Action add_version(Parser& parser, Shared& shared);
 
 /// Prints the version, the instruction set that queries run on, and the formats.
 [[nodiscard]] int run_version(Console& console);

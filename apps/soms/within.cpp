@@ -204,24 +204,24 @@ std::optional<std::string> WithinQuestion::difference(const Body& a, const Body&
 
 }  // namespace
 
-Action add_within(CLI::App& app, Shared&) {
+Action add_within(Parser& parser, Shared&) {
   const auto options = std::make_shared<WithinVerbOptions>();
-  add_posed_models(app, *options);
-  add_length(app, "--clearance", options->clearance,
+  add_posed_models(parser, *options);
+  add_length(parser, "--clearance", options->clearance,
              "the distance to stay above; 0 asks for overlap")
       ->required()
       ->group(kQuestionGroup);
-  add_choice<bool>(app, "--fail-if", options->fail_if_within, {{"within", true}},
+  add_choice<bool>(parser, "--fail-if", options->fail_if_within, {{"within", true}},
                    "exit with status 1 if this is found")
       ->group(kQuestionGroup);
-  add_near_options(app, *options);
-  app.footer(
+  add_near_options(parser, *options);
+  parser.footer(
       "True if the distance of the surfaces is at most D, decided exactly; a body entirely inside\n"
       "another one is as far from it as its surface is. One pair of triangles that proves it is\n"
       "named." +
       example_of_pair("within knot.ply ball.off --clearance 0.5 --pose \"2.2 0 0\""));
-  return [options, &app](Console& console) {
-    settle(app, *options);
+  return [options, &parser](Console& console) {
+    settle(parser, *options);
     return run_within(*options, console);
   };
 }

@@ -16,7 +16,7 @@ struct WithinVerbOptions : NearOptions {
   bool fail_if_within = false;
 };
 
-[[nodiscard]] Action add_within(CLI::App& app, Shared& shared);
+[[nodiscard]] Action add_within(Parser& parser, Shared& shared);
 [[nodiscard]] int run_within(const WithinVerbOptions& options, Console& console);
 
 }  // namespace soms::command

@@ -88,91 +88,98 @@ Error in_words_of_options(const Error& error, const std::string& path, const Mod
 
 }  // namespace
 
-void add_model_options(CLI::App& app, ModelOptions& options, const std::string& scale_name,
+void add_model_options(Parser& parser, ModelOptions& options, const std::string& scale_name,
                        const std::string& up_name, const std::string& whose) {
   const char* const group = "Models";
-  add_positive(app, scale_name, options.scale,
-               "multiply the coordinates of " + whose + "; 1 confirms that the unit is right")
-      ->group(group)
-      ->each([&options](const std::string&) { options.scale_is_given = true; });
-  add_choice<UpAxis>(app, up_name, options.up,
+  parser
+      .add_option_function(
+          scale_name,
+          [&options, scale_name](const std::string& text) {
+            options.scale = parse_positive(scale_name, text);
+            options.scale_is_given = true;
+          },
+          "multiply the coordinates of " + whose + "; 1 confirms that the unit is right")
+      ->option_text("X")
+      ->group(group);
+  add_choice<UpAxis>(parser, up_name, options.up,
                      {{"x", UpAxis::x}, {"y", UpAxis::y}, {"z", UpAxis::z}},
                      "up axis of " + whose + ", rotated to z")
       ->group(group);
   if (const std::string crs_name = crs_option(up_name); !crs_name.empty()) {
-    app.add_option(
-           crs_name, options.crs,
-           "coordinate reference system of " + whose + ", such as EPSG:25833; recorded only")
+    parser
+        .add_option(
+            crs_name, options.crs,
+            "coordinate reference system of " + whose + ", such as EPSG:25833; recorded only")
         ->option_text("NAME")
-        ->check(CLI::Validator(
-            [](std::string& text) {
-              const bool number = text.find_first_not_of("0123456789 ") == std::string::npos;
-              return number ? "give the name of a system, such as EPSG:25833" : std::string();
-            },
-            ""))
+        ->check([](const std::string& text) {
+          const bool number = text.find_first_not_of("0123456789 ") == std::string::npos;
+          return number ? "give the name of a system, such as EPSG:25833" : std::string();
+        })
         ->group(group);
   }
 }
 
-void add_city_options(CLI::App& app, ModelOptions& options, const std::string& suffix,
+void add_city_options(Parser& parser, ModelOptions& options, const std::string& suffix,
                       const std::string& whose) {
-  add_level(app, "--lod" + suffix, options.lod,
+  add_level(parser, "--lod" + suffix, options.lod,
             "level of detail of " + whose + " (CityJSON): 1.2; default: the most detailed")
       ->group("Models");
-  app.add_flag("--surfaces" + suffix, options.surfaces,
-               "make each semantic surface of " + whose + " (CityJSON) a part: roof, wall")
+  parser
+      .add_flag("--surfaces" + suffix, options.surfaces,
+                "make each semantic surface of " + whose + " (CityJSON) a part: roof, wall")
       ->group("Models");
 }
 
-void add_strict(CLI::App& app, bool& strict) {
-  app.add_flag("--strict", strict, kStrictMeaning)->group("Models");
+void add_strict(Parser& parser, bool& strict) {
+  parser.add_flag("--strict", strict, kStrictMeaning)->group("Models");
 }
 
-void add_allow_empty(CLI::App& app, ModelOptions& options) {
+void add_allow_empty(Parser& parser, ModelOptions& options) {
   options.offers_empty = true;
-  app.add_flag("--allow-empty", options.allow_empty, "accept a model without triangles")
+  parser.add_flag("--allow-empty", options.allow_empty, "accept a model without triangles")
       ->group("Models");
 }
 
-void add_build_options(CLI::App& app, BuildOptions& options) {
-  const auto grouped = [](CLI::Option* option) { option->group(kTreeGroup); };
-  grouped(add_choice<Rule>(app, "--rule", options.rule, rule_choices(),
+void add_build_options(Parser& parser, BuildOptions& options) {
+  const auto grouped = [](Option* option) { option->group(kTreeGroup); };
+  grouped(add_choice<Rule>(parser, "--rule", options.rule, rule_choices(),
                            fmt::format("splitting rule ({})", entry(options.rule).kebab)));
-  grouped(add_count(app, "--levels", options.level, 0, 64,
+  grouped(add_count(parser, "--levels", options.level, 0, 64,
                     fmt::format("maximum number of levels; 0: no limit ({})", options.level)));
-  grouped(add_count(app, "--leaf", options.per_leaf, 1, 1'000'000'000,
+  grouped(add_count(parser, "--leaf", options.per_leaf, 1, 1'000'000'000,
                     fmt::format("maximum number of triangles in a leaf ({})", options.per_leaf)));
   grouped(add_choice<Midpoint>(
-      app, "--midpoint", options.midpoint,
+      parser, "--midpoint", options.midpoint,
       {{"thesis", Midpoint::thesis}, {"centroid", Midpoint::centroid}, {"aabb", Midpoint::aabb}},
       "point that represents a triangle (aabb)"));
-  grouped(add_choice<AxisFrom>(app, "--axis-from", options.axis_from,
+  grouped(add_choice<AxisFrom>(parser, "--axis-from", options.axis_from,
                                {{"outer", AxisFrom::outer}, {"inner", AxisFrom::inner}},
                                "box whose longest axis is split (default: set by the rule)"));
-  grouped(add_choice<EmptySide>(app, "--empty-side", options.empty_side,
+  grouped(add_choice<EmptySide>(parser, "--empty-side", options.empty_side,
                                 {{"stop", EmptySide::stop},
                                  {"next-axis", EmptySide::next_axis},
                                  {"object-median", EmptySide::object_median},
                                  {"chain", EmptySide::chain}},
                                 "action when one side is empty (object-median)"));
-  grouped(add_count(app, "--root-level", options.root_level, 0, 1, "level number of the root (1)"));
-  grouped(add_count(app, "--c-vertex", options.c_vertex, 0, 2,
+  grouped(
+      add_count(parser, "--root-level", options.root_level, 0, 1, "level number of the root (1)"));
+  grouped(add_count(parser, "--c-vertex", options.c_vertex, 0, 2,
                     "vertex that is C for --midpoint thesis (2)"));
 }
 
-std::vector<std::string> given_of(const CLI::App& app, const std::vector<IdleOption>& idle) {
+std::vector<std::string> given_of(const Parser& parser, const std::vector<IdleOption>& idle) {
   std::vector<std::string> given;
   for (const IdleOption& option : idle) {
-    if (app.count(option_of(option.name)) > 0) {
+    if (parser.count(option_of(option.name)) > 0) {
       given.push_back(option_of(option.name));
     }
   }
   return given;
 }
 
-void refuse_given(const CLI::App& app, const std::vector<IdleOption>& idle) {
+void refuse_given(const Parser& parser, const std::vector<IdleOption>& idle) {
   for (const IdleOption& option : idle) {
-    if (given_of(app, {option}).empty()) {
+    if (given_of(parser, {option}).empty()) {
       continue;
     }
     const std::string name = option_of(option.name);
@@ -184,37 +191,37 @@ void refuse_given(const CLI::App& app, const std::vector<IdleOption>& idle) {
   }
 }
 
-void check_build(const CLI::App& app, const BuildOptions& options) {
+void check_build(const Parser& parser, const BuildOptions& options) {
   if (options.empty_side == EmptySide::chain && options.level == 0) {
     throw Error(ErrorKind::usage, "--empty-side chain without --levels never ends",
                 "also give --levels N");
   }
-  refuse_given(app, idle_options(options));
+  refuse_given(parser, idle_options(options));
   check(options);
 }
 
-std::string given_of_trees(const CLI::App& app) {
-  for (const CLI::Option* const option : app.get_options()) {
-    if (option->get_group() == kTreeGroup && option->count() > 0) {
-      return option->get_name();
+std::string given_of_trees(const Parser& parser) {
+  for (const Option* const option : parser.options()) {
+    if (option->group() == kTreeGroup && option->count() > 0) {
+      return option->name();
     }
   }
   return {};
 }
 
-void add_traversal_options(CLI::App& app, TraversalOptions& options) {
-  add_choice<Traversal>(app, "--traversal", options.traversal, traversal_choices(),
+void add_traversal_options(Parser& parser, TraversalOptions& options) {
+  add_choice<Traversal>(parser, "--traversal", options.traversal, traversal_choices(),
                         "traversal algorithm")
       ->group(kTreeGroup);
-  add_choice<Descent>(app, "--descent", options.descent, descent_choices(),
+  add_choice<Descent>(parser, "--descent", options.descent, descent_choices(),
                       "nodes that E-Node descends into")
       ->group(kTreeGroup);
 }
 
-void check_traversal(const CLI::App& app, const TraversalOptions& options) {
+void check_traversal(const Parser& parser, const TraversalOptions& options) {
   std::vector<IdleOption> idle = idle_options(options);
   std::erase_if(idle, [](const IdleOption& option) { return option.name != "descent"; });
-  refuse_given(app, idle);
+  refuse_given(parser, idle);
   if (options.traversal == Traversal::e_node_front && options.descent != Descent::both &&
       options.descent != Descent::larger) {
     throw Error(ErrorKind::usage,

@@ -11,13 +11,10 @@
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-}  // namespace CLI
-
 namespace soms::command {
 
 class Console;
+class Parser;
 
 /// How one model is read.
 struct ModelOptions {
@@ -35,11 +32,11 @@ struct ModelOptions {
 
 /// Adds options named `scale_name` and `up_name` ("--scale", "--up"); beside "--up" and "--up-b" of
 /// models that stay where they are, --crs with the same suffix.
-void add_model_options(CLI::App& app, ModelOptions& options, const std::string& scale_name,
+void add_model_options(Parser& parser, ModelOptions& options, const std::string& scale_name,
                        const std::string& up_name, const std::string& whose);
 
 /// Adds --lod and --surfaces, with a suffix ("-b") for the second of two models.
-void add_city_options(CLI::App& app, ModelOptions& options, const std::string& suffix,
+void add_city_options(Parser& parser, ModelOptions& options, const std::string& suffix,
                       const std::string& whose);
 
 /// What --strict means.
@@ -47,34 +44,34 @@ inline constexpr const char* kStrictMeaning =
     "treat warnings and notes about a model as errors (exit status 3)";
 
 /// Adds --strict, which a verb of two models also refuses `FrameWarning`s by.
-void add_strict(CLI::App& app, bool& strict);
+void add_strict(Parser& parser, bool& strict);
 
 /// Adds --allow-empty.
-void add_allow_empty(CLI::App& app, ModelOptions& options);
+void add_allow_empty(Parser& parser, ModelOptions& options);
 
 /// Adds --rule, --levels, --leaf and the thesis' options of a build.
-void add_build_options(CLI::App& app, BuildOptions& options);
+void add_build_options(Parser& parser, BuildOptions& options);
 
 /// \errors ErrorKind::usage, in words of the command, for options of a build that do not go
 /// together, and for one that was given and has no effect beside the others.
-void check_build(const CLI::App& app, const BuildOptions& options);
+void check_build(const Parser& parser, const BuildOptions& options);
 
 /// Those options of `idle` that were given, by their names on the command line.
-[[nodiscard]] std::vector<std::string> given_of(const CLI::App& app,
+[[nodiscard]] std::vector<std::string> given_of(const Parser& parser,
                                                 const std::vector<IdleOption>& idle);
 
 /// \errors ErrorKind::usage for an option of `idle` that was given: it would change nothing.
-void refuse_given(const CLI::App& app, const std::vector<IdleOption>& idle);
+void refuse_given(const Parser& parser, const std::vector<IdleOption>& idle);
 
 /// The first option of trees or their traversal that was given; empty if none was.
-[[nodiscard]] std::string given_of_trees(const CLI::App& app);
+[[nodiscard]] std::string given_of_trees(const Parser& parser);
 
 /// Adds --traversal and --descent.
-void add_traversal_options(CLI::App& app, TraversalOptions& options);
+void add_traversal_options(Parser& parser, TraversalOptions& options);
 
 /// \errors ErrorKind::usage for a --descent that the traversal does not have. Options that the
 /// caller set beside those of the command line must go with every traversal.
-void check_traversal(const CLI::App& app, const TraversalOptions& options);
+void check_traversal(const Parser& parser, const TraversalOptions& options);
 
 /// Reads a model with a progress bar, scales and turns it. "-" is standard input. Its notes go to
 /// standard error, unless `lists_notes`.

@@ -49,9 +49,9 @@ std::string upper_case(std::string_view text) {
 /// Adds an option that is a finite number for which `fits` holds; where it does not, the error has
 /// this remedy.
 template <class Target>
-CLI::Option* add_number(CLI::App& app, const std::string& name, Target& target,
-                        const std::string& text, bool (*fits)(double), const char* remedy) {
-  return app.add_option_function<std::string>(
+Option* add_number(Parser& parser, const std::string& name, Target& target, const std::string& text,
+                   bool (*fits)(double), const char* remedy) {
+  return parser.add_option_function(
       name,
       [name, &target, fits, remedy](const std::string& value) {
         const double number = parse_number(name, value);
@@ -92,6 +92,14 @@ double parse_number(std::string_view option, std::string_view text) {
   return number->first;
 }
 
+double parse_positive(std::string_view option, std::string_view text) {
+  const double number = parse_number(option, text);
+  if (!(number > 0)) {
+    throw not_this(option, text, "give a number greater than 0");
+  }
+  return number;
+}
+
 Vec3 parse_point(std::string_view option, std::string_view text) {
   std::vector<double> numbers;
   const std::string_view between = ", ";
@@ -124,50 +132,52 @@ std::uint64_t parse_bytes(std::string_view option, std::string_view text) {
   return number->first << (10 * power);
 }
 
-CLI::Option* add_positive(CLI::App& app, const std::string& name, double& target,
-                          const std::string& text) {
-  return add_number(
-             app, name, target, text, [](double x) { return x > 0; },
-             "give a number greater than 0")
+Option* add_positive(Parser& parser, const std::string& name, double& target,
+                     const std::string& text) {
+  return parser
+      .add_option_function(
+          name, [name, &target](const std::string& value) { target = parse_positive(name, value); },
+          text)
       ->option_text("X");
 }
 
-CLI::Option* add_length(CLI::App& app, const std::string& name, double& target,
-                        const std::string& text) {
+Option* add_length(Parser& parser, const std::string& name, double& target,
+                   const std::string& text) {
   return add_number(
-             app, name, target, text, [](double x) { return x >= 0; }, "give a length of 0 or more")
+             parser, name, target, text, [](double x) { return x >= 0; },
+             "give a length of 0 or more")
       ->option_text("D");
 }
 
-CLI::Option* add_seconds(CLI::App& app, const std::string& name, std::optional<double>& target,
-                         const std::string& text) {
+Option* add_seconds(Parser& parser, const std::string& name, std::optional<double>& target,
+                    const std::string& text) {
   return add_number(
-             app, name, target, text, [](double x) { return x >= 0 && x <= 1e9; },
+             parser, name, target, text, [](double x) { return x >= 0 && x <= 1e9; },
              "give a number of seconds from 0 to 1e9")
       ->option_text("SECONDS");
 }
 
-CLI::Option* add_level(CLI::App& app, const std::string& name, std::optional<double>& target,
-                       const std::string& text) {
+Option* add_level(Parser& parser, const std::string& name, std::optional<double>& target,
+                  const std::string& text) {
   return add_number(
-             app, name, target, text, [](double x) { return x >= 0 && x <= 100; },
+             parser, name, target, text, [](double x) { return x >= 0 && x <= 100; },
              "give a level of detail, as in --lod 1.2")
       ->option_text("LEVEL");
 }
 
-CLI::Option* add_bytes(CLI::App& app, const std::string& name, std::uint64_t& target,
-                       const std::string& text) {
-  return app
-      .add_option_function<std::string>(
+Option* add_bytes(Parser& parser, const std::string& name, std::uint64_t& target,
+                  const std::string& text) {
+  return parser
+      .add_option_function(
           name, [name, &target](const std::string& value) { target = parse_bytes(name, value); },
           text)
       ->option_text("SIZE");
 }
 
-CLI::Option* add_output(CLI::App& app, const std::string& name, std::string& target,
-                        const std::string& text, const std::string& kind) {
-  return app
-      .add_option_function<std::string>(
+Option* add_output(Parser& parser, const std::string& name, std::string& target,
+                   const std::string& text, const std::string& kind) {
+  return parser
+      .add_option_function(
           name,
           [name, &target](const std::string& value) {
             if (value.empty()) {
@@ -181,14 +191,12 @@ CLI::Option* add_output(CLI::App& app, const std::string& name, std::string& tar
       ->option_text(kind);
 }
 
-CLI::Option* add_repeatable(CLI::App& app, const std::string& name,
-                            std::vector<std::string>& target, const std::string& text,
-                            const std::string& kind) {
-  return app.add_option(name, target, text)
-      ->option_text(kind)
-      ->expected(1)
-      ->allow_extra_args(false)  // a list would swallow the names of models that follow
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+Option* add_repeatable(Parser& parser, const std::string& name, std::vector<std::string>& target,
+                       const std::string& text, const std::string& kind) {
+  return parser
+      .add_each_time(
+          name, [&target](const std::string& word) { target.push_back(word); }, text)
+      ->option_text(kind);
 }
 
 std::string word_list(const std::vector<std::string>& words) {

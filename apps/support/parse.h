@@ -5,9 +5,8 @@
 #include "soms/base/error.h"
 #include "soms/base/vector.h"
 
+#include "apps/cli/parser.h"
 #include "apps/support/suggest.h"
-
-#include <CLI/CLI.hpp>
 
 #include <cstdint>
 #include <optional>
@@ -25,6 +24,9 @@ namespace soms::command {
 /// A finite number. \errors ErrorKind::usage naming `option`.
 [[nodiscard]] double parse_number(std::string_view option, std::string_view text);
 
+/// A finite number greater than 0. \errors ErrorKind::usage naming `option`.
+[[nodiscard]] double parse_positive(std::string_view option, std::string_view text);
+
 /// Three finite numbers with commas or spaces between. \errors ErrorKind::usage naming `option`.
 [[nodiscard]] Vec3 parse_point(std::string_view option, std::string_view text);
 
@@ -35,10 +37,10 @@ namespace soms::command {
 
 /// Adds an option that is a whole number from `least` to `most`.
 template <class T>
-CLI::Option* add_count(CLI::App& app, const std::string& name, T& target, std::uint64_t least,
-                       std::uint64_t most, const std::string& text) {
-  return app
-      .add_option_function<std::string>(
+Option* add_count(Parser& parser, const std::string& name, T& target, std::uint64_t least,
+                  std::uint64_t most, const std::string& text) {
+  return parser
+      .add_option_function(
           name,
           [=, &target](const std::string& value) {
             target = static_cast<T>(parse_count(name, value, least, most));
@@ -48,35 +50,34 @@ CLI::Option* add_count(CLI::App& app, const std::string& name, T& target, std::u
 }
 
 /// Adds an option that is a finite number greater than 0.
-CLI::Option* add_positive(CLI::App& app, const std::string& name, double& target,
-                          const std::string& text);
+Option* add_positive(Parser& parser, const std::string& name, double& target,
+                     const std::string& text);
 
 /// Adds an option that is a finite length, 0 or more.
-CLI::Option* add_length(CLI::App& app, const std::string& name, double& target,
-                        const std::string& text);
+Option* add_length(Parser& parser, const std::string& name, double& target,
+                   const std::string& text);
 
 /// Adds an option that is a number of seconds, 0 or more.
-CLI::Option* add_seconds(CLI::App& app, const std::string& name, std::optional<double>& target,
-                         const std::string& text);
+Option* add_seconds(Parser& parser, const std::string& name, std::optional<double>& target,
+                    const std::string& text);
 
 /// Adds an option that is a level of detail, a number that is 0 or more.
-CLI::Option* add_level(CLI::App& app, const std::string& name, std::optional<double>& target,
-                       const std::string& text);
+Option* add_level(Parser& parser, const std::string& name, std::optional<double>& target,
+                  const std::string& text);
 
 /// Adds an option that is a size in bytes.
-CLI::Option* add_bytes(CLI::App& app, const std::string& name, std::uint64_t& target,
-                       const std::string& text);
+Option* add_bytes(Parser& parser, const std::string& name, std::uint64_t& target,
+                  const std::string& text);
 
 /// Adds an option that names what is written, `kind` of it ("FILE"). An empty name, as of a
 /// variable that is not set, is an error: it would pass for an option that is not given.
-CLI::Option* add_output(CLI::App& app, const std::string& name, std::string& target,
-                        const std::string& text, const std::string& kind = "FILE");
+Option* add_output(Parser& parser, const std::string& name, std::string& target,
+                   const std::string& text, const std::string& kind = "FILE");
 
 /// Adds an option that may be repeated and takes one value each time: what follows the value is no
 /// second one.
-CLI::Option* add_repeatable(CLI::App& app, const std::string& name,
-                            std::vector<std::string>& target, const std::string& text,
-                            const std::string& kind);
+Option* add_repeatable(Parser& parser, const std::string& name, std::vector<std::string>& target,
+                       const std::string& text, const std::string& kind);
 
 /// Names and the values they stand for.
 template <class T>
@@ -111,14 +112,14 @@ template <class T>
 
 /// Adds an option that is one of a few words.
 template <class T, class Target>
-CLI::Option* add_choice(CLI::App& app, const std::string& name, Target& target, Choices<T> choices,
-                        const std::string& text) {
+Option* add_choice(Parser& parser, const std::string& name, Target& target, Choices<T> choices,
+                   const std::string& text) {
   std::vector<std::string> words;
   for (const auto& choice : choices) {
     words.push_back(choice.first);
   }
-  return app
-      .add_option_function<std::string>(
+  return parser
+      .add_option_function(
           name,
           [name, &target, choices = std::move(choices)](const std::string& value) {
             target = parse_choice(name, value, choices);

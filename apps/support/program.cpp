@@ -2,11 +2,11 @@
 
 #include "soms/base/error.h"
 
+#include "apps/cli/parser.h"
 #include "apps/support/console.h"
 #include "apps/support/output.h"
 #include "apps/support/suggest.h"
 
-#include <CLI/CLI.hpp>
 #include <fcntl.h>
 #include <fmt/format.h>
 
@@ -73,9 +73,8 @@ const Verb& find_verb(const Program& program, const std::string& word) {
               remedy_for(word, names, fmt::format("{} --help", program.name)));
 }
 
-/// Throws if words were left over: options that the verb does not have, or too many names.
-void check_rest(const ParsedVerb& verb) {
-  std::vector<std::string> rest = verb.app().remaining();
+/// Throws if words are left over: options that the verb does not have, or too many names.
+void check_rest(const ParsedVerb& verb, std::vector<std::string> rest) {
   // The first "--" ends the options and is none of them; the parser leaves it among the rest.
   const auto mark = std::find(rest.begin(), rest.end(), "--");
   const auto options_end = mark == rest.end() ? mark : rest.erase(mark);
@@ -85,7 +84,7 @@ void check_rest(const ParsedVerb& verb) {
   const auto option = std::find_if(rest.begin(), options_end, [](const std::string& word) {
     return word.starts_with("-") && word != "-";
   });
-  const std::string help = verb.app().get_name() + " --help";
+  const std::string help = verb.parser().name() + " --help";
   if (option == options_end) {
     throw usage(fmt::format("unexpected argument {}", rest.front()), "see " + help);
   }
@@ -104,26 +103,17 @@ void check_rest(const ParsedVerb& verb) {
   throw usage("unknown option " + word, remedy_for(word, known, help));
 }
 
-/// The parser's words for an option with too many values, or with none, in ours.
-Error mismatch(const CLI::ArgumentMismatch& error, const std::string& help) {
-  const std::string_view text = error.what();
-  const std::string option(text.substr(0, text.find(':')));
-  const bool twice = text.find("At Most") != std::string_view::npos;
-  return usage(option + (twice ? " is given more than once" : " needs a value"), "see " + help);
-}
-
-void parse(ParsedVerb& verb, const std::vector<std::string>& words) {
-  try {
-    verb.app().parse(std::vector<std::string>(words.rbegin(), words.rend()));
-  } catch (const CLI::Success&) {
-    throw;
-  } catch (const CLI::ArgumentMismatch& error) {
-    throw mismatch(error, verb.app().get_name() + " --help");
-  } catch (const CLI::ParseError& error) {
-    check_rest(verb);  // an unknown option says more than a missing argument
-    throw usage(error.what(), "see " + verb.app().get_name() + " --help");
+/// True if the words ask for the help.
+bool parse(ParsedVerb& verb, const std::vector<std::string>& words) {
+  const ParsedWords parsed = verb.parser().parse(words);
+  if (parsed.wants_help) {
+    return true;
   }
-  check_rest(verb);
+  check_rest(verb, parsed.rest);  // an unknown option says more than a missing argument
+  if (!parsed.fault.empty()) {
+    throw usage(parsed.fault, "see " + verb.parser().name() + " --help");
+  }
+  return false;
 }
 
 int run_verb(const Program& program, const Verb& entry, const std::vector<std::string>& words) {
@@ -131,9 +121,7 @@ int run_verb(const Program& program, const Verb& entry, const std::vector<std::s
     return entry.pass_on(entry.name, words);
   }
   ParsedVerb verb(program.name, entry);
-  try {
-    parse(verb, words);
-  } catch (const CLI::Success&) {
+  if (parse(verb, words)) {
     print_plain(verb.help());
     return 0;
   }

@@ -10,17 +10,17 @@
 
 namespace soms::command {
 
-void add_shared_options(CLI::App& app, Shared& shared) {
+void add_shared_options(Parser& parser, Shared& shared) {
   const char* const group = kSharedGroup;
-  app.add_flag("--json", shared.json, "print answers as JSON")->group(group);
-  app.add_flag("-q,--quiet", shared.quiet, "print only errors on standard error")->group(group);
-  add_count(app, "--threads", shared.threads, 0, kMostThreads,
+  parser.add_flag("--json", shared.json, "print answers as JSON")->group(group);
+  parser.add_flag("-q,--quiet", shared.quiet, "print only errors on standard error")->group(group);
+  add_count(parser, "--threads", shared.threads, 0, kMostThreads,
             "number of threads; 0: one per processor")
       ->group(group);
-  add_count(app, "--seed", shared.seed, 0, ~std::uint64_t{0}, "seed of all random choices (1)")
+  add_count(parser, "--seed", shared.seed, 0, ~std::uint64_t{0}, "seed of all random choices (1)")
       ->group(group);
-  add_seconds(app, "--timeout", shared.timeout, "stop after this many seconds")->group(group);
-  add_bytes(app, "--max-memory", shared.max_memory, "memory limit, such as 500M or 2G")
+  add_seconds(parser, "--timeout", shared.timeout, "stop after this many seconds")->group(group);
+  add_bytes(parser, "--max-memory", shared.max_memory, "memory limit, such as 500M or 2G")
       ->group(group);
 }
 

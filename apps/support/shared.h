@@ -8,11 +8,9 @@
 #include <optional>
 #include <string>
 
-namespace CLI {
-class App;
-}  // namespace CLI
-
 namespace soms::command {
+
+class Parser;
 
 /// Heading of the options that every verb has.
 inline constexpr const char* kSharedGroup = "Shared options";
@@ -28,7 +26,7 @@ struct Shared {
 };
 
 /// Adds --json, --quiet, --threads, --seed, --timeout and --max-memory.
-void add_shared_options(CLI::App& app, Shared& shared);
+void add_shared_options(Parser& parser, Shared& shared);
 
 /// A number of bytes as --max-memory takes it: "200M".
 [[nodiscard]] std::string size_words(std::uint64_t bytes);

@@ -2,9 +2,8 @@
 /// Verbs of a program: their options, and what they do.
 #pragma once
 
+#include "apps/cli/parser.h"
 #include "apps/support/shared.h"
-
-#include <CLI/CLI.hpp>
 
 #include <functional>
 #include <string>
@@ -22,7 +21,7 @@ using Action = std::function<int(Console&)>;
 struct Verb {
   std::string_view name;
   std::string_view question;  ///< one line of the program's --help
-  Action (*add)(CLI::App& app, Shared& shared);
+  Action (*add)(Parser& parser, Shared& shared);
   /// Set for a verb of another program, whose `add` is null: hands it the words after the verb.
   int (*pass_on)(std::string_view verb, const std::vector<std::string>& words) = nullptr;
 };
@@ -43,16 +42,16 @@ class ParsedVerb {
   ParsedVerb(const ParsedVerb&) = delete;
   ParsedVerb& operator=(const ParsedVerb&) = delete;
 
-  [[nodiscard]] CLI::App& app() { return app_; }
+  [[nodiscard]] Parser& parser() { return parser_; }
 
-  [[nodiscard]] const CLI::App& app() const { return app_; }
+  [[nodiscard]] const Parser& parser() const { return parser_; }
 
   [[nodiscard]] const Shared& shared() const { return shared_; }
 
   [[nodiscard]] const Action& action() const { return action_; }
 
   /// The text of --help.
-  [[nodiscard]] std::string help() const;
+  [[nodiscard]] std::string help() const { return parser_.help(); }
 
   [[nodiscard]] std::vector<OptionWords> options() const;
 
@@ -60,7 +59,7 @@ class ParsedVerb {
   [[nodiscard]] std::vector<std::string> option_names() const;
 
  private:
-  CLI::App app_;
+  Parser parser_;
   Shared shared_;
   Action action_;
 };

@@ -9,11 +9,9 @@
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-}  // namespace CLI
-
 namespace soms::command {
+
+class Parser;
 
 /// City, movers and their routes, as named on the command line.
 struct WorldOptions {
@@ -31,9 +29,9 @@ struct WorldOptions {
 };
 
 /// Adds CITY, --mover, --route, --count, --scale, --up, --mover-scale, --mover-up and --strict.
-void add_world_options(CLI::App& app, WorldOptions& options);
+void add_world_options(Parser& parser, WorldOptions& options);
 
 /// Adds the options of the bodies' trees and of how they are traversed.
-void add_world_tree_options(CLI::App& app, WorldOptions& options);
+void add_world_tree_options(Parser& parser, WorldOptions& options);
 
 }  // namespace soms::command

@@ -1,9 +1,8 @@
 // Robots and other bodies that `simulate` moves by the user's own routes: how long a run is, what
 // its notes say, and which movers are tested against each other.
+#include "apps/cli/parser.h"
 #include "apps/support/world_options.h"
 #include "tests/commands/run.h"
-
-#include <CLI/CLI.hpp>
 
 #include <cstdlib>
 
@@ -65,20 +64,18 @@ class SimulateRoutes : public testing::Test {
 
 // The options that may be repeated took what followed for more values, and the city with it.
 TEST(WorldOptions, RepeatableOptionsTakeOneValueAtATime) {
-  CLI::App app;
+  command::Parser parser("", "soms simulate");
   command::WorldOptions options;
-  command::add_world_options(app, options);
+  command::add_world_options(parser, options);
   int repeatable = 0;
-  for (const CLI::Option* const option : app.get_options()) {
-    if (option->get_multi_option_policy() != CLI::MultiOptionPolicy::TakeAll ||
-        option->get_positional()) {
+  for (const command::Option* const option : parser.options()) {
+    if (option->takes() != command::Takes::one_each_time) {
       continue;
     }
     ++repeatable;
-    const std::string name = option->get_name();
-    app.clear();
+    const std::string name = option->name();
     options = {};
-    app.parse(std::vector<std::string>{"town.ply", "b", name, "city.obj", "a", name});  // reversed
+    (void)parser.parse({name, "a", "city.obj", name, "b", "town.ply"});
     EXPECT_EQ(option->results(), (std::vector<std::string>{"a", "b"})) << name;
     EXPECT_EQ(options.cities, (std::vector<std::string>{"city.obj", "town.ply"})) << name;
   }

@@ -58,8 +58,10 @@ LENT = {
     ("thesis", "soms/query/detail/engine/pair_frame.h"): "likewise",
     ("thesis", "soms/query/detail/engine/block_source.h"): "likewise",
 }
-PROGRAMS = {"support": {"support"}, "report": {"report"}, "soms": {"soms", "support", "report"},
-            "reproduce": {"reproduce", "support"}, "view": {"view", "support"}, "import": {"import"}}
+PROGRAMS = {"cli": {"cli"}, "support": {"cli", "support"}, "report": {"report"},
+            "soms": {"cli", "soms", "support", "report"}, "reproduce": {"cli", "reproduce", "support"},
+            "view": {"cli", "view", "support"}, "import": {"import"}}
+PARSES = "apps/cli/cli11.cpp"  # alone sees CLI11
 ANYBODY = {"apps/support/look.h"}  # colors alone, which all pages and pictures share
 VIEW_ROOMS = ["drawing", "scene", "control", "window", "verbs"]  # the lowest first
 FOREIGN = re.compile(r"^(GL/|GLFW|epoxy|imgui|CLI/)")
@@ -107,6 +109,8 @@ def program_breaches(root):
                 yield f"{inside} includes {name}"
             elif program != "view" and re.match(r"^(GL/|GLFW|epoxy|EGL|imgui|glm/)", name):
                 yield f"{inside} includes {name}"
+            if name.startswith("CLI/") and str(inside) != PARSES:
+                yield f"{inside} includes {name}, which {PARSES} alone sees"
             if str(inside) in ANYBODY and name.startswith(("soms/", "apps/")):
                 yield f"{inside} includes {name}, and everybody sees it"
             if parts[0] != "apps" or name in ANYBODY:

@@ -50,93 +50,100 @@ const char* const kRenderFooter =
     "  soms generate city --triangles 20000 -o town.ply\n"
     "  soms render town.ply -o town.png --size 960x540";
 
-void add_picture_options(CLI::App& app, RenderOptions& options) {
-  app.add_option("-o,--output", options.output,
-                 "PNG file to write, or SVG for the map of --visible-from;\n- is standard output")
+void add_picture_options(command::Parser& parser, RenderOptions& options) {
+  parser
+      .add_option("-o,--output", options.output,
+                  "PNG file to write, or SVG for the map of --visible-from;\n- is standard output")
       ->required()
       ->option_text("FILE");
-  app.add_option_function<std::string>(
-         "--size", [&options](const std::string& text) { options.size = parse_picture_size(text); },
-         "width and height in pixels, up to 16384x16384 (1920x1080)")
+  parser
+      .add_option_function(
+          "--size",
+          [&options](const std::string& text) { options.size = parse_picture_size(text); },
+          "width and height in pixels, up to 16384x16384 (1920x1080)")
       ->option_text("WxH");
-  app.add_option_function<std::string>(
-         "--camera", [&options](const std::string& text) { options.camera = parse_camera(text); },
-         "point of view; see below (scene,215:30)")
+  parser
+      .add_option_function(
+          "--camera", [&options](const std::string& text) { options.camera = parse_camera(text); },
+          "point of view; see below (scene,215:30)")
       ->option_text("CAMERA");
-  app.add_flag("--depth", options.depth,
-               "draw how far surfaces are from the eye, by rays; needs no graphics driver");
-  app.add_option_function<std::string>(
-         "--visible-from",
-         [&options](const std::string& text) {
-           options.visible_from = command::parse_point("--visible-from", text);
-         },
-         "draw what the point X,Y,Z sees, by rays: as a picture, or from above as\n"
-         "a map if the output is an SVG file")
+  parser.add_flag("--depth", options.depth,
+                  "draw how far surfaces are from the eye, by rays; needs no graphics driver");
+  parser
+      .add_option_function(
+          "--visible-from",
+          [&options](const std::string& text) {
+            options.visible_from = command::parse_point("--visible-from", text);
+          },
+          "draw what the point X,Y,Z sees, by rays: as a picture, or from above as\n"
+          "a map if the output is an SVG file")
       ->option_text("X,Y,Z");
-  app.add_flag("--center", options.center,
-               "measure the numbers of --camera from the center of the scene");
-  command::add_count(app, "--samples", options.samples, 1, 16,
+  parser.add_flag("--center", options.center,
+                  "measure the numbers of --camera from the center of the scene");
+  command::add_count(parser, "--samples", options.samples, 1, 16,
                      "samples per pixel; more give smoother edges and take more memory (4)");
 }
 
-void add_content_options(CLI::App& app, RenderOptions& options) {
-  app.add_option("--pose", options.pose,
-                 "pose of the mover: \"x y z [qw qx qy qz]\", or a CSV file of poses,\n"
-                 "which are drawn all at once")
+void add_content_options(command::Parser& parser, RenderOptions& options) {
+  parser
+      .add_option("--pose", options.pose,
+                  "pose of the mover: \"x y z [qw qx qy qz]\", or a CSV file of poses,\n"
+                  "which are drawn all at once")
       ->option_text("POSE");
-  command::add_count(app, "--frame", options.frame, 0, 1'000'000'000,
+  command::add_count(parser, "--frame", options.frame, 0, 1'000'000'000,
                      "frame of the simulation to draw, at 60 frames per second (0; with\n"
                      "--test the frame in which most touches)");
-  command::add_count(app, "--level", options.level, 1, 1000,
+  command::add_count(parser, "--level", options.level, 1, 1000,
                      "draw the boxes of this level of the tree, and paler the\nleaves above it; "
                      "the root is level 1");
-  command::add_choice<LevelOf>(app, "--level-of", options.level_of,
+  command::add_choice<LevelOf>(parser, "--level-of", options.level_of,
                                {{"city", LevelOf::city}, {"mover", LevelOf::mover}},
                                "tree that --level draws (city)");
   command::add_choice<BoxStyle>(
-      app, "--boxes", options.boxes,
+      parser, "--boxes", options.boxes,
       {{"wire", BoxStyle::wire}, {"solid", BoxStyle::solid}, {"both", BoxStyle::both}},
       "draw edges of boxes, faces, or both (wire)");
-  app.add_flag("--trace", options.trace,
-               "draw the boxes that --traversal visited (black), pruned (gray) and found (red)\n"
-               "in the city and the mover (e-node with --descent larger); surfaces that\n"
-               "touch are violet then");
-  app.add_flag_callback(
+  parser.add_flag("--trace", options.trace,
+                  "draw the boxes that --traversal visited (black), pruned (gray) and found (red)\n"
+                  "in the city and the mover (e-node with --descent larger); surfaces that\n"
+                  "touch are violet then");
+  parser.add_flag_callback(
       "--no-prune", [&options] { options.shown.trees.traversal.prune = false; },
       "with --trace: descend into disjoint boxes, too, to see what pruning saves");
-  add_test(app, options.test,
+  add_test(parser, options.test,
            "send the mover through an orientation test; --frame chooses\nthe frame");
   command::add_choice<CityColors>(
-      app, "--colors", options.shown.city_colors,
+      parser, "--colors", options.shown.city_colors,
       {{"building", CityColors::by_building}, {"plain", CityColors::plain}},
       "colors of the city (building)");
-  app.add_flag("--see-through", options.see_through, "draw the city as glass");
-  app.add_flag("--edges",
-               [&options](std::int64_t) {
-                 options.shown.city_style = SurfaceStyle::both;
-                 options.shown.mover_style = SurfaceStyle::both;
-               })
-      ->description("also draw the edges of triangles");
-  app.add_flag("--contacts-on-top", options.shown.contacts.on_top,
-               "draw contacts over everything that hides them");
-  app.add_flag("--no-gap", options.no_gap,
-               "do not draw the nearest points of two models that touch nowhere, nor\n"
-               "the gaps of a recording");
-  app.add_flag("--spots", options.shown.contacts.all_markers,
-               "number the touching movers also where their contacts are large\n"
-               "enough to be seen");
-  app.add_flag_callback(
+  parser.add_flag("--see-through", options.see_through, "draw the city as glass");
+  parser.add_flag_callback(
+      "--edges",
+      [&options] {
+        options.shown.city_style = SurfaceStyle::both;
+        options.shown.mover_style = SurfaceStyle::both;
+      },
+      "also draw the edges of triangles");
+  parser.add_flag("--contacts-on-top", options.shown.contacts.on_top,
+                  "draw contacts over everything that hides them");
+  parser.add_flag("--no-gap", options.no_gap,
+                  "do not draw the nearest points of two models that touch nowhere, nor\n"
+                  "the gaps of a recording");
+  parser.add_flag("--spots", options.shown.contacts.all_markers,
+                  "number the touching movers also where their contacts are large\n"
+                  "enough to be seen");
+  parser.add_flag_callback(
       "--no-markers", [&options] { options.shown.contacts.markers = false; },
       "do not number touching movers whose contacts are too small to be seen");
-  app.add_option("--title", options.title, "words above the picture")->option_text("TEXT");
-  app.add_flag_callback(
+  parser.add_option("--title", options.title, "words above the picture")->option_text("TEXT");
+  parser.add_flag_callback(
       "--no-key", [&options] { options.shown.key = false; },
       "leave out the key of colors, the scale bar and the arrow to the north");
-  app.add_flag_callback(
+  parser.add_flag_callback(
       "--no-ground", [&options] { options.shown.ground = false; },
       "draw no ground below the models");
-  app.add_flag("--no-shadow", options.no_shadow, "draw no shadows");
-  add_tree_options(app, options.shown.trees.build, options.shown.trees.traversal);
+  parser.add_flag("--no-shadow", options.no_shadow, "draw no shadows");
+  add_tree_options(parser, options.shown.trees.build, options.shown.trees.traversal);
 }
 
 /// \errors ErrorKind::usage for a level below the deepest leaf, where no box is.
@@ -301,9 +308,9 @@ void check_frame(std::uint64_t frame, const ViewScene& scene) {
 }
 
 /// \errors ErrorKind::usage for options that would change nothing beside the others.
-void check_effects(const CLI::App& app, RenderOptions& options) {
+void check_effects(const command::Parser& parser, RenderOptions& options) {
   const auto needs = [&](const char* option, bool there, const char* other) {
-    if (app.count(option) > 0 && !there) {
+    if (parser.count(option) > 0 && !there) {
       throw Error(ErrorKind::usage, fmt::format("{} has no effect without {}", option, other),
                   fmt::format("also give {}, or leave it out", other));
     }
@@ -315,15 +322,15 @@ void check_effects(const CLI::App& app, RenderOptions& options) {
         "six numbers of --camera");
   needs("--traversal", options.trace, "--trace");
   needs("--descent", options.trace, "--trace");
-  if (const std::string given = command::given_of_trees(app); !given.empty()) {
+  if (const std::string given = command::given_of_trees(parser); !given.empty()) {
     needs(given.c_str(), options.trace || options.level, "--level or --trace");
   }
-  check_tree_options(app, options.shown.trees.build, options.shown.trees.traversal);
+  check_tree_options(parser, options.shown.trees.build, options.shown.trees.traversal);
   if (options.trace && options.shown.trees.traversal.traversal == Traversal::fast) {
     throw Error(ErrorKind::usage, "--trace: --traversal fast visits no boxes of the trees",
                 "choose another traversal, or leave it out");
   }
-  if (app.count("--no-prune") > 0 &&
+  if (parser.count("--no-prune") > 0 &&
       options.shown.trees.traversal.traversal == Traversal::e_node_front) {
     throw Error(ErrorKind::usage, "--no-prune: --traversal e-node-front needs pruning",
                 "choose another traversal, or leave it out");
@@ -421,19 +428,19 @@ Size parse_picture_size(const std::string& text) {
   return size;
 }
 
-command::Action add_render(CLI::App& app, command::Shared&) {
+command::Action add_render(command::Parser& parser, command::Shared&) {
   const auto options = std::make_shared<RenderOptions>();
-  command::add_world_options(app, options->world);
-  describe_count(app);
-  add_picture_options(app, *options);
-  add_content_options(app, *options);
-  app.footer(kRenderFooter);
-  return [options, &app](command::Console& console) {
-    check_ray_picture(app, *options);
-    check_effects(app, *options);
+  command::add_world_options(parser, options->world);
+  describe_count(parser);
+  add_picture_options(parser, *options);
+  add_content_options(parser, *options);
+  parser.footer(kRenderFooter);
+  return [options, &parser](command::Console& console) {
+    check_ray_picture(parser, *options);
+    check_effects(parser, *options);
     // The descent with which the options start is for who names no traversal: a named one has its
     // own, as in `overlap`.
-    if (app.count("--traversal") > 0 && app.count("--descent") == 0) {
+    if (parser.count("--traversal") > 0 && parser.count("--descent") == 0) {
       options->shown.trees.traversal.descent = TraversalOptions{}.descent;
     }
     options->shown.trees.traversal = without_idle(options->shown.trees.traversal);

@@ -42,7 +42,7 @@ struct RenderOptions {
 };
 
 /// Adds the options and returns what draws the picture.
-[[nodiscard]] command::Action add_render(CLI::App& app, command::Shared& shared);
+[[nodiscard]] command::Action add_render(command::Parser& parser, command::Shared& shared);
 
 /// \errors As `HeadlessContext`, `load_content`, `place_camera` and `make_draw_list`;
 ///         ErrorKind::cannot_write.

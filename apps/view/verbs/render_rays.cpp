@@ -141,7 +141,7 @@ bool is_ray_picture(const RenderOptions& options) {
   return options.depth || options.visible_from;
 }
 
-void check_ray_picture(const CLI::App& app, const RenderOptions& options) {
+void check_ray_picture(const command::Parser& parser, const RenderOptions& options) {
   if (options.depth && options.visible_from) {
     throw Error(ErrorKind::usage, "--depth and --visible-from are two pictures",
                 "draw one after the other");
@@ -154,7 +154,7 @@ void check_ray_picture(const CLI::App& app, const RenderOptions& options) {
   }
   const auto refuse = [&](std::initializer_list<const char*> names, const std::string& where) {
     for (const char* const name : names) {
-      if (app.count(name) > 0) {
+      if (parser.count(name) > 0) {
         throw Error(ErrorKind::usage, fmt::format("{} has no effect with {}", name, where),
                     "leave it out");
       }

@@ -12,7 +12,7 @@ namespace soms::view {
 
 /// \errors ErrorKind::usage for both at once, for a map of anything but --visible-from, and for
 ///         options that would change nothing.
-void check_ray_picture(const CLI::App& app, const RenderOptions& options);
+void check_ray_picture(const command::Parser& parser, const RenderOptions& options);
 
 /// Draws and writes it, and says what it shows.
 /// \errors As `run_render`.

@@ -67,12 +67,12 @@ SceneContent load_content(command::WorldOptions options, const std::string& pose
   return content_of(command::load_world(options, console));
 }
 
-void add_test(CLI::App& app, std::string& test, const std::string& text) {
+void add_test(command::Parser& parser, std::string& test, const std::string& text) {
   command::Choices<std::string> tests;
   for (const OrientationTest& row : orientation_tests()) {
     tests.emplace_back(row.name, row.name);
   }
-  command::add_choice<std::string>(app, "--test", test, std::move(tests), text);
+  command::add_choice<std::string>(parser, "--test", test, std::move(tests), text);
 }
 
 SceneContent load_tested(command::WorldOptions options, const std::string& pose,

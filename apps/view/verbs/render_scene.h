@@ -8,9 +8,9 @@
 
 #include <string>
 
-namespace CLI {
-class App;
-}  // namespace CLI
+namespace soms::command {
+class Parser;
+}  // namespace soms::command
 
 namespace soms::view {
 
@@ -27,7 +27,7 @@ inline constexpr std::size_t kMostPoses = 100'000;
                                         command::Console& console);
 
 /// Adds --test, which names an orientation test.
-void add_test(CLI::App& app, std::string& test, const std::string& text);
+void add_test(command::Parser& parser, std::string& test, const std::string& text);
 
 /// As `load_content` for an orientation test, which moves the one model of --mover. Models whose
 /// files name no axis stand as they look, so that a test comes from the side that it names.

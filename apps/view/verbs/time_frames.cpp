@@ -242,30 +242,32 @@ void report(const TimeFramesOptions& options, const std::vector<FrameTime>& fram
 
 }  // namespace
 
-command::Action add_time_frames(CLI::App& app, command::Shared&) {
+command::Action add_time_frames(command::Parser& parser, command::Shared&) {
   const auto options = std::make_shared<TimeFramesOptions>();
   options->world.build.rule = Rule::soms;
   options->world.traversal = {.traversal = Traversal::e_node, .descent = Descent::larger};
-  command::add_world_options(app, options->world);
-  app.add_option("--pose", options->pose, "CSV file of the mover's poses, a frame each")
+  command::add_world_options(parser, options->world);
+  parser.add_option("--pose", options->pose, "CSV file of the mover's poses, a frame each")
       ->required()
       ->option_text("FILE");
-  app.add_option_function<std::string>(
-         "--size", [options](const std::string& text) { options->size = parse_picture_size(text); },
-         "width and height in pixels, up to 16384x16384 (640x480)")
+  parser
+      .add_option_function(
+          "--size",
+          [options](const std::string& text) { options->size = parse_picture_size(text); },
+          "width and height in pixels, up to 16384x16384 (640x480)")
       ->option_text("WxH");
-  command::add_count(app, "--samples", options->samples, 1, 16,
+  command::add_count(parser, "--samples", options->samples, 1, 16,
                      "samples per pixel; above 1 creases are shaded, too (1)");
-  command::add_count(app, "--passes", options->passes, 1, 1000,
+  command::add_count(parser, "--passes", options->passes, 1, 1000,
                      "passes over all frames; each time is the median of them (3)");
-  command::add_count(app, "--mover-levels", options->mover_levels, 0, 64,
+  command::add_count(parser, "--mover-levels", options->mover_levels, 0, 64,
                      "as --levels, for the tree of the mover (as --levels)");
-  command::add_world_tree_options(app, options->world);
-  app.footer(kTimeFramesFooter);
-  return [options, &app](command::Console& console) {
-    command::check_build(app, options->world.build);
-    command::check_traversal(app, options->world.traversal);
-    if (app.count("--traversal") > 0 && app.count("--descent") == 0) {
+  command::add_world_tree_options(parser, options->world);
+  parser.footer(kTimeFramesFooter);
+  return [options, &parser](command::Console& console) {
+    command::check_build(parser, options->world.build);
+    command::check_traversal(parser, options->world.traversal);
+    if (parser.count("--traversal") > 0 && parser.count("--descent") == 0) {
       options->world.traversal.descent = TraversalOptions{}.descent;
     }
     options->world.traversal = without_idle(options->world.traversal);

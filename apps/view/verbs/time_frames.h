@@ -21,7 +21,7 @@ struct TimeFramesOptions {
 };
 
 /// Adds the options and returns what times the frames.
-[[nodiscard]] command::Action add_time_frames(CLI::App& app, command::Shared& shared);
+[[nodiscard]] command::Action add_time_frames(command::Parser& parser, command::Shared& shared);
 
 /// \errors As `HeadlessContext` and `command::load_world`; ErrorKind::usage unless there are one
 ///         mover and a file of poses.

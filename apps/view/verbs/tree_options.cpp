@@ -1,14 +1,13 @@
 #include "apps/view/verbs/tree_options.h"
 
+#include "apps/cli/parser.h"
 #include "apps/support/models.h"
-
-#include <CLI/CLI.hpp>
 
 namespace soms::view {
 
-void add_tree_options(CLI::App& app, BuildOptions& build, TraversalOptions& traversal) {
+void add_tree_options(command::Parser& parser, BuildOptions& build, TraversalOptions& traversal) {
   // Options are heeded in the order in which they are added.
-  CLI::Option* const thesis = app.add_flag_callback(
+  command::Option* const thesis = parser.add_flag_callback(
       "--thesis",
       [&build, &traversal] {
         build = thesis_options(Rule::soms);
@@ -16,22 +15,22 @@ void add_tree_options(CLI::App& app, BuildOptions& build, TraversalOptions& trav
       },
       "tree and traversal of the thesis: --rule soms --midpoint thesis --leaf 1\n"
       "--empty-side stop --levels 15 --traversal e-node --descent both");
-  command::add_build_options(app, build);
-  command::add_traversal_options(app, traversal);
-  thesis->group(app.get_option("--rule")->get_group());
+  command::add_build_options(parser, build);
+  command::add_traversal_options(parser, traversal);
+  thesis->group(parser.option("--rule")->group());
 }
 
-void check_tree_options(const CLI::App& app, BuildOptions& build,
+void check_tree_options(const command::Parser& parser, BuildOptions& build,
                         const TraversalOptions& traversal) {
-  if (app.count("--thesis") > 0 && command::given_of(app, idle_options(build)).empty()) {
+  if (parser.count("--thesis") > 0 && command::given_of(parser, idle_options(build)).empty()) {
     build = without_idle(build);
   }
-  command::check_build(app, build);
-  command::check_traversal(app, traversal);
+  command::check_build(parser, build);
+  command::check_traversal(parser, traversal);
 }
 
-void describe_count(CLI::App& app) {
-  app.get_option("--count")->description(
+void describe_count(command::Parser& parser) {
+  parser.option("--count")->description(
       "number of movers (one per --mover or --route; without either 1000,\n"
       "in a city from files none)");
 }

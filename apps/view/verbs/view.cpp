@@ -2,6 +2,7 @@
 
 #include "soms/base/error.h"
 
+#include "apps/cli/parser.h"
 #include "apps/support/console.h"
 #include "apps/support/output.h"
 #include "apps/support/parse.h"
@@ -11,7 +12,6 @@
 #include "apps/view/window/app_window.h"
 #include "apps/view/window/scene_subject.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <chrono>
@@ -59,57 +59,61 @@ Size parse_size(const std::string& text) {
 }
 
 /// The thesis shows its boxes. \errors ErrorKind::usage for a traversal that has none.
-void check_boxes(const CLI::App& app, ViewerOptions& viewer) {
+void check_boxes(const command::Parser& parser, ViewerOptions& viewer) {
   const bool is_fast = viewer.traversal.traversal == Traversal::fast;
-  if (viewer.boxes && is_fast && app.count("--traversal") > 0) {
+  if (viewer.boxes && is_fast && parser.count("--traversal") > 0) {
     throw Error(ErrorKind::usage, "--trace: --traversal fast visits no boxes of the trees",
                 "choose another traversal, or leave it out");
   }
-  viewer.boxes = viewer.boxes || (app.count("--thesis") > 0 && !is_fast);
+  viewer.boxes = viewer.boxes || (parser.count("--thesis") > 0 && !is_fast);
 }
 
 }  // namespace
 
-command::Action add_view(CLI::App& app, command::Shared&) {
+command::Action add_view(command::Parser& parser, command::Shared&) {
   const auto options = std::make_shared<ViewVerbOptions>();
-  command::add_world_options(app, options->world);
-  describe_count(app);
-  app.add_option("--pose", options->pose,
-                 "pose of the mover: \"x y z [qw qx qy qz]\", or a CSV file of poses,\n"
-                 "which are drawn all at once")
+  command::add_world_options(parser, options->world);
+  describe_count(parser);
+  parser
+      .add_option("--pose", options->pose,
+                  "pose of the mover: \"x y z [qw qx qy qz]\", or a CSV file of poses,\n"
+                  "which are drawn all at once")
       ->option_text("POSE");
-  app.add_option_function<std::string>(
-         "--size", [options](const std::string& text) { options->viewer.size = parse_size(text); },
-         "width and height of the window (1280x720)")
+  parser
+      .add_option_function(
+          "--size", [options](const std::string& text) { options->viewer.size = parse_size(text); },
+          "width and height of the window (1280x720)")
       ->option_text("WxH");
-  add_test(app, options->test, "begin with an orientation test of the one --mover");
-  command::add_count(app, "--frame", options->frame, 0, kMostFrames,
+  add_test(parser, options->test, "begin with an orientation test of the one --mover");
+  command::add_count(parser, "--frame", options->frame, 0, kMostFrames,
                      "frame of --test to begin with (that in which most touches; with --run or\n"
                      "--frames the first)");
-  app.add_flag("--run", options->viewer.run, "start running, not still at the first frame");
-  app.add_flag_callback(
+  parser.add_flag("--run", options->viewer.run, "start running, not still at the first frame");
+  parser.add_flag_callback(
       "--no-panels", [options] { options->viewer.panels = false; }, "start without panels");
-  app.add_option("--screenshot", options->viewer.screenshot,
-                 "save the finished picture as PNG and close; after --frames if given")
+  parser
+      .add_option("--screenshot", options->viewer.screenshot,
+                  "save the finished picture as PNG and close; after --frames if given")
       ->option_text("FILE");
-  app.add_flag("--with-panels", options->viewer.screenshot_panels,
-               "the picture of --screenshot shows the panels");
-  app.add_option_function<std::string>(
-         "--frames",
-         [options](const std::string& text) {
-           options->viewer.frames = command::parse_count("--frames", text, 1, kMostFrames);
-         },
-         "run this many frames, each a sixtieth of a second, then close")
+  parser.add_flag("--with-panels", options->viewer.screenshot_panels,
+                  "the picture of --screenshot shows the panels");
+  parser
+      .add_option_function(
+          "--frames",
+          [options](const std::string& text) {
+            options->viewer.frames = command::parse_count("--frames", text, 1, kMostFrames);
+          },
+          "run this many frames, each a sixtieth of a second, then close")
       ->option_text("N");
   ViewerOptions& viewer = options->viewer;
-  app.add_flag("--trace", viewer.boxes,
-               "show the boxes that the traversal visited, pruned and found, by --traversal\n"
-               "(e-node with --descent larger)");
-  add_tree_options(app, viewer.build, viewer.traversal);
-  app.footer(kViewFooter);
-  return [options, &app](command::Console& console) {
-    check_tree_options(app, options->viewer.build, options->viewer.traversal);
-    check_boxes(app, options->viewer);
+  parser.add_flag("--trace", viewer.boxes,
+                  "show the boxes that the traversal visited, pruned and found, by --traversal\n"
+                  "(e-node with --descent larger)");
+  add_tree_options(parser, viewer.build, viewer.traversal);
+  parser.footer(kViewFooter);
+  return [options, &parser](command::Console& console) {
+    check_tree_options(parser, options->viewer.build, options->viewer.traversal);
+    check_boxes(parser, options->viewer);
     return run_view(*options, console);
   };
 }

@@ -22,7 +22,7 @@ struct ViewVerbOptions {
 };
 
 /// Adds the options and returns what opens the window.
-[[nodiscard]] command::Action add_view(CLI::App& app, command::Shared& shared);
+[[nodiscard]] command::Action add_view(command::Parser& parser, command::Shared& shared);
 
 /// \errors As `load_world` and `run_viewer`.
 [[nodiscard]] int run_view(const ViewVerbOptions& options, command::Console& console);

@@ -2,11 +2,12 @@
 
 #include "soms/base/error.h"
 
+#include "apps/cli/parser.h"
 #include "apps/view/window/viewer.h"
 #include "tests/support/support.h"
 
-#include <CLI/CLI.hpp>
-
+#include <iterator>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -15,11 +16,12 @@ namespace {
 
 /// The trees and the traversal of a window that these words open.
 ViewerOptions chosen_by(const std::string& words) {
-  CLI::App app;
+  command::Parser parser("", "soms-view");
   ViewerOptions chosen;
-  add_tree_options(app, chosen.build, chosen.traversal);
-  app.parse(words);
-  check_tree_options(app, chosen.build, chosen.traversal);
+  add_tree_options(parser, chosen.build, chosen.traversal);
+  std::istringstream separate(words);
+  (void)parser.parse({std::istream_iterator<std::string>(separate), {}});
+  check_tree_options(parser, chosen.build, chosen.traversal);
   return chosen;
 }
 

@@ -1,0 +1,156 @@
+// The one source that sees CLI11, whose header alone takes seconds to compile.
+#include "soms/base/error.h"
+
+#include "apps/cli/parser.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace soms::command {
+
+namespace {
+
+/// Says behind an option's meaning with which others it cannot stand, in words.
+class HelpText : public CLI::Formatter {
+ public:
+  std::string make_option_opts(const CLI::Option* option) const override {
+    return option->get_option_text().empty() && !option->get_excludes().empty()
+               ? std::string()
+               : CLI::Formatter::make_option_opts(option);
+  }
+
+  std::string make_option_desc(const CLI::Option* option) const override {
+    std::string text = option->get_description();
+    std::vector<std::string> others;
+    for (const CLI::Option* other : option->get_excludes()) {
+      others.push_back(other->get_name());
+    }
+    std::sort(others.begin(), others.end());
+    for (std::size_t i = 0; i < others.size(); ++i) {
+      text += (i == 0 ? "; not with " : i + 1 == others.size() ? " or " : ", ") + others[i];
+    }
+    return text;
+  }
+};
+
+/// The library's words for an option with too many values, or with none, in ours.
+Error mismatch(const CLI::ArgumentMismatch& error, const std::string& help) {
+  const std::string_view text = error.what();
+  const std::string option(text.substr(0, text.find(':')));
+  const bool twice = text.find("At Most") != std::string_view::npos;
+  return Error(ErrorKind::usage, option + (twice ? " is given more than once" : " needs a value"),
+               "see " + help);
+}
+
+}  // namespace
+
+class Parser::Built {
+ public:
+  explicit Built(const Parser& parser) : app_(parser.question_, parser.name_) {
+    app_.allow_extras();   // reported by program.cpp, with a suggestion
+    app_.set_help_flag();  // added where it stands among the options
+    app_.formatter(std::make_shared<HelpText>());
+    app_.get_formatter()->column_width(30);
+    app_.get_formatter()->label("Positionals", "Arguments");
+    app_.get_formatter()->label("REQUIRED", "");
+    app_.footer(parser.footer_);
+    for (const auto& option : parser.options_) {
+      add(*option);
+    }
+    for (const auto& [option, own] : made_) {
+      for (const Option* const other : option->excluded_) {
+        own->excludes(made_of(other));
+      }
+    }
+  }
+
+  [[nodiscard]] CLI::App& app() { return app_; }
+
+  /// Keeps in each option what the words gave it.
+  void keep_results() const {
+    for (const auto& [option, own] : made_) {
+      option->results_ = own->results();
+    }
+  }
+
+ private:
+  void add(Option& option) {
+    CLI::Option* const own = made(option);
+    own->group(option.group_)->required(option.required_)->option_text(option.option_text_);
+    if (option.takes_ == Takes::one_each_time) {
+      own->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+      own->allow_extra_args(false);  // a list would swallow the names of models that follow
+    }
+    if (option.is_argument()) {
+      own->type_name("");
+    }
+    if (option.check_) {
+      own->check(CLI::Validator([&](std::string& word) { return option.check_(word); }, ""));
+    }
+    made_.emplace_back(&option, own);
+  }
+
+  CLI::Option* made(Option& option) {
+    const std::string& meaning = option.description_;
+    switch (option.takes_) {
+      case Takes::help:
+        return app_.set_help_flag(option.names_, meaning);
+      case Takes::nothing:
+        return option.flag_ != nullptr
+                   ? app_.add_flag(option.names_, *option.flag_, meaning)
+                   : app_.add_flag_callback(
+                         option.names_, [&option] { option.set_({}); }, meaning);
+      case Takes::one:
+        return app_.add_option_function<std::string>(
+            option.names_, [&option](const std::string& word) { option.set_({word}); }, meaning);
+      case Takes::one_each_time:
+      case Takes::several:
+        break;
+    }
+    return app_.add_option_function<std::vector<std::string>>(
+        option.names_, [&option](const std::vector<std::string>& words) { option.set_(words); },
+        meaning);
+  }
+
+  CLI::Option* made_of(const Option* option) const {
+    return std::find_if(made_.begin(), made_.end(),
+                        [&](const auto& made) { return made.first == option; })
+        ->second;
+  }
+
+  CLI::App app_;
+  std::vector<std::pair<Option*, CLI::Option*>> made_;
+};
+
+ParsedWords Parser::parse(const std::vector<std::string>& words) {
+  Built built(*this);
+  ParsedWords parsed;
+  try {
+    built.app().parse(std::vector<std::string>(words.rbegin(), words.rend()));
+  } catch (const CLI::Success&) {
+    parsed.wants_help = true;
+  } catch (const CLI::ArgumentMismatch& error) {
+    throw mismatch(error, name_ + " --help");
+  } catch (const CLI::ParseError& error) {
+    parsed.fault = error.what();
+  }
+  built.keep_results();
+  parsed.rest = built.app().remaining();
+  return parsed;
+}
+
+std::string Parser::help() const {
+  std::string text = Built(*this).app().help();
+  for (std::size_t at = text.find("\n\n\n"); at != std::string::npos; at = text.find("\n\n\n")) {
+    text.erase(at, 1);
+  }
+  return text;
+}
+
+}  // namespace soms::command

@@ -1,0 +1,77 @@
+#include "apps/cli/option.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace soms::command {
+
+namespace {
+
+/// "-o" and "--output" of "-o,--output".
+std::vector<std::string> separate_names(std::string_view names) {
+  std::vector<std::string> separate;
+  for (std::size_t at = 0; at <= names.size();) {
+    const std::size_t end = std::min(names.find(',', at), names.size());
+    separate.emplace_back(names.substr(at, end - at));
+    at = end + 1;
+  }
+  return separate;
+}
+
+}  // namespace
+
+Option::Option(const std::string& names, Takes takes, std::string meaning)
+    : names_(names), description_(std::move(meaning)), takes_(takes) {
+}
+
+Option* Option::group(std::string heading) {
+  group_ = std::move(heading);
+  return this;
+}
+
+Option* Option::option_text(std::string text) {
+  option_text_ = std::move(text);
+  return this;
+}
+
+Option* Option::description(std::string meaning) {
+  description_ = std::move(meaning);
+  return this;
+}
+
+Option* Option::required() {
+  required_ = true;
+  return this;
+}
+
+Option* Option::excludes(const Option* other) {
+  excluded_.push_back(other);
+  return this;
+}
+
+Option* Option::check(Check check) {
+  check_ = std::move(check);
+  return this;
+}
+
+std::string Option::name() const {
+  const std::vector<std::string> dashed = dashed_names();
+  return dashed.empty() ? names_ : dashed.front();
+}
+
+std::vector<std::string> Option::dashed_names() const {
+  std::vector<std::string> dashed = separate_names(names_);
+  std::erase_if(dashed, [](const std::string& name) { return !name.starts_with("-"); });
+  std::stable_partition(dashed.begin(), dashed.end(),
+                        [](const std::string& name) { return name.starts_with("--"); });
+  return dashed;
+}
+
+bool Option::is_named(std::string_view name) const {
+  const std::vector<std::string> all = separate_names(names_);
+  return std::any_of(all.begin(), all.end(), [&](std::string_view own) {
+    return own == name || own.substr(std::min(own.find_first_not_of('-'), own.size())) == name;
+  });
+}
+
+}  // namespace soms::command
