@@ -4,17 +4,8 @@ set(SOMS_PYTHON_FILES
   src/arrays.cpp
   src/arrays.h
   src/bind.h
-  src/bodies.cpp
-  src/bodies.h
-  src/body_index.cpp
   src/call.cpp
   src/call.h
-  src/clash.cpp
-  src/closest.cpp
-  src/closest_fields.h
-  src/contacts.cpp
-  src/contains.cpp
-  src/distance.cpp
   src/enums.cpp
   src/enums.h
   src/errors.cpp
@@ -24,13 +15,11 @@ set(SOMS_PYTHON_FILES
   src/function.h
   src/generated.cpp
   src/georeferences.cpp
-  src/many_bodies.h
   src/meshes.cpp
   src/module.cpp
   src/notebook.h
   src/objects.h
   src/one_caller.h
-  src/overlap.cpp
   src/packing.cpp
   src/packing.h
   src/page_scene.cpp
@@ -40,33 +29,44 @@ set(SOMS_PYTHON_FILES
   src/part_set.h
   src/paths.cpp
   src/paths.h
-  src/point_query.h
   src/pose_class.cpp
-  src/pose_query.h
   src/poses.cpp
   src/poses.h
-  src/ray_arguments.cpp
-  src/ray_arguments.h
-  src/rays.cpp
-  src/record_columns.h
-  src/recorded.cpp
-  src/recording_writer.cpp
-  src/recordings.h
-  src/replay.cpp
-  src/robot_model.cpp
-  src/robots.cpp
-  src/robots.h
-  src/scene.cpp
-  src/scene.h
-  src/scene_columns.h
-  src/scene_queries.cpp
+  src/query/closest.cpp
+  src/query/closest_fields.h
+  src/query/contacts.cpp
+  src/query/contains.cpp
+  src/query/distance.cpp
+  src/query/overlap.cpp
+  src/query/point_query.h
+  src/query/pose_query.h
+  src/query/ray_arguments.cpp
+  src/query/ray_arguments.h
+  src/query/rays.cpp
+  src/query/signed_distance.cpp
+  src/query/signed_distance.h
+  src/query/solid.cpp
+  src/query/winding.cpp
+  src/query/within.cpp
+  src/scene/bodies.cpp
+  src/scene/bodies.h
+  src/scene/body_index.cpp
+  src/scene/clash.cpp
+  src/scene/many_bodies.h
+  src/scene/record_columns.h
+  src/scene/recorded.cpp
+  src/scene/recording_writer.cpp
+  src/scene/recordings.h
+  src/scene/replay.cpp
+  src/scene/robot_model.cpp
+  src/scene/robots.cpp
+  src/scene/robots.h
+  src/scene/scene.cpp
+  src/scene/scene.h
+  src/scene/scene_columns.h
+  src/scene/scene_queries.cpp
+  src/scene/step_report.cpp
   src/shapes.cpp
-  src/signed_distance.cpp
-  src/signed_distance.h
-  src/solid.cpp
-  src/step_report.cpp
   src/text.h
-  src/winding.cpp
-  src/within.cpp
 )
 set(SOMS_PYTHON_TWIN bench/twin.cpp)

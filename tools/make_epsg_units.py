@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes soms/io/detail/epsg_units.cpp: the units of the EPSG registry's reference systems.
+"""Writes soms/io/detail/cityjson/epsg_units.cpp: the units of the EPSG registry's reference systems.
 
 Facts come from the database of PROJ (Debian: proj-data), which has the EPSG registry. A system is
 listed by the one length unit of all its axes, as an angular one, or not at all. It prints how many
@@ -67,7 +67,7 @@ def source(database):
     units = {code: unit for code, unit in units.items() if unit is not None}
     meters = sorted(set(units.values()))
     lines = [f"// Made by tools/make_epsg_units.py from the EPSG registry {version}, as PROJ has it.",
-             '#include "soms/io/detail/epsg_units.h"', "", "#include <array>", "",
+             '#include "soms/io/detail/cityjson/epsg_units.h"', "", "#include <array>", "",
              "namespace soms::detail {", "", "namespace {", "",
              "// clang-format off", "constexpr std::array kMeters = {"]
     lines += [f"    {unit!r}," for unit in meters]

@@ -2,8 +2,8 @@
 
 #include "soms/base/text.h"
 
-#include "apps/support/look.h"
-#include "reproduce/page_style.h"
+#include "apps/draw/look.h"
+#include "apps/draw/page_style.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 /// \file
-/// How the view of a scene looks; the rest of the page looks as reproduce/page_style.h says.
+/// How the view of a scene looks; the rest of the page looks as apps/draw/page_style.h says.
 #pragma once
 
 #include <string_view>

@@ -1,9 +1,9 @@
 #include "apps/report/time_line.h"
 
+#include "apps/draw/axis.h"
+#include "apps/draw/look.h"
+#include "apps/draw/svg.h"
 #include "apps/report/script_text.h"
-#include "apps/support/look.h"
-#include "reproduce/axis.h"
-#include "reproduce/svg.h"
 
 #include <fmt/format.h>
 

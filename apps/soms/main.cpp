@@ -1,5 +1,5 @@
-#include "apps/soms/verbs.h"
-#include "apps/support/program.h"
+#include "apps/cli/program.h"
+#include "apps/soms/shell/verbs.h"
 
 int main(int argc, char** argv) {
   return soms::command::run_program(soms::command::program(), {argv + 1, argv + argc});

@@ -1,4 +1,4 @@
-#include "apps/support/program.h"
+#include "apps/cli/program.h"
 #include "apps/view/verbs/verbs.h"
 
 #include <string_view>

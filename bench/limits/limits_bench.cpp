@@ -10,7 +10,7 @@
 #include "soms/scene/broad_phase.h"
 #include "soms/tree/layout/wide_tree.h"
 
-#include "reproduce/chart.h"
+#include "apps/draw/chart.h"
 
 #include <algorithm>
 #include <array>

@@ -5,10 +5,10 @@
 
 #include "python/src/arrays.h"
 #include "python/src/bind.h"
-#include "python/src/bodies.h"
 #include "python/src/call.h"
 #include "python/src/enums.h"
 #include "python/src/paths.h"
+#include "python/src/scene/bodies.h"
 
 #include <pybind11/stl.h>
 

@@ -6,9 +6,9 @@
 
 #include "python/src/answer.h"
 #include "python/src/bind.h"
-#include "python/src/bodies.h"
 #include "python/src/call.h"
 #include "python/src/notebook.h"
+#include "python/src/scene/bodies.h"
 #include "python/src/text.h"
 
 #include <pybind11/stl.h>

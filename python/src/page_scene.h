@@ -9,10 +9,10 @@
 
 #include "apps/report/scene.h"
 #include "python/src/arrays.h"
-#include "python/src/bodies.h"
 #include "python/src/call.h"
 #include "python/src/objects.h"
-#include "python/src/scene.h"
+#include "python/src/scene/bodies.h"
+#include "python/src/scene/scene.h"
 
 #include <array>
 #include <cstddef>

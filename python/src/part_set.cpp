@@ -7,11 +7,11 @@
 
 #include "python/src/answer.h"
 #include "python/src/bind.h"
-#include "python/src/bodies.h"
 #include "python/src/call.h"
 #include "python/src/objects.h"
 #include "python/src/poses.h"
-#include "python/src/record_columns.h"
+#include "python/src/scene/bodies.h"
+#include "python/src/scene/record_columns.h"
 #include "python/src/text.h"
 
 #include <pybind11/stl.h>

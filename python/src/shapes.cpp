@@ -7,10 +7,10 @@
 
 #include "python/src/answer.h"
 #include "python/src/bind.h"
-#include "python/src/bodies.h"
 #include "python/src/call.h"
 #include "python/src/notebook.h"
 #include "python/src/poses.h"
+#include "python/src/scene/bodies.h"
 #include "python/src/text.h"
 
 #include <memory>

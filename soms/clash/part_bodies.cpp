@@ -3,7 +3,7 @@
 #include "soms/base/arithmetic.h"
 #include "soms/geometry/bodies_of.h"
 #include "soms/geometry/closedness.h"
-#include "soms/geometry/detail/part_groups.h"
+#include "soms/geometry/detail/parts/part_groups.h"
 #include "soms/geometry/parts_of.h"
 #include "soms/query/detail/closed_surface.h"
 #include "soms/query/detail/moved_triangle.h"

@@ -1,8 +1,8 @@
 #include "soms/geometry/bodies_of.h"
 
 #include "soms/base/arithmetic.h"
-#include "soms/geometry/detail/joined.h"
-#include "soms/geometry/detail/part_groups.h"
+#include "soms/geometry/detail/parts/joined.h"
+#include "soms/geometry/detail/parts/part_groups.h"
 #include "soms/geometry/parts_of.h"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 #include "soms/geometry/closedness.h"
 
 #include "soms/base/arithmetic.h"
-#include "soms/geometry/detail/connected_parts.h"
-#include "soms/geometry/detail/joined.h"
-#include "soms/geometry/detail/odd_edges.h"
-#include "soms/geometry/detail/part_work.h"
+#include "soms/geometry/detail/parts/connected_parts.h"
+#include "soms/geometry/detail/parts/joined.h"
+#include "soms/geometry/detail/parts/odd_edges.h"
+#include "soms/geometry/detail/parts/part_work.h"
 
 #include <algorithm>
 #include <span>

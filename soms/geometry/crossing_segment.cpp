@@ -2,7 +2,7 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/box.h"
-#include "soms/geometry/detail/orientation_exact.h"
+#include "soms/geometry/detail/exact/orientation_exact.h"
 #include "soms/geometry/orientation.h"
 #include "soms/geometry/triangle_overlap.h"
 

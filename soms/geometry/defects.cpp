@@ -1,9 +1,9 @@
 #include "soms/geometry/defects.h"
 
 #include "soms/base/arithmetic.h"
-#include "soms/geometry/detail/buckets.h"
-#include "soms/geometry/detail/joined.h"
-#include "soms/geometry/detail/part_work.h"
+#include "soms/geometry/detail/parts/buckets.h"
+#include "soms/geometry/detail/parts/joined.h"
+#include "soms/geometry/detail/parts/part_work.h"
 #include "soms/geometry/orientation.h"
 
 #include <algorithm>

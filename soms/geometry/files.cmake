@@ -28,32 +28,32 @@ set(SOMS_SOURCES
   crossing_segment.cpp
   defects.cpp
   detail/axis_gap.cpp
-  detail/cell_boxes.cpp
-  detail/closed_unions.cpp
-  detail/common_corners.cpp
-  detail/connected_parts.cpp
   detail/crossing.cpp
   detail/distance_ends.cpp
-  detail/convex_cell.cpp
-  detail/exact_distance.cpp
-  detail/exact_point.cpp
-  detail/exact_ray.cpp
-  detail/newell.cpp
-  detail/ray_plane.cpp
+  detail/exact/exact_distance.cpp
+  detail/exact/exact_point.cpp
+  detail/exact/exact_ray.cpp
+  detail/exact/newell.cpp
+  detail/exact/orientation_exact.cpp
   detail/feature_proof.cpp
   detail/flat_overlap.cpp
-  detail/joined.cpp
   detail/nearest_guess.cpp
   detail/nearest_points.cpp
-  detail/odd_edges.cpp
-  detail/orientation_exact.cpp
   detail/packed_distance.cpp
   detail/pair_distance.cpp
-  detail/part_groups.cpp
-  detail/plane_cells.cpp
+  detail/parts/cell_boxes.cpp
+  detail/parts/closed_unions.cpp
+  detail/parts/common_corners.cpp
+  detail/parts/connected_parts.cpp
+  detail/parts/convex_cell.cpp
+  detail/parts/joined.cpp
+  detail/parts/odd_edges.cpp
+  detail/parts/part_groups.cpp
+  detail/parts/plane_cells.cpp
   detail/plane_form.cpp
   detail/point_feature.cpp
   detail/point_to_triangle.cpp
+  detail/ray_plane.cpp
   frames.cpp
   georeference.cpp
   mesh.cpp

@@ -1,7 +1,7 @@
 #include "soms/geometry/orientation.h"
 
 #include "soms/base/arithmetic.h"
-#include "soms/geometry/detail/predicates.h"
+#include "soms/geometry/detail/exact/predicates.h"
 
 #include <cfloat>
 

@@ -1,7 +1,7 @@
 #include "soms/geometry/polygon_holes.h"
 
 #include "soms/base/arithmetic.h"
-#include "soms/geometry/detail/newell.h"
+#include "soms/geometry/detail/exact/newell.h"
 
 #include <algorithm>
 #include <numeric>

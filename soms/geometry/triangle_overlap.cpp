@@ -1,8 +1,8 @@
 #include "soms/geometry/triangle_overlap.h"
 
 #include "soms/base/arithmetic.h"
+#include "soms/geometry/detail/exact/predicates.h"
 #include "soms/geometry/detail/flat_overlap.h"
-#include "soms/geometry/detail/predicates.h"
 
 #include <algorithm>
 #include <array>

@@ -14,72 +14,72 @@ set(SOMS_HEADERS
 set(SOMS_SOURCES
   crs.cpp
   detail/affine.cpp
-  detail/b3dm.cpp
   detail/base64.cpp
-  detail/batch_table.cpp
-  detail/cityjson.cpp
-  detail/cityjson_geometry.cpp
-  detail/collada.cpp
-  detail/collada_document.cpp
-  detail/collada_geometry.cpp
-  detail/collada_scene.cpp
-  detail/collada_transform.cpp
-  detail/csv_cells.cpp
-  detail/epsg_units.cpp
-  detail/feature.cpp
+  detail/cityjson/cityjson.cpp
+  detail/cityjson/cityjson_geometry.cpp
+  detail/cityjson/epsg_units.cpp
+  detail/cityjson/geodesy.cpp
+  detail/collada/collada.cpp
+  detail/collada/collada_document.cpp
+  detail/collada/collada_geometry.cpp
+  detail/collada/collada_scene.cpp
+  detail/collada/collada_transform.cpp
+  detail/collada/xml_document.cpp
   detail/file.cpp
   detail/format.cpp
-  detail/geodesy.cpp
-  detail/glb_chunks.cpp
-  detail/glb_writer.cpp
-  detail/gltf.cpp
-  detail/gltf_accessor.cpp
-  detail/gltf_buffers.cpp
-  detail/gltf_corners.cpp
-  detail/gltf_features.cpp
-  detail/gltf_frame.cpp
-  detail/gltf_meshes.cpp
-  detail/gltf_metadata.cpp
-  detail/gltf_scene.cpp
-  detail/import.cpp
-  detail/import_child.cpp
-  detail/import_program.cpp
+  detail/gltf/feature.cpp
+  detail/gltf/glb_chunks.cpp
+  detail/gltf/glb_writer.cpp
+  detail/gltf/gltf.cpp
+  detail/gltf/gltf_accessor.cpp
+  detail/gltf/gltf_buffers.cpp
+  detail/gltf/gltf_corners.cpp
+  detail/gltf/gltf_features.cpp
+  detail/gltf/gltf_frame.cpp
+  detail/gltf/gltf_meshes.cpp
+  detail/gltf/gltf_metadata.cpp
+  detail/gltf/gltf_scene.cpp
+  detail/import/import.cpp
+  detail/import/import_child.cpp
+  detail/import/import_program.cpp
   detail/json_document.cpp
   detail/json_numbers.cpp
   detail/left_out.cpp
-  detail/line_reader.cpp
   detail/links.cpp
   detail/mesh_builder.cpp
   detail/mesh_writer.cpp
   detail/named_file.cpp
-  detail/npy_header.cpp
-  detail/npy_rows.cpp
-  detail/npz_array.cpp
-  detail/obj.cpp
-  detail/obj_groups.cpp
-  detail/off.cpp
+  detail/numbers/csv_cells.cpp
+  detail/numbers/line_reader.cpp
+  detail/numbers/npy_header.cpp
+  detail/numbers/npy_rows.cpp
+  detail/numbers/npz_array.cpp
+  detail/numbers/stored_number.cpp
   detail/output.cpp
-  detail/package_paths.cpp
-  detail/ply.cpp
-  detail/ply_binary.cpp
-  detail/ply_header.cpp
-  detail/ply_text.cpp
+  detail/ply/ply.cpp
+  detail/ply/ply_binary.cpp
+  detail/ply/ply_header.cpp
+  detail/ply/ply_text.cpp
+  detail/robot/package_paths.cpp
+  detail/robot/srdf.cpp
+  detail/robot/urdf.cpp
+  detail/robot/urdf_geometry.cpp
+  detail/robot/urdf_values.cpp
+  detail/simple/obj.cpp
+  detail/simple/obj_groups.cpp
+  detail/simple/off.cpp
+  detail/simple/stl.cpp
+  detail/simple/three_ds.cpp
+  detail/simple/three_ds_writer.cpp
   detail/source.cpp
-  detail/srdf.cpp
-  detail/stl.cpp
-  detail/stored_number.cpp
   detail/text.cpp
-  detail/three_ds.cpp
-  detail/three_ds_writer.cpp
-  detail/tile_content.cpp
-  detail/tile_meshes.cpp
-  detail/tile_tree.cpp
-  detail/tile_volume.cpp
-  detail/tileset.cpp
-  detail/urdf.cpp
-  detail/urdf_geometry.cpp
-  detail/urdf_values.cpp
-  detail/xml_document.cpp
+  detail/tiles/b3dm.cpp
+  detail/tiles/batch_table.cpp
+  detail/tiles/tile_content.cpp
+  detail/tiles/tile_meshes.cpp
+  detail/tiles/tile_tree.cpp
+  detail/tiles/tile_volume.cpp
+  detail/tiles/tileset.cpp
   encoding.cpp
   formats.cpp
   new_file.cpp

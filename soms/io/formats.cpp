@@ -3,7 +3,7 @@
 #include "soms/io/detail/file.h"
 #include "soms/io/detail/file_extension.h"
 #include "soms/io/detail/format.h"
-#include "soms/io/detail/import.h"
+#include "soms/io/detail/import/import.h"
 
 #include <algorithm>
 #include <array>

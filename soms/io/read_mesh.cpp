@@ -5,7 +5,7 @@
 #include "soms/io/crs.h"
 #include "soms/io/detail/file.h"
 #include "soms/io/detail/format.h"
-#include "soms/io/detail/import.h"
+#include "soms/io/detail/import/import.h"
 #include "soms/io/detail/left_out.h"
 #include "soms/io/detail/source.h"
 

@@ -7,8 +7,8 @@
 #include "soms/io/detail/source.h"
 #include "soms/io/encoding.h"
 #ifdef SOMS_USE_PUGIXML
-#include "soms/io/detail/srdf.h"
-#include "soms/io/detail/urdf.h"
+#include "soms/io/detail/robot/srdf.h"
+#include "soms/io/detail/robot/urdf.h"
 #endif
 
 #include <cmath>

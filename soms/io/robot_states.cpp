@@ -1,10 +1,10 @@
 #include "soms/io/robot_states.h"
 
 #include "soms/base/arithmetic.h"
-#include "soms/io/detail/csv_cells.h"
-#include "soms/io/detail/line_reader.h"
-#include "soms/io/detail/npy_rows.h"
-#include "soms/io/detail/npz_array.h"
+#include "soms/io/detail/numbers/csv_cells.h"
+#include "soms/io/detail/numbers/line_reader.h"
+#include "soms/io/detail/numbers/npy_rows.h"
+#include "soms/io/detail/numbers/npz_array.h"
 #include "soms/io/detail/text.h"
 
 #include <algorithm>

@@ -3,11 +3,11 @@
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
 #include "soms/io/detail/file_extension.h"
-#include "soms/io/detail/glb_writer.h"
+#include "soms/io/detail/gltf/glb_writer.h"
 #include "soms/io/detail/mesh_writer.h"
-#include "soms/io/detail/obj_groups.h"
 #include "soms/io/detail/output.h"
-#include "soms/io/detail/three_ds_writer.h"
+#include "soms/io/detail/simple/obj_groups.h"
+#include "soms/io/detail/simple/three_ds_writer.h"
 #include "soms/io/formats.h"
 
 #include <algorithm>

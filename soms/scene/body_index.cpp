@@ -2,8 +2,8 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
-#include "soms/scene/detail/body_search.h"
 #include "soms/scene/detail/residents.h"
+#include "soms/scene/detail/search/body_search.h"
 
 #include <array>
 #include <limits>

@@ -3,7 +3,7 @@
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
 #include "soms/base/text.h"
-#include "soms/scene/detail/clearance_search.h"
+#include "soms/scene/detail/search/clearance_search.h"
 
 #include <cmath>
 

@@ -23,9 +23,6 @@ set(SOMS_SOURCES
   clearance_along.cpp
   contact_spans.cpp
   contact_tracker.cpp
-  detail/all_hits_search.cpp
-  detail/body_search.cpp
-  detail/clearance_search.cpp
   detail/box_bounds.cpp
   detail/box_index.cpp
   detail/column_grid.cpp
@@ -40,14 +37,17 @@ set(SOMS_SOURCES
   detail/moved_bounds.cpp
   detail/narrow_phase.cpp
   detail/near_phase.cpp
-  detail/rebuild_interval.cpp
   detail/pair_filter.cpp
   detail/pair_order.cpp
   detail/pair_rows.cpp
-  detail/point_search.cpp
-  detail/ray_search.cpp
+  detail/rebuild_interval.cpp
   detail/recording_reader.cpp
   detail/residents.cpp
+  detail/search/all_hits_search.cpp
+  detail/search/body_search.cpp
+  detail/search/clearance_search.cpp
+  detail/search/point_search.cpp
+  detail/search/ray_search.cpp
   detail/widened.cpp
   motion_path.cpp
   print.cpp

@@ -2,8 +2,8 @@
 #include "soms/scene/scene_query.h"
 
 #include "soms/base/arithmetic.h"
-#include "soms/scene/detail/body_search.h"
 #include "soms/scene/detail/scene_state.h"
+#include "soms/scene/detail/search/body_search.h"
 #include "soms/scene/scene.h"
 
 #include <utility>

@@ -4,7 +4,7 @@
 
 #include "soms/io/write_mesh.h"
 
-#include "tests/commands/cut_cube.h"
+#include "tests/commands/clash/cut_cube.h"
 #include "tests/commands/run.h"
 #include "tests/support/support.h"
 

@@ -1,6 +1,6 @@
-#include "apps/support/models.h"
-#include "apps/support/part_names.h"
-#include "apps/support/world.h"
+#include "apps/model/models.h"
+#include "apps/world/part_names.h"
+#include "apps/world/world.h"
 #include "tests/commands/run.h"
 
 namespace soms::command {

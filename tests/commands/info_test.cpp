@@ -1,4 +1,4 @@
-#include "apps/soms/info_trees.h"
+#include "apps/soms/models/info_trees.h"
 #include "tests/commands/run.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // What lengths of a scene are called, and on the scale bar of a map.
-#include "apps/support/length_unit.h"
+#include "apps/cli/length_unit.h"
 
-#include "apps/support/map_page.h"
+#include "apps/world/map_page.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "apps/support/output.h"
+#include "apps/output/output.h"
 
-#include "apps/support/progress.h"
+#include "apps/cli/progress.h"
 #include "tests/commands/run.h"
 #include "tests/support/wait.h"
 

@@ -1,6 +1,6 @@
 #include "soms/io/formats.h"
 
-#include "apps/support/parse.h"
+#include "apps/cli/parse.h"
 #include "tests/commands/run.h"
 #include "tests/support/slow_build.h"
 

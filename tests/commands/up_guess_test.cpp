@@ -1,5 +1,5 @@
 // Models that stand on y are distinguished from those that stand on z, by their shape.
-#include "apps/support/up_guess.h"
+#include "apps/model/up_guess.h"
 
 #include "soms/generate/city.h"
 #include "soms/generate/shapes.h"

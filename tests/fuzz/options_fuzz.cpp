@@ -1,5 +1,5 @@
 // Numbers of options: what is taken is what the C library reads there, all else is a usage error.
-#include "apps/support/parse.h"
+#include "apps/cli/parse.h"
 #include "tests/fuzz/bytes.h"
 #include "tests/fuzz/require.h"
 

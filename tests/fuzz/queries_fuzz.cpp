@@ -12,8 +12,8 @@
 #include "tests/fuzz/poses.h"
 #include "tests/fuzz/require.h"
 #include "tests/fuzz/scales.h"
-#include "tests/support/closest_check.h"
-#include "tests/support/query_table.h"
+#include "tests/support/truth/closest_check.h"
+#include "tests/support/truth/query_table.h"
 
 #include <array>
 #include <cmath>

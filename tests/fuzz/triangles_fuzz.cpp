@@ -10,7 +10,7 @@
 #include "tests/fuzz/bytes.h"
 #include "tests/fuzz/poses.h"
 #include "tests/fuzz/require.h"
-#include "tests/support/triangle_truth.h"
+#include "tests/support/truth/triangle_truth.h"
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,8 @@
 #include "soms/base/error.h"
 
 #include "tests/support/bodies.h"
-#include "tests/support/question_truth.h"
 #include "tests/support/support.h"
+#include "tests/support/truth/question_truth.h"
 
 #include <gtest/gtest.h>
 

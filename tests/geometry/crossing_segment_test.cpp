@@ -5,7 +5,7 @@
 #include "soms/geometry/triangle_overlap.h"
 
 #include "tests/support/support.h"
-#include "tests/support/truth.h"
+#include "tests/support/truth/truth.h"
 
 #include <gtest/gtest.h>
 

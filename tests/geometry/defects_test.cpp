@@ -1,6 +1,6 @@
 #include "soms/geometry/defects.h"
 
-#include "tests/support/truth.h"
+#include "tests/support/truth/truth.h"
 
 #include <gtest/gtest.h>
 

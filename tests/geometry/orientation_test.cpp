@@ -1,6 +1,6 @@
 #include "soms/geometry/orientation.h"
 
-#include "soms/geometry/detail/orientation_exact.h"
+#include "soms/geometry/detail/exact/orientation_exact.h"
 
 #include "tests/support/support.h"
 

@@ -1,6 +1,6 @@
 #include "soms/geometry/point_distance.h"
 
-#include "soms/geometry/detail/exact_point.h"
+#include "soms/geometry/detail/exact/exact_point.h"
 #include "soms/geometry/detail/point_to_triangle.h"
 #include "soms/geometry/print.h"
 

@@ -2,9 +2,9 @@
 
 #include "soms/geometry/triangle_overlap.h"
 
-#include "tests/support/distance_truth.h"
 #include "tests/support/slow_build.h"
 #include "tests/support/support.h"
+#include "tests/support/truth/distance_truth.h"
 
 #include <gtest/gtest.h>
 

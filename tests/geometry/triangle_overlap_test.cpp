@@ -4,7 +4,7 @@
 #include "soms/geometry/mesh.h"
 
 #include "tests/support/support.h"
-#include "tests/support/truth.h"
+#include "tests/support/truth/truth.h"
 
 #include <gtest/gtest.h>
 

@@ -12,8 +12,8 @@
 #include "soms/tree/layout/wide_tree.h"
 #include "soms/tree/shape.h"
 
-#include "tests/support/answer_row.h"
-#include "tests/support/probe_table.h"
+#include "tests/support/truth/answer_row.h"
+#include "tests/support/truth/probe_table.h"
 
 #include <concepts>
 #include <cstdint>

@@ -4,7 +4,7 @@
 #include "soms/query/distance.h"
 
 #include "tests/golden/golden.h"
-#include "tests/support/query_table.h"
+#include "tests/support/truth/query_table.h"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 // Rows of the questions about points and rays beside a body, loops over their tables.
 #include "tests/golden/golden.h"
-#include "tests/support/probe_table.h"
+#include "tests/support/truth/probe_table.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "soms/io/detail/collada.h"
+#include "soms/io/detail/collada/collada.h"
 
 #include "soms/base/error.h"
 #include "soms/io/read_mesh.h"

@@ -1,6 +1,6 @@
 #include "soms/io/crs.h"
 
-#include "soms/io/detail/epsg_units.h"
+#include "soms/io/detail/cityjson/epsg_units.h"
 
 #include <gtest/gtest.h>
 

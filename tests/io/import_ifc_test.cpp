@@ -2,7 +2,7 @@
 // what it reads. Scripts stand for Node.js elsewhere.
 #include "soms/base/error.h"
 #include "soms/geometry/mesh.h"
-#include "soms/io/detail/import_program.h"
+#include "soms/io/detail/import/import_program.h"
 #include "soms/io/detail/source.h"
 #include "soms/io/read_mesh.h"
 

@@ -1,5 +1,5 @@
 // What soms-import may still do once its model is open: a hostile child tries, and fails.
-#include "soms/io/detail/import.h"
+#include "soms/io/detail/import/import.h"
 #include "soms/io/read_mesh.h"
 
 #include "tests/io/files.h"

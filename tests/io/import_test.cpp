@@ -1,9 +1,9 @@
 // The child that reads other formats: what it may do wrong, by scripts in its place, and what it
 // does right, where it was built.
-#include "soms/io/detail/import.h"
+#include "soms/io/detail/import/import.h"
 
 #include "soms/base/error.h"
-#include "soms/io/detail/import_program.h"
+#include "soms/io/detail/import/import_program.h"
 #include "soms/io/read_mesh.h"
 
 #include "tests/io/files.h"

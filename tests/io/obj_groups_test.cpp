@@ -1,4 +1,4 @@
-#include "soms/io/detail/obj_groups.h"
+#include "soms/io/detail/simple/obj_groups.h"
 
 #include "soms/geometry/parts_of.h"
 #include "soms/io/read_mesh.h"

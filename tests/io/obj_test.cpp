@@ -1,4 +1,4 @@
-#include "soms/io/detail/obj.h"
+#include "soms/io/detail/simple/obj.h"
 
 #include "soms/base/error.h"
 #include "soms/io/read_mesh.h"

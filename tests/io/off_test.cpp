@@ -1,4 +1,4 @@
-#include "soms/io/detail/off.h"
+#include "soms/io/detail/simple/off.h"
 
 #include "soms/base/error.h"
 #include "soms/io/read_mesh.h"

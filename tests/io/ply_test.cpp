@@ -1,4 +1,4 @@
-#include "soms/io/detail/ply.h"
+#include "soms/io/detail/ply/ply.h"
 
 #include "soms/base/error.h"
 #include "soms/io/read_mesh.h"

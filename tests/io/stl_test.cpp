@@ -1,4 +1,4 @@
-#include "soms/io/detail/stl.h"
+#include "soms/io/detail/simple/stl.h"
 
 #include "soms/base/error.h"
 #include "soms/io/read_mesh.h"

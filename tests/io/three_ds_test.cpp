@@ -1,4 +1,4 @@
-#include "soms/io/detail/three_ds.h"
+#include "soms/io/detail/simple/three_ds.h"
 
 #include "soms/base/error.h"
 #include "soms/io/read_mesh.h"

@@ -12,9 +12,9 @@
 #include "tests/properties/property.h"
 #include "tests/query/overlap_inputs.h"
 #include "tests/support/bodies.h"
-#include "tests/support/closest_check.h"
 #include "tests/support/shortest_segment.h"
 #include "tests/support/support.h"
+#include "tests/support/truth/closest_check.h"
 
 #include <algorithm>
 #include <cmath>

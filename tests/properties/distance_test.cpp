@@ -11,9 +11,9 @@
 #include "tests/properties/property.h"
 #include "tests/query/overlap_inputs.h"
 #include "tests/support/bodies.h"
-#include "tests/support/query_table.h"
 #include "tests/support/shortest_segment.h"
 #include "tests/support/support.h"
+#include "tests/support/truth/query_table.h"
 
 #include <algorithm>
 #include <cmath>

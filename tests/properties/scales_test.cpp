@@ -7,11 +7,11 @@
 #include "soms/scene/scene.h"
 
 #include "tests/query/overlap_inputs.h"
-#include "tests/support/closest_check.h"
 #include "tests/support/needs_instruction_set.h"
-#include "tests/support/probe_table.h"
-#include "tests/support/query_table.h"
 #include "tests/support/support.h"
+#include "tests/support/truth/closest_check.h"
+#include "tests/support/truth/probe_table.h"
+#include "tests/support/truth/query_table.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // Two triangles against a twin of another kind: the edge rule in unfiltered exact signs.
 #include "soms/geometry/triangle_overlap.h"
 
-#include "soms/geometry/detail/orientation_exact.h"
+#include "soms/geometry/detail/exact/orientation_exact.h"
 
 #include "tests/properties/near_touch.h"
 #include "tests/support/support.h"

@@ -1,8 +1,8 @@
 // The twin in whole numbers that fuzzers and properties believe.
-#include "tests/support/triangle_truth.h"
+#include "tests/support/truth/triangle_truth.h"
 
 #include "tests/support/support.h"
-#include "tests/support/truth.h"
+#include "tests/support/truth/truth.h"
 
 #include <gtest/gtest.h>
 

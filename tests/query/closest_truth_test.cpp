@@ -5,11 +5,11 @@
 #include "soms/query/print.h"
 #include "soms/tree/rule/rules.h"
 
-#include "tests/support/distance_truth.h"
 #include "tests/support/needs_instruction_set.h"
 #include "tests/support/slow_build.h"
 #include "tests/support/support.h"
-#include "tests/support/truth.h"
+#include "tests/support/truth/distance_truth.h"
+#include "tests/support/truth/truth.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 #include "soms/query/within.h"
 
 #include "tests/support/bodies.h"
-#include "tests/support/query_table.h"
+#include "tests/support/truth/query_table.h"
 
 #include <gtest/gtest.h>
 

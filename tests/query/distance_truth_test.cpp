@@ -1,16 +1,16 @@
 // The truth set of distances, for `distance` and `within`, by every rule, layout, number of threads
 // and instruction set, alone and in batches.
-#include "tests/support/distance_truth.h"
+#include "tests/support/truth/distance_truth.h"
 
 #include "soms/base/error.h"
 #include "soms/tree/rule/rules.h"
 
 #include "tests/support/needs_instruction_set.h"
-#include "tests/support/query_table.h"
 #include "tests/support/shortest_segment.h"
 #include "tests/support/slow_build.h"
 #include "tests/support/support.h"
-#include "tests/support/truth.h"
+#include "tests/support/truth/query_table.h"
+#include "tests/support/truth/truth.h"
 
 #include <algorithm>
 #include <array>

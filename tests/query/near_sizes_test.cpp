@@ -4,9 +4,9 @@
 
 #include "tests/query/overlap_inputs.h"
 #include "tests/support/bodies.h"
-#include "tests/support/query_table.h"
 #include "tests/support/slow_build.h"
 #include "tests/support/support.h"
+#include "tests/support/truth/query_table.h"
 
 #include <cmath>
 

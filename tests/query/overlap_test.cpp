@@ -5,8 +5,8 @@
 #include "soms/query/reference/overlap.h"
 
 #include "tests/query/overlap_inputs.h"
-#include "tests/support/query_table.h"
 #include "tests/support/support.h"
+#include "tests/support/truth/query_table.h"
 
 #include <algorithm>
 #include <chrono>

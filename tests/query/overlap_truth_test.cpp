@@ -3,7 +3,7 @@
 
 #include "tests/support/slow_build.h"
 #include "tests/support/support.h"
-#include "tests/support/truth.h"
+#include "tests/support/truth/truth.h"
 
 #include <algorithm>
 #include <map>

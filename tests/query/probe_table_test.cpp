@@ -1,5 +1,5 @@
 // What holds for every question about points and rays, whatever it means: loops over their tables.
-#include "tests/support/probe_table.h"
+#include "tests/support/truth/probe_table.h"
 
 #include "soms/base/error.h"
 #include "soms/generate/shapes.h"

@@ -1,5 +1,5 @@
 // What holds for every question, whatever it means: one loop over the table of questions.
-#include "tests/support/query_table.h"
+#include "tests/support/truth/query_table.h"
 
 #include "soms/base/error.h"
 #include "soms/generate/shapes.h"

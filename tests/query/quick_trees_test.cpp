@@ -2,9 +2,9 @@
 // its twin on meshes that try the codes.
 #include "tests/query/overlap_inputs.h"
 #include "tests/support/needs_instruction_set.h"
-#include "tests/support/probe_table.h"
-#include "tests/support/query_table.h"
 #include "tests/support/support.h"
+#include "tests/support/truth/probe_table.h"
+#include "tests/support/truth/query_table.h"
 #include "tests/tree/inputs.h"
 
 #include <array>

@@ -5,9 +5,9 @@
 #include "soms/tree/rule/rules.h"
 
 #include "tests/support/needs_instruction_set.h"
-#include "tests/support/question_truth.h"
 #include "tests/support/slow_build.h"
 #include "tests/support/support.h"
+#include "tests/support/truth/question_truth.h"
 
 #include <gtest/gtest.h>
 

@@ -4,10 +4,10 @@
 #include "soms/query/solid.h"
 
 #include "tests/support/needs_instruction_set.h"
-#include "tests/support/question_truth.h"
 #include "tests/support/slow_build.h"
 #include "tests/support/support.h"
-#include "tests/support/truth.h"
+#include "tests/support/truth/question_truth.h"
+#include "tests/support/truth/truth.h"
 
 #include <gtest/gtest.h>
 

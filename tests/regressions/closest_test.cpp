@@ -11,10 +11,10 @@
 #include "tests/regressions/bodies.h"
 #include "tests/support/allocation.h"
 #include "tests/support/bodies.h"
-#include "tests/support/closest_check.h"
 #include "tests/support/shortest_segment.h"
 #include "tests/support/slow_build.h"
 #include "tests/support/support.h"
+#include "tests/support/truth/closest_check.h"
 
 #include <gtest/gtest.h>
 

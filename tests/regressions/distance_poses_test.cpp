@@ -9,9 +9,9 @@
 #include "tests/query/overlap_inputs.h"
 #include "tests/regressions/bodies.h"
 #include "tests/support/bodies.h"
-#include "tests/support/query_table.h"
 #include "tests/support/shortest_segment.h"
 #include "tests/support/support.h"
+#include "tests/support/truth/query_table.h"
 
 #include <gtest/gtest.h>
 

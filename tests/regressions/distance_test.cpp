@@ -12,10 +12,10 @@
 #include "tests/regressions/bodies.h"
 #include "tests/regressions/variations.h"
 #include "tests/support/bodies.h"
-#include "tests/support/query_table.h"
 #include "tests/support/shortest_segment.h"
 #include "tests/support/slow_build.h"
 #include "tests/support/support.h"
+#include "tests/support/truth/query_table.h"
 
 #include <gtest/gtest.h>
 

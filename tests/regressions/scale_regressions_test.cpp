@@ -4,8 +4,8 @@
 #include "soms/query/body.h"
 
 #include "tests/support/bodies.h"
-#include "tests/support/query_table.h"
 #include "tests/support/support.h"
+#include "tests/support/truth/query_table.h"
 
 #include <gtest/gtest.h>
 

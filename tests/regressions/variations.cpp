@@ -7,7 +7,7 @@
 #include "soms/tree/rule/rules.h"
 
 #include "tests/support/bodies.h"
-#include "tests/support/query_table.h"
+#include "tests/support/truth/query_table.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@ PHONE = (390, 800)
 DESK = (1000, 600)  # few pixels: software draws them
 
 
-# What counts as the color of a contact, in light and dark, is that of apps/support/look.h.
+# What counts as the color of a contact, in light and dark, is that of apps/draw/look.h.
 IS_CONTACT = "const isContact = (data, at) => data[at] > 180 && data[at + 1] < 95 && data[at + 2] < 80;"
 
 # The browser decodes its own pictures: a million pixels are seconds of Python.

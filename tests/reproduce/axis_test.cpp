@@ -1,4 +1,4 @@
-#include "reproduce/axis.h"
+#include "apps/draw/axis.h"
 
 #include <gtest/gtest.h>
 

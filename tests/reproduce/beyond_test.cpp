@@ -4,9 +4,9 @@
 #include "soms/generate/urban.h"
 #include "soms/tree/rule/rules.h"
 
-#include "reproduce/comparison.h"
-#include "reproduce/experiments/experiments.h"
 #include "tests/support/slow_build.h"
+#include "thesis/claims/comparison.h"
+#include "thesis/experiments/experiments.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

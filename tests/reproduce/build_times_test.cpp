@@ -1,9 +1,9 @@
-#include "reproduce/build_times.h"
+#include "thesis/trees/build_times.h"
 
 #include "soms/generate/shapes.h"
 
-#include "reproduce/experiments/experiments.h"
 #include "tests/support/slow_build.h"
+#include "thesis/experiments/experiments.h"
 
 #include <gtest/gtest.h>
 

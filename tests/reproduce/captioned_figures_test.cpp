@@ -1,7 +1,7 @@
 // Figures 4.8 to 4.22, made from their captions: their counted values.
-#include "reproduce/toy_sets.h"
 #include "tests/reproduce/trips.h"
 #include "tests/reproduce/well_formed.h"
+#include "thesis/trees/toy_sets.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

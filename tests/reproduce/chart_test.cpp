@@ -1,8 +1,8 @@
-#include "reproduce/chart.h"
+#include "apps/draw/chart.h"
 
 #include "soms/base/error.h"
 
-#include "reproduce/chart_parts.h"
+#include "apps/draw/chart_parts.h"
 #include "tests/reproduce/well_formed.h"
 
 #include <gtest/gtest.h>

@@ -1,15 +1,15 @@
 // Every count that the experiments show, against thesis_counts.csv, which an independent
 // implementation wrote.
-#include "reproduce/counts.h"
+#include "thesis/run/counts.h"
 
 #include "soms/base/error.h"
 #include "soms/generate/shapes.h"
 #include "soms/tree/option_names.h"
 
-#include "reproduce/experiments/experiments.h"
-#include "reproduce/golden_tables.h"
 #include "tests/support/slow_build.h"
 #include "tests/support/support.h"
+#include "thesis/experiments/experiments.h"
+#include "thesis/run/golden_tables.h"
 
 #include <algorithm>
 #include <array>

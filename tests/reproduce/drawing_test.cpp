@@ -1,10 +1,10 @@
-#include "reproduce/drawing.h"
+#include "thesis/pictures/drawing.h"
 
 #include "soms/generate/urban.h"
 
-#include "reproduce/facet_paths.h"
-#include "reproduce/projection.h"
 #include "tests/reproduce/well_formed.h"
+#include "thesis/pictures/projection.h"
+#include "thesis/trees/facet_paths.h"
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,9 @@
 #include "soms/generate/shapes.h"
 #include "soms/query/reference/overlap.h"
 
-#include "reproduce/touching_drive.h"
-#include "reproduce/traversal_tables.h"
 #include "tests/reproduce/trips.h"
+#include "thesis/races/touching_drive.h"
+#include "thesis/run/traversal_tables.h"
 
 #include <gtest/gtest.h>
 

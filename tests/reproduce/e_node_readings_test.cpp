@@ -1,14 +1,14 @@
 // Readings of E-Node: every count by an independent implementation, and an earlier level beside
 // trees that are built to that level.
-#include "reproduce/e_node_readings.h"
+#include "thesis/races/e_node_readings.h"
 
 #include "soms/thesis/thesis_frames.h"
 
-#include "reproduce/earlier_nodes.h"
-#include "reproduce/golden.h"
 #include "tests/reproduce/trips.h"
 #include "tests/support/slow_build.h"
 #include "tests/support/support.h"
+#include "thesis/races/earlier_nodes.h"
+#include "thesis/run/golden.h"
 
 #include <gtest/gtest.h>
 

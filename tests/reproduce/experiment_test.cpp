@@ -1,4 +1,4 @@
-#include "reproduce/experiment.h"
+#include "thesis/run/experiment.h"
 
 #include "soms/base/error.h"
 

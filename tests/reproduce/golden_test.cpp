@@ -1,12 +1,12 @@
 // The comparison of a run with the golden tables.
-#include "reproduce/golden.h"
+#include "thesis/run/golden.h"
 
 #include "soms/base/error.h"
 
-#include "reproduce/report.h"
 #include "tests/reproduce/well_formed.h"
 #include "tests/support/slow_build.h"
 #include "tests/support/support.h"
+#include "thesis/page/report.h"
 
 #include <algorithm>
 #include <fstream>

@@ -1,4 +1,4 @@
-#include "reproduce/grouped_bars.h"
+#include "apps/draw/grouped_bars.h"
 
 #include <gtest/gtest.h>
 

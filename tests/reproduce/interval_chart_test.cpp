@@ -1,4 +1,4 @@
-#include "reproduce/interval_chart.h"
+#include "apps/draw/interval_chart.h"
 
 #include "soms/base/error.h"
 

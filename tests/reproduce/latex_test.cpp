@@ -1,4 +1,4 @@
-#include "reproduce/latex.h"
+#include "thesis/page/latex.h"
 
 #include "tests/reproduce/well_formed.h"
 

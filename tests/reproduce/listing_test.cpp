@@ -1,5 +1,5 @@
 // Listings: code beside examples, beside steps, or above steps that are too wide.
-#include "reproduce/listing.h"
+#include "thesis/page/listing.h"
 
 #include "tests/reproduce/well_formed.h"
 

@@ -1,4 +1,4 @@
-#include "reproduce/load.h"
+#include "thesis/run/load.h"
 
 #include <gtest/gtest.h>
 

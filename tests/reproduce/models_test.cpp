@@ -1,4 +1,4 @@
-#include "reproduce/models.h"
+#include "thesis/trips/models.h"
 
 #include "soms/base/error.h"
 #include "soms/generate/shapes.h"
@@ -6,9 +6,9 @@
 #include "soms/io/read_mesh.h"
 #include "soms/io/write_mesh.h"
 
-#include "reproduce/sha256.h"
 #include "tests/generate/closed.h"
 #include "tests/support/support.h"
+#include "thesis/trips/sha256.h"
 
 #include <gtest/gtest.h>
 

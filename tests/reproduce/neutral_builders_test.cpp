@@ -1,4 +1,4 @@
-#include "reproduce/neutral_builders.h"
+#include "thesis/trees/neutral_builders.h"
 
 #include "soms/generate/shapes.h"
 #include "soms/generate/urban.h"

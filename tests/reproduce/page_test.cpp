@@ -1,6 +1,6 @@
-#include "reproduce/chart.h"
-#include "reproduce/report.h"
+#include "apps/draw/chart.h"
 #include "tests/reproduce/well_formed.h"
+#include "thesis/page/report.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // The page for paper, and the command line that prints it.
-#include "reproduce/paper.h"
+#include "thesis/page/paper.h"
 
-#include "reproduce/report.h"
 #include "tests/reproduce/well_formed.h"
+#include "thesis/page/report.h"
 
 #include <gtest/gtest.h>
 

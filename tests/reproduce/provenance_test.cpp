@@ -1,9 +1,9 @@
-#include "reproduce/provenance.h"
+#include "thesis/run/provenance.h"
 
-#include "reproduce/build.h"
-#include "reproduce/sha256.h"
 #include "tests/reproduce/well_formed.h"
 #include "tests/support/support.h"
+#include "thesis/run/build.h"
+#include "thesis/trips/sha256.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "reproduce/race_team.h"
+#include "thesis/races/race_team.h"
 
 #include "soms/base/error.h"
 

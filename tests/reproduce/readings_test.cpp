@@ -2,14 +2,14 @@
 #include "soms/tree/build.h"
 #include "soms/tree/statistics.h"
 
-#include "reproduce/alternative_rules.h"
-#include "reproduce/balance_measures.h"
-#include "reproduce/experiments/experiments.h"
-#include "reproduce/object_meshes.h"
-#include "reproduce/stuck_nodes.h"
-#include "reproduce/toy_sets.h"
 #include "tests/reproduce/trips.h"
 #include "tests/support/support.h"
+#include "thesis/experiments/experiments.h"
+#include "thesis/trees/alternative_rules.h"
+#include "thesis/trees/balance_measures.h"
+#include "thesis/trees/stuck_nodes.h"
+#include "thesis/trees/toy_sets.h"
+#include "thesis/trips/object_meshes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "reproduce/result.h"
+#include "thesis/run/result.h"
 
 #include <gtest/gtest.h>
 

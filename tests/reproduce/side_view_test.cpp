@@ -1,4 +1,4 @@
-#include "reproduce/side_view.h"
+#include "thesis/pictures/side_view.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "reproduce/statistics.h"
+#include "thesis/trips/statistics.h"
 
 #include <gtest/gtest.h>
 

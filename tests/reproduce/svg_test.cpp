@@ -1,4 +1,4 @@
-#include "reproduce/svg.h"
+#include "apps/draw/svg.h"
 
 #include "tests/reproduce/well_formed.h"
 

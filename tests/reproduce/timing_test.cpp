@@ -1,4 +1,4 @@
-#include "reproduce/timing.h"
+#include "thesis/trips/timing.h"
 
 #include "soms/base/error.h"
 

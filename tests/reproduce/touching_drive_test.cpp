@@ -1,5 +1,5 @@
 // The drive that touches: chosen by counts, the same on every machine, for any scene.
-#include "reproduce/touching_drive.h"
+#include "thesis/races/touching_drive.h"
 
 #include "soms/base/error.h"
 #include "soms/generate/shapes.h"

@@ -1,4 +1,4 @@
-#include "reproduce/toy_sets.h"
+#include "thesis/trees/toy_sets.h"
 
 #include <gtest/gtest.h>
 

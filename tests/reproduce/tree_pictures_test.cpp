@@ -1,4 +1,4 @@
-#include "reproduce/tree_pictures.h"
+#include "thesis/pictures/tree_pictures.h"
 
 #include "soms/tree/build.h"
 

@@ -2,9 +2,9 @@
 /// What the tests of the experiments about traversals share: small models, cells, what may differ.
 #pragma once
 
-#include "reproduce/experiment.h"
-#include "reproduce/models.h"
-#include "reproduce/result.h"
+#include "thesis/run/experiment.h"
+#include "thesis/run/result.h"
+#include "thesis/trips/models.h"
 
 #include <string>
 #include <string_view>

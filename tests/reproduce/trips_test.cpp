@@ -6,11 +6,11 @@
 #include "soms/query/reference/overlap.h"
 #include "soms/thesis/thesis_frames.h"
 
-#include "reproduce/frames.h"
-#include "reproduce/golden.h"
-#include "reproduce/traversal_tables.h"
 #include "tests/support/slow_build.h"
 #include "tests/support/support.h"
+#include "thesis/run/golden.h"
+#include "thesis/run/traversal_tables.h"
+#include "thesis/trips/frames.h"
 
 #include <array>
 #include <map>

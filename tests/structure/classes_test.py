@@ -26,7 +26,7 @@ def classes(path):
 def main():
     root = pathlib.Path(sys.argv[1])
     places = collections.defaultdict(set)
-    for folder in ("soms", "apps", "reproduce", "bench"):
+    for folder in ("soms", "apps", "thesis", "bench"):
         for path in sorted((root / folder).rglob("*")):
             if path.suffix in (".h", ".cpp"):
                 for name in classes(path):

@@ -47,7 +47,7 @@ ALLOWED = {
     "tests/query/winding_test.cpp": (("clock",), "the least moment there is"),
     "tests/query/distance_threads_test.cpp": (("clock",), "deadlines; what is claimed holds wherever they end a query"),
     "tests/query/overlap_test.cpp": (("clock",), DEADLINE),
-    "tests/support/query_row_parts.h": (("clock",), DEADLINE),
+    "tests/support/truth/query_row_parts.h": (("clock",), DEADLINE),
     "tests/thesis/named_overlap_test.cpp": (("clock",), DEADLINE),
     "tests/properties/values_test.cpp": (("clock",), "a moment that is compared and printed"),
     "tests/regressions/growth_regressions_test.cpp": (("clock",), "printed, not judged"),
@@ -66,8 +66,8 @@ ENDLESS = {
     "tests/commands/bench_test.cpp": "its child sleeps for ever",
     "tests/commands/viewer_test.cpp": "its child sleeps for ever",
     "tests/commands/interrupts_test.cpp": "waits for a pipe that stays silent, or makes a city of minutes; status 4 at any moment",
-    "tests/commands/simulate_options_test.cpp": "places a million movers; status 4 at any moment",
-    "tests/commands/overlap_test.cpp": "0: time was up before the start",
+    "tests/commands/simulate/simulate_options_test.cpp": "places a million movers; status 4 at any moment",
+    "tests/commands/pairs/overlap_test.cpp": "0: time was up before the start",
     "tests/view/verbs/render_test.cpp": "0: time was up before the start",
 }
 

@@ -17,16 +17,19 @@ def listed(cmake):
 
 
 def faults(root):
-    for cmake in sorted([*root.glob("soms/*/files.cmake"), *root.glob("apps/**/files.cmake"), root / "python/files.cmake"]):
+    for cmake in sorted([*root.glob("soms/*/files.cmake"), *root.glob("apps/**/files.cmake"),
+                         *root.glob("thesis/**/files.cmake"), root / "python/files.cmake"]):
         room = cmake.parent
-        there = {str(f.relative_to(room)) for f in room.rglob("*") if f.suffix in {".h", ".cpp"}}
+        within = [inner.parent for inner in room.rglob("files.cmake") if inner != cmake]
+        there = {str(f.relative_to(room)) for f in room.rglob("*") if f.suffix in {".h", ".cpp"}
+                 and not any(inner in f.parents for inner in within)}
         private = {f for f in there if f.endswith(".h") and "detail" in f.split("/")}
         names = listed(cmake)
         for name in sorted(there - names - private):
             yield f"{cmake.relative_to(root)} does not list {name}"
         for name in sorted(names & private):
             yield f"{cmake.relative_to(root)} installs the private header {name}"
-    for folder in ("soms", "apps", "reproduce", "tests", "bench", "python"):
+    for folder in ("soms", "apps", "thesis", "tests", "bench", "python"):
         for file in sorted((root / folder).rglob("*")):
             if file.suffix not in MOST_LINES:
                 continue

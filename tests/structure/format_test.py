@@ -4,7 +4,7 @@ import shutil
 import subprocess
 import sys
 
-FOLDERS = ("soms", "apps", "reproduce", "tests", "bench", "python")
+FOLDERS = ("soms", "apps", "thesis", "tests", "bench", "python")
 
 
 def main():

@@ -1,6 +1,7 @@
 """Every include in soms/ points to its own layer or a lower one, and to no program or test.
 
-Programs see the library, apps/support and (the command) apps/report, never each other; the viewer's rooms see lower ones only.
+What stands on the library (programs, the thesis' experiments, bindings) is in rooms, and each room sees only the rooms that ABOVE
+names; the viewer's rooms see lower ones only.
 """
 import pathlib
 import re
@@ -23,27 +24,27 @@ MAY_INCLUDE = {
 # Private headers that one other room may see, and why: no user has a need of them.
 LENT = {
     ("query", "soms/geometry/detail/pair_distance.h"): "what a traversal knows of a candidate pair",
-    ("query", "soms/geometry/detail/exact_distance.h"): "the brute-force twin decides in whole numbers alone",
+    ("query", "soms/geometry/detail/exact/exact_distance.h"): "the brute-force twin decides in whole numbers alone",
     ("query", "soms/geometry/detail/nearest_points.h"): "as exact_distance.h",
     ("query", "soms/geometry/detail/point_to_triangle.h"): "what a traversal knows of a candidate triangle",
-    ("query", "soms/geometry/detail/exact_point.h"): "as exact_distance.h",
-    ("query", "soms/geometry/detail/exact_ray.h"): "where a ray meets a candidate triangle",
+    ("query", "soms/geometry/detail/exact/exact_point.h"): "as exact_distance.h",
+    ("query", "soms/geometry/detail/exact/exact_ray.h"): "where a ray meets a candidate triangle",
     ("query", "soms/geometry/detail/ray_plane.h"): "the same in floating point",
-    ("query", "soms/geometry/detail/odd_edges.h"): "a body keeps its odd edges, to be looked at again at another pose",
-    ("query", "soms/geometry/detail/connected_parts.h"): "a body keeps its connected parts, to be queried at any pose",
-    ("query", "soms/geometry/detail/joined.h"): "as connected_parts.h",
-    ("query", "soms/geometry/detail/plane_cells.h"): "bodies that touch are distinguished by the cells of their triangles",
-    ("query", "soms/geometry/detail/predicates.h"): "tests of a ray say whether a filter sufficed",
-    ("query", "soms/geometry/detail/double_double.h"): "angles near an edge need twice the digits",
-    ("query", "soms/geometry/detail/power_of_two.h"): "rays are scaled as often as in geometry",
+    ("query", "soms/geometry/detail/parts/odd_edges.h"): "a body keeps its odd edges, to be looked at again at another pose",
+    ("query", "soms/geometry/detail/parts/connected_parts.h"): "a body keeps its connected parts, to be queried at any pose",
+    ("query", "soms/geometry/detail/parts/joined.h"): "as connected_parts.h",
+    ("query", "soms/geometry/detail/parts/plane_cells.h"): "bodies that touch are distinguished by the cells of their triangles",
+    ("query", "soms/geometry/detail/exact/predicates.h"): "tests of a ray say whether a filter sufficed",
+    ("query", "soms/geometry/detail/exact/double_double.h"): "angles near an edge need twice the digits",
+    ("query", "soms/geometry/detail/exact/power_of_two.h"): "rays are scaled as often as in geometry",
     ("scene", "soms/geometry/detail/point_to_triangle.h"): "which of many bodies is nearest is decided exactly",
-    ("scene", "soms/geometry/detail/exact_ray.h"): "as point_to_triangle.h",
-    ("scene", "soms/geometry/detail/exact_point.h"): "as exact_distance.h",
+    ("scene", "soms/geometry/detail/exact/exact_ray.h"): "as point_to_triangle.h",
+    ("scene", "soms/geometry/detail/exact/exact_point.h"): "as exact_distance.h",
     ("scene", "soms/query/detail/engine/batch.h"): "batches are shared out alike",
     ("scene", "soms/query/detail/kernels/target.h"): "kernels of a sweep are compiled as those of queries are",
     ("scene", "soms/query/detail/moved_triangle.h"): "triangles of nearest and of touching bodies are where queries see them",
     ("scene", "soms/query/detail/ray/ray_line.h"): "so are rays and segments",
-    ("clash", "soms/geometry/detail/part_groups.h"): "odd edges of parts are known before parts are joined",
+    ("clash", "soms/geometry/detail/parts/part_groups.h"): "odd edges of parts are known before parts are joined",
     ("clash", "soms/query/detail/closed_surface.h"): "connected parts are found while closedness is checked",
     ("clash", "soms/query/detail/moved_triangle.h"): "triangles of parts are where queries see them",
     ("clash", "soms/scene/detail/contact_place.h"): "a clash has its place where a contact has it",
@@ -58,11 +59,29 @@ LENT = {
     ("thesis", "soms/query/detail/engine/pair_frame.h"): "likewise",
     ("thesis", "soms/query/detail/engine/block_source.h"): "likewise",
 }
-PROGRAMS = {"cli": {"cli"}, "support": {"cli", "support"}, "report": {"report"},
-            "soms": {"cli", "soms", "support", "report"}, "reproduce": {"cli", "reproduce", "support"},
-            "view": {"cli", "view", "support"}, "import": {"import"}}
-PARSES = "apps/cli/cli11.cpp"  # alone sees CLI11
-ANYBODY = {"apps/support/look.h"}  # colors alone, which all pages and pictures share
+# Rooms above the library, by their folders, and the rooms that each may see besides itself. A folder that is not named belongs to
+# the nearest one above it.
+ABOVE = {
+    "apps/draw": set(),
+    "apps/output": set(),
+    "apps/cli": {"apps/output"},
+    "apps/rows": {"apps/output", "apps/cli"},
+    "apps/model": {"apps/output", "apps/cli"},
+    "apps/world": {"apps/draw", "apps/output", "apps/cli", "apps/model"},
+    "apps/report": {"apps/draw"},
+    "apps/import": set(),
+    "thesis/trips": {"apps/draw"},
+    "thesis": {"apps/draw", "thesis/trips"},
+    "thesis/program": {"thesis", "thesis/trips", "apps/draw", "apps/output", "apps/cli"},
+    "apps/soms": {"apps/draw", "apps/output", "apps/cli", "apps/rows", "apps/model", "apps/world", "apps/report",
+                  "apps/soms/thesis"},
+    "apps/soms/thesis": {"apps/soms", "apps/output", "apps/cli", "apps/model", "apps/world", "thesis/trips"},
+    "apps/view": {"apps/draw", "apps/output", "apps/cli", "apps/rows", "apps/model", "apps/world"},
+    "apps/view/drawing": {"apps/draw"},
+    "python": {"apps/report"},
+    "web": set(),
+}
+ANYBODY = {"apps/draw/look.h"}  # colors alone, which all pages and pictures share
 VIEW_ROOMS = ["drawing", "scene", "control", "window", "verbs"]  # the lowest first
 FOREIGN = re.compile(r"^(GL/|GLFW|epoxy|imgui|CLI/)")
 ADAPTED = re.compile(r"^(Eigen|glm)/")  # for the headers of adapt alone
@@ -82,7 +101,7 @@ def breaches(root):
                 yield f"{inside} includes the facade"
             elif parts[0] == "soms" and parts[1] not in MAY_INCLUDE[room]:
                 yield f"{inside} includes {name}: {room} may not see {parts[1]}"
-            elif parts[0] in {"apps", "tests", "bench", "reproduce"} or FOREIGN.match(name) or (
+            elif parts[0] in {"apps", "tests", "bench", "thesis"} or FOREIGN.match(name) or (
                     READERS.match(name) and room != "io") or (
                     ADAPTED.match(name) and room != "adapt"):
                 yield f"{inside} includes {name}"
@@ -97,38 +116,48 @@ def breaches(root):
                 yield f"{inside} shows {name} in a header"
 
 
-def program_breaches(root):
-    for file in sorted((root / "apps").rglob("*")):
+def room_above(path):
+    """The room of a file above the library, or nothing."""
+    parts = path.split("/")[:-1]
+    names = ("/".join(parts[:count]) for count in range(len(parts), 0, -1))
+    return next((name for name in names if name in ABOVE), None)
+
+
+def view_breach(inside, name):
+    """The viewer's rooms, from drawing to verbs, see lower ones only."""
+    room, other = inside.split("/")[2], name.split("/")[2]
+    return room in VIEW_ROOMS and other in VIEW_ROOMS and VIEW_ROOMS.index(other) > VIEW_ROOMS.index(room)
+
+
+def breaches_above(root):
+    lent = {"web": "soms/", "thesis": "soms/thesis/"}  # private headers that they are built with
+    for file in sorted(f for folder in ("apps", "thesis", "python", "web") for f in (root / folder).rglob("*")):
         if file.suffix not in {".h", ".cpp"}:
             continue
-        inside = file.relative_to(root)
-        program, room = inside.parts[1], inside.parts[2]
+        inside = str(file.relative_to(root))
+        room = room_above(inside)
         for _, name in INCLUDE.findall(file.read_text(encoding="utf-8")):
             parts = name.split("/")
-            if parts[0] in {"tests", "bench"} or "detail" in parts[:-1] and parts[0] == "soms":
+            if parts[0] in {"tests", "bench"} or "detail" in parts[:-1] and parts[0] == "soms" and not (
+                    name.startswith(lent.get(room, "nothing"))):
                 yield f"{inside} includes {name}"
-            elif program != "view" and re.match(r"^(GL/|GLFW|epoxy|EGL|imgui|glm/)", name):
+            elif room and not room.startswith("apps/view") and re.match(r"^(GL/|GLFW|epoxy|EGL|imgui|glm/)", name):
                 yield f"{inside} includes {name}"
-            if name.startswith("CLI/") and str(inside) != PARSES:
-                yield f"{inside} includes {name}, which {PARSES} alone sees"
-            if str(inside) in ANYBODY and name.startswith(("soms/", "apps/")):
+            if inside in ANYBODY and name.startswith(("soms/", "apps/")):
                 yield f"{inside} includes {name}, and everybody sees it"
-            if parts[0] != "apps" or name in ANYBODY:
+            other = room_above(name)
+            if other is None or name in ANYBODY or other == room:
                 continue
-            if parts[1] not in PROGRAMS[program]:
-                yield f"{inside} includes {name}: {program} may not see {parts[1]}"
-            elif program == "view" and room == "drawing" and parts[1] == "support":
-                yield f"{inside} includes {name}: drawing knows nothing of models"
-            elif parts[1] == "view" and room in VIEW_ROOMS and parts[2] in VIEW_ROOMS:
-                if VIEW_ROOMS.index(parts[2]) > VIEW_ROOMS.index(room):
-                    yield f"{inside} includes {name}: {room} may not see {parts[2]}"
+            both_view = room is not None and room.startswith("apps/view") and other.startswith("apps/view")
+            if both_view and view_breach(inside, name) or not both_view and other not in ABOVE.get(room, set()):
+                yield f"{inside} includes {name}: {room} may not see {other}"
 
 
 def main():
     root = pathlib.Path(sys.argv[1])
-    files = [f for folder in ("soms", "apps") for f in (root / folder).rglob("*")
+    files = [f for folder in ("soms", "apps", "thesis", "python", "web") for f in (root / folder).rglob("*")
              if f.suffix in {".h", ".cpp"}]
-    found = [*breaches(root), *program_breaches(root)]
+    found = [*breaches(root), *breaches_above(root)]
     for line in found:
         print(line)
     print(f"{len(files)} files, {len(found)} breaches")

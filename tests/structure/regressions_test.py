@@ -72,9 +72,9 @@ def main():
     if "--write" in sys.argv[2:]:
         page = written(page, tests)
         path.write_text(page, encoding="utf-8")
-    verbs = set(VERB.findall((root / "apps/soms/verbs.cpp").read_text(encoding="utf-8")))
+    verbs = set(VERB.findall((root / "apps/soms/shell/verbs.cpp").read_text(encoding="utf-8")))
     if "info" not in verbs:
-        print("no verbs found in apps/soms/verbs.cpp")
+        print("no verbs found in apps/soms/shell/verbs.cpp")
         return 1
     found = list(faults(page, tests, verbs))
     for line in found:

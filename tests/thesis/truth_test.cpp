@@ -1,6 +1,6 @@
 // The truth set by every traversal and every rule: 4,620 posed pairs of meshes whose overlaps were
 // decided by two independent exact methods.
-#include "tests/support/truth.h"
+#include "tests/support/truth/truth.h"
 
 #include "soms/thesis/named_overlap.h"
 #include "soms/thesis/traversals.h"

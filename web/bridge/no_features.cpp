@@ -1,6 +1,6 @@
-// In the place of soms/io/detail/gltf_features.cpp and gltf_metadata.cpp: features of glTF are the
-// objects of cities, which come in files that the package does not read.
-#include "soms/io/detail/gltf_features.h"
+// In the place of soms/io/detail/gltf/gltf_features.cpp and gltf_metadata.cpp: features of glTF are
+// the objects of cities, which come in files that the package does not read.
+#include "soms/io/detail/gltf/gltf_features.h"
 
 namespace soms::detail {
 

@@ -1,5 +1,5 @@
-// In the place of soms/io/detail/import_child.cpp: a browser starts no programs.
-#include "soms/io/detail/import_child.h"
+// In the place of soms/io/detail/import/import_child.cpp: a browser starts no programs.
+#include "soms/io/detail/import/import_child.h"
 
 namespace soms::detail {
 

@@ -1,6 +1,6 @@
 #include "apps/view/control/frame_rates.h"
 
-#include "apps/support/text.h"
+#include "apps/cli/text.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // The panels of `Panels` that are lists: files to open, events, the tests of a traversal.
-#include "apps/support/text.h"
+#include "apps/cli/text.h"
 #include "apps/view/control/imgui_input.h"
 #include "apps/view/control/panel_text.h"
 #include "apps/view/control/panels.h"

@@ -3,8 +3,8 @@
 #include "soms/thesis/traversals.h"
 #include "soms/tree/option_names.h"
 
-#include "apps/support/look.h"
-#include "apps/support/text.h"
+#include "apps/cli/text.h"
+#include "apps/draw/look.h"
 #include "apps/view/scene/view_options.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "apps/view/control/panels.h"
 
-#include "apps/support/text.h"
+#include "apps/cli/text.h"
 #include "apps/view/control/help.h"
 #include "apps/view/control/imgui_input.h"
 #include "apps/view/control/panel_text.h"

@@ -1,6 +1,6 @@
 #include "apps/view/control/style.h"
 
-#include "apps/support/look.h"
+#include "apps/draw/look.h"
 #include "apps/view/control/imgui_input.h"
 
 #include <array>

@@ -2,22 +2,22 @@ set(SOMS_VIEW_HEADERS
   camera.h
   draw_list.h
   gap_marks.h
-  gl_boxes.h
-  gl_finish.h
-  gl_ground.h
-  gl_labels.h
-  gl_layer.h
-  gl_light.h
-  gl_objects.h
-  gl_slicer.h
-  gl_renderer.h
-  gl_shaders.h
-  gl_shadows.h
-  gl_strokes.h
-  gl_surfaces.h
-  gl_target.h
-  gl_view.h
-  headless_context.h
+  gl/gl_boxes.h
+  gl/gl_finish.h
+  gl/gl_ground.h
+  gl/gl_labels.h
+  gl/gl_layer.h
+  gl/gl_light.h
+  gl/gl_objects.h
+  gl/gl_renderer.h
+  gl/gl_shaders.h
+  gl/gl_shadows.h
+  gl/gl_slicer.h
+  gl/gl_strokes.h
+  gl/gl_surfaces.h
+  gl/gl_target.h
+  gl/gl_view.h
+  gl/headless_context.h
   labels.h
   length.h
   markers.h
@@ -38,22 +38,22 @@ set(SOMS_VIEW_SOURCES
   camera.cpp
   draw_list.cpp
   gap_marks.cpp
-  gl_boxes.cpp
-  gl_finish.cpp
-  gl_ground.cpp
-  gl_labels.cpp
-  gl_layer.cpp
-  gl_light.cpp
-  gl_objects.cpp
-  gl_slicer.cpp
-  gl_renderer.cpp
-  gl_shaders.cpp
-  gl_shadows.cpp
-  gl_strokes.cpp
-  gl_surfaces.cpp
-  gl_target.cpp
-  gl_view.cpp
-  headless_context.cpp
+  gl/gl_boxes.cpp
+  gl/gl_finish.cpp
+  gl/gl_ground.cpp
+  gl/gl_labels.cpp
+  gl/gl_layer.cpp
+  gl/gl_light.cpp
+  gl/gl_objects.cpp
+  gl/gl_renderer.cpp
+  gl/gl_shaders.cpp
+  gl/gl_shadows.cpp
+  gl/gl_slicer.cpp
+  gl/gl_strokes.cpp
+  gl/gl_surfaces.cpp
+  gl/gl_target.cpp
+  gl/gl_view.cpp
+  gl/headless_context.cpp
   labels.cpp
   markers.cpp
   overlay.cpp

@@ -2,20 +2,20 @@
 /// Colors that people who see fewer colors tell apart too.
 #pragma once
 
-#include "apps/support/look.h"
+#include "apps/draw/look.h"
 #include "apps/view/drawing/draw_list.h"
 
 #include <cstddef>
 
 namespace soms::view {
 
-/// A color of apps/support/look.h, opaque.
+/// A color of apps/draw/look.h, opaque.
 [[nodiscard]] constexpr Color color_of(look::Rgb color) {
   return {color.r, color.g, color.b, 255};
 }
 
 /// The colors of the window and its pictures, which have one light look: those of
-/// apps/support/look.h where a color has a meaning, else eight by Okabe and Ito and a violet. Only
+/// apps/draw/look.h where a color has a meaning, else eight by Okabe and Ito and a violet. Only
 /// contacts are red: of surfaces, or of boxes beside surfaces that are violet.
 /// \source Okabe, Ito 2008, Color Universal Design.
 namespace palette {

@@ -7,7 +7,7 @@
 
 #include "apps/view/drawing/camera.h"
 #include "apps/view/drawing/draw_list.h"
-#include "apps/view/drawing/gl_view.h"
+#include "apps/view/drawing/gl/gl_view.h"
 
 #include <array>
 

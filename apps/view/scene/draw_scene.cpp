@@ -2,7 +2,7 @@
 
 #include "soms/base/error.h"
 
-#include "apps/support/text.h"
+#include "apps/cli/text.h"
 #include "apps/view/drawing/gap_marks.h"
 #include "apps/view/drawing/length.h"
 #include "apps/view/scene/part_boxes.h"

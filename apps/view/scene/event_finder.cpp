@@ -3,8 +3,8 @@
 #include "soms/geometry/parts_of.h"
 #include "soms/scene/scene.h"
 
-#include "apps/support/part_names.h"
 #include "apps/view/scene/frame_report.h"
+#include "apps/world/part_names.h"
 
 #include <fmt/format.h>
 

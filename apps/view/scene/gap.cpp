@@ -1,6 +1,6 @@
 #include "apps/view/scene/gap.h"
 
-#include "apps/support/text.h"
+#include "apps/cli/text.h"
 #include "apps/view/drawing/length.h"
 
 #include <algorithm>

@@ -3,10 +3,10 @@
 #include "soms/base/error.h"
 #include "soms/io/read_mesh.h"
 
-#include "apps/support/models.h"
-#include "apps/support/recorded_world.h"
-#include "apps/support/route_notes.h"
-#include "apps/support/stated_options.h"
+#include "apps/model/models.h"
+#include "apps/model/stated_options.h"
+#include "apps/world/recorded_world.h"
+#include "apps/world/route_notes.h"
 
 #include <fmt/format.h>
 

@@ -6,8 +6,8 @@
 #include "soms/query/body.h"
 #include "soms/scene/replay.h"
 
-#include "apps/support/world.h"
 #include "apps/view/scene/scene_content.h"
+#include "apps/world/world.h"
 
 #include <filesystem>
 #include <string>

@@ -6,7 +6,7 @@
 #include "soms/query/body.h"
 #include "soms/scene/replay.h"
 
-#include "apps/support/frame_warnings.h"
+#include "apps/model/frame_warnings.h"
 
 #include <cstdint>
 #include <functional>

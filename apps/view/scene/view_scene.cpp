@@ -4,7 +4,7 @@
 #include "soms/thesis/traversals.h"
 #include "soms/tree/rule/rules.h"
 
-#include "apps/support/length_unit.h"
+#include "apps/cli/length_unit.h"
 #include "apps/view/scene/frame_report.h"
 #include "apps/view/scene/orientation_menu.h"
 #include "apps/view/scene/tree_store.h"

@@ -1,6 +1,6 @@
 #include "apps/view/verbs/ray_picture.h"
 
-#include "apps/support/length_unit.h"
+#include "apps/cli/length_unit.h"
 #include "apps/view/drawing/length.h"
 #include "apps/view/drawing/palette.h"
 #include "apps/view/drawing/picture_marks.h"

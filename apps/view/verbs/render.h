@@ -2,10 +2,10 @@
 /// The verb `render`: a picture without a screen.
 #pragma once
 
-#include "apps/support/verb.h"
-#include "apps/support/world_options.h"
+#include "apps/cli/verb.h"
 #include "apps/view/scene/view_options.h"
 #include "apps/view/verbs/render_camera.h"
+#include "apps/world/world_options.h"
 
 #include <cstdint>
 #include <optional>

@@ -2,7 +2,7 @@
 
 #include "soms/base/error.h"
 
-#include "apps/support/parse.h"
+#include "apps/cli/parse.h"
 #include "apps/view/drawing/length.h"
 #include "apps/view/drawing/visibility.h"
 #include "apps/view/scene/aim.h"

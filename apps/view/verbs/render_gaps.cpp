@@ -1,6 +1,6 @@
 #include "apps/view/verbs/render_gaps.h"
 
-#include "apps/support/text.h"
+#include "apps/cli/text.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 /// What `soms render` says of the gaps of a recording's frame.
 #pragma once
 
-#include "apps/support/json.h"
+#include "apps/output/json.h"
 #include "apps/view/scene/view_scene.h"
 
 #include <optional>

@@ -2,10 +2,10 @@
 
 #include "soms/base/error.h"
 
-#include "apps/support/georeference.h"
-#include "apps/support/json.h"
-#include "apps/support/length_unit.h"
-#include "apps/support/text.h"
+#include "apps/cli/length_unit.h"
+#include "apps/cli/text.h"
+#include "apps/model/georeference.h"
+#include "apps/output/json.h"
 #include "apps/view/verbs/ray_picture.h"
 #include "apps/view/verbs/sight_map.h"
 

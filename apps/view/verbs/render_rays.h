@@ -2,7 +2,7 @@
 /// The pictures of `render` that are made of rays: --depth and --visible-from.
 #pragma once
 
-#include "apps/support/console.h"
+#include "apps/cli/console.h"
 #include "apps/view/verbs/render.h"
 
 namespace soms::view {

@@ -1,6 +1,6 @@
 #include "apps/view/verbs/render_remarks.h"
 
-#include "apps/support/text.h"
+#include "apps/cli/text.h"
 #include "apps/view/verbs/render_camera.h"
 
 #include <fmt/format.h>

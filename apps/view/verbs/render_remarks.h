@@ -2,7 +2,7 @@
 /// What is said of a picture beside its answer.
 #pragma once
 
-#include "apps/support/console.h"
+#include "apps/cli/console.h"
 #include "apps/view/drawing/camera.h"
 #include "apps/view/scene/view_scene.h"
 #include "apps/view/verbs/render.h"

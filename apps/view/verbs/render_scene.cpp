@@ -3,11 +3,11 @@
 #include "soms/base/error.h"
 #include "soms/scene/replay.h"
 
-#include "apps/support/parse.h"
-#include "apps/support/pose_source.h"
-#include "apps/support/world.h"
+#include "apps/cli/parse.h"
+#include "apps/rows/pose_source.h"
 #include "apps/view/scene/load.h"
 #include "apps/view/scene/orientation_menu.h"
+#include "apps/world/world.h"
 
 #include <fmt/format.h>
 

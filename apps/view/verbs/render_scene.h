@@ -2,9 +2,9 @@
 /// The scene of a picture, as named on the command line.
 #pragma once
 
-#include "apps/support/console.h"
-#include "apps/support/world_options.h"
+#include "apps/cli/console.h"
 #include "apps/view/scene/scene_content.h"
+#include "apps/world/world_options.h"
 
 #include <string>
 

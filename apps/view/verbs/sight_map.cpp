@@ -1,13 +1,13 @@
 #include "apps/view/verbs/sight_map.h"
 
-#include "apps/support/height_grid.h"
-#include "apps/support/length_unit.h"
-#include "apps/support/look.h"
-#include "apps/support/map_layers.h"
-#include "apps/support/map_page.h"
-#include "apps/support/text.h"
+#include "apps/cli/length_unit.h"
+#include "apps/cli/text.h"
+#include "apps/draw/height_grid.h"
+#include "apps/draw/look.h"
 #include "apps/view/verbs/ray_picture.h"
 #include "apps/view/verbs/render_camera.h"
+#include "apps/world/map_layers.h"
+#include "apps/world/map_page.h"
 
 #include <fmt/format.h>
 

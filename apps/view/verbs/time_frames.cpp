@@ -3,18 +3,18 @@
 #include "soms/base/error.h"
 #include "soms/thesis/named_overlap.h"
 
-#include "apps/support/console.h"
-#include "apps/support/json.h"
-#include "apps/support/parse.h"
-#include "apps/support/pose_source.h"
-#include "apps/support/text.h"
-#include "apps/support/world.h"
-#include "apps/view/drawing/gl_renderer.h"
-#include "apps/view/drawing/headless_context.h"
+#include "apps/cli/console.h"
+#include "apps/cli/parse.h"
+#include "apps/cli/text.h"
+#include "apps/output/json.h"
+#include "apps/rows/pose_source.h"
+#include "apps/view/drawing/gl/gl_renderer.h"
+#include "apps/view/drawing/gl/headless_context.h"
 #include "apps/view/scene/draw_scene.h"
 #include "apps/view/scene/load.h"
 #include "apps/view/verbs/render.h"
 #include "apps/view/verbs/render_camera.h"
+#include "apps/world/world.h"
 
 #include <fmt/format.h>
 

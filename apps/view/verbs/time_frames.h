@@ -2,9 +2,9 @@
 /// The verb `time-frames`: what each frame of a moving model takes, drawing and without.
 #pragma once
 
-#include "apps/support/verb.h"
-#include "apps/support/world_options.h"
+#include "apps/cli/verb.h"
 #include "apps/view/drawing/camera.h"
+#include "apps/world/world_options.h"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #include "apps/view/verbs/tree_options.h"
 
 #include "apps/cli/parser.h"
-#include "apps/support/models.h"
+#include "apps/model/models.h"
 
 namespace soms::view {
 

@@ -2,7 +2,7 @@
 /// The verbs of soms-view.
 #pragma once
 
-#include "apps/support/verb.h"
+#include "apps/cli/verb.h"
 
 #include <span>
 

@@ -2,10 +2,10 @@
 
 #include "soms/base/error.h"
 
+#include "apps/cli/console.h"
+#include "apps/cli/parse.h"
 #include "apps/cli/parser.h"
-#include "apps/support/console.h"
-#include "apps/support/output.h"
-#include "apps/support/parse.h"
+#include "apps/output/output.h"
 #include "apps/view/scene/orientation_menu.h"
 #include "apps/view/verbs/render_scene.h"
 #include "apps/view/verbs/tree_options.h"

@@ -2,9 +2,9 @@
 /// The verb `view`: a window on a city and what moves in it.
 #pragma once
 
-#include "apps/support/verb.h"
-#include "apps/support/world_options.h"
+#include "apps/cli/verb.h"
 #include "apps/view/window/viewer.h"
+#include "apps/world/world_options.h"
 
 #include <cstdint>
 #include <optional>

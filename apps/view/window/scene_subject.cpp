@@ -1,6 +1,6 @@
 #include "apps/view/window/scene_subject.h"
 
-#include "apps/support/text.h"
+#include "apps/cli/text.h"
 #include "apps/view/scene/draw_scene.h"
 #include "apps/view/scene/load.h"
 #include "apps/view/scene/orientation_menu.h"

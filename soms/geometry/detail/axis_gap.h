@@ -4,7 +4,7 @@
 #pragma once
 
 #include "soms/base/vector.h"
-#include "soms/geometry/detail/double_double.h"
+#include "soms/geometry/detail/exact/double_double.h"
 
 #include <optional>
 

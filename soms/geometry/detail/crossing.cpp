@@ -1,6 +1,6 @@
 #include "soms/geometry/detail/crossing.h"
 
-#include "soms/geometry/detail/double_double3.h"
+#include "soms/geometry/detail/exact/double_double3.h"
 #include "soms/geometry/detail/feature_proof.h"
 
 #include <algorithm>

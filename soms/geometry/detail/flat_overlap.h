@@ -3,7 +3,7 @@
 #pragma once
 
 #include "soms/base/vector.h"
-#include "soms/geometry/detail/predicates.h"
+#include "soms/geometry/detail/exact/predicates.h"
 
 namespace soms::detail {
 

@@ -1,12 +1,12 @@
 #include "soms/geometry/detail/nearest_points.h"
 
-#include "soms/geometry/detail/common_corners.h"
 #include "soms/geometry/detail/crossing.h"
-#include "soms/geometry/detail/double_double.h"
-#include "soms/geometry/detail/exact_distance.h"
+#include "soms/geometry/detail/exact/double_double.h"
+#include "soms/geometry/detail/exact/exact_distance.h"
+#include "soms/geometry/detail/exact/leading_part.h"
 #include "soms/geometry/detail/feature_proof.h"
-#include "soms/geometry/detail/leading_part.h"
 #include "soms/geometry/detail/nearest_guess.h"
+#include "soms/geometry/detail/parts/common_corners.h"
 #include "soms/geometry/triangle_overlap.h"
 
 #include <cmath>

@@ -2,7 +2,7 @@
 /// A squared distance in whole numbers, kept in little memory.
 #pragma once
 
-#include "soms/geometry/detail/exact_distance.h"
+#include "soms/geometry/detail/exact/exact_distance.h"
 
 #include <cstddef>
 #include <cstdint>

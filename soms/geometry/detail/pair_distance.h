@@ -6,8 +6,8 @@
 #include "soms/base/bracket.h"
 #include "soms/base/vector.h"
 #include "soms/geometry/detail/distance_ends.h"
-#include "soms/geometry/detail/double_double.h"
-#include "soms/geometry/detail/exact_distance.h"
+#include "soms/geometry/detail/exact/double_double.h"
+#include "soms/geometry/detail/exact/exact_distance.h"
 #include "soms/geometry/detail/feature_pair.h"
 #include "soms/geometry/detail/refined_order.h"
 

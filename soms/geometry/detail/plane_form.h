@@ -5,7 +5,7 @@
 /// (Edelsbrunner and Muecke 1990): the same for all forms, so answers agree with one another.
 #pragma once
 
-#include "soms/geometry/detail/integer.h"
+#include "soms/geometry/detail/exact/integer.h"
 
 namespace soms::detail {
 

@@ -30,7 +30,7 @@
 #pragma once
 
 #include "soms/base/vector.h"
-#include "soms/geometry/detail/double_double.h"
+#include "soms/geometry/detail/exact/double_double.h"
 #include "soms/geometry/detail/feature_pair.h"
 
 #include <array>

@@ -5,8 +5,8 @@
 
 #include "soms/base/bracket.h"
 #include "soms/base/vector.h"
-#include "soms/geometry/detail/double_double.h"
-#include "soms/geometry/detail/exact_point.h"
+#include "soms/geometry/detail/exact/double_double.h"
+#include "soms/geometry/detail/exact/exact_point.h"
 #include "soms/geometry/detail/packed_distance.h"
 #include "soms/geometry/detail/point_feature.h"
 #include "soms/geometry/detail/refined_order.h"

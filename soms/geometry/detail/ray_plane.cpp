@@ -1,8 +1,8 @@
 #include "soms/geometry/detail/ray_plane.h"
 
-#include "soms/geometry/detail/double_double3.h"
-#include "soms/geometry/detail/power_of_two.h"
-#include "soms/geometry/detail/predicates.h"
+#include "soms/geometry/detail/exact/double_double3.h"
+#include "soms/geometry/detail/exact/power_of_two.h"
+#include "soms/geometry/detail/exact/predicates.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 
 #include "soms/base/bracket.h"
 #include "soms/base/vector.h"
-#include "soms/geometry/detail/double_double.h"
-#include "soms/geometry/detail/exact_ray.h"
+#include "soms/geometry/detail/exact/double_double.h"
+#include "soms/geometry/detail/exact/exact_ray.h"
 
 #include <array>
 #include <optional>

@@ -3,9 +3,9 @@
 #include "soms/base/error.h"
 #include "soms/base/portable.h"
 #include "soms/geometry/part_runs.h"
-#include "soms/io/detail/glb_writer.h"
-#include "soms/io/detail/obj_groups.h"
-#include "soms/io/detail/three_ds_writer.h"
+#include "soms/io/detail/gltf/glb_writer.h"
+#include "soms/io/detail/simple/obj_groups.h"
+#include "soms/io/detail/simple/three_ds_writer.h"
 
 #include <algorithm>
 #include <array>

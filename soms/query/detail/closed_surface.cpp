@@ -1,8 +1,8 @@
 #include "soms/query/detail/closed_surface.h"
 
 #include "soms/base/arithmetic.h"
-#include "soms/geometry/detail/connected_parts.h"
-#include "soms/geometry/detail/joined.h"
+#include "soms/geometry/detail/parts/connected_parts.h"
+#include "soms/geometry/detail/parts/joined.h"
 
 #include <algorithm>
 #include <map>

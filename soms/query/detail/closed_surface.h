@@ -3,7 +3,7 @@
 #pragma once
 
 #include "soms/base/parallel.h"
-#include "soms/geometry/detail/odd_edges.h"
+#include "soms/geometry/detail/parts/odd_edges.h"
 #include "soms/geometry/mesh.h"
 #include "soms/query/body.h"
 

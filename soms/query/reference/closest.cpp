@@ -2,7 +2,7 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
-#include "soms/geometry/detail/exact_point.h"
+#include "soms/geometry/detail/exact/exact_point.h"
 #include "soms/query/reference/contains.h"
 #include "soms/query/reference/detail/moved_triangles.h"
 #include "soms/query/reference/detail/rounded_squares.h"

@@ -2,7 +2,7 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
-#include "soms/geometry/detail/exact_distance.h"
+#include "soms/geometry/detail/exact/exact_distance.h"
 #include "soms/geometry/detail/nearest_points.h"
 #include "soms/geometry/triangle_overlap.h"
 #include "soms/query/reference/detail/moved_triangles.h"

@@ -1,7 +1,7 @@
 #include "soms/query/reference/ray.h"
 
 #include "soms/base/arithmetic.h"
-#include "soms/geometry/detail/exact_ray.h"
+#include "soms/geometry/detail/exact/exact_ray.h"
 #include "soms/query/detail/ray/ray_line.h"
 #include "soms/query/reference/detail/moved_triangles.h"
 

@@ -1,7 +1,7 @@
 #include "soms/query/reference/solid.h"
 
 #include "soms/base/arithmetic.h"
-#include "soms/geometry/detail/plane_cells.h"
+#include "soms/geometry/detail/parts/plane_cells.h"
 #include "soms/geometry/triangle_overlap.h"
 #include "soms/query/reference/detail/moved_triangles.h"
 #include "soms/query/reference/overlap.h"

@@ -3,11 +3,11 @@
 #pragma once
 
 #include "soms/scene/broad_phase.h"
-#include "soms/scene/detail/body_search.h"
 #include "soms/scene/detail/first_contacts.h"
 #include "soms/scene/detail/narrow_phase.h"
 #include "soms/scene/detail/near_phase.h"
 #include "soms/scene/detail/residents.h"
+#include "soms/scene/detail/search/body_search.h"
 #include "soms/scene/scene.h"
 
 #include <cstddef>

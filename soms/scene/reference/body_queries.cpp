@@ -1,12 +1,12 @@
 #include "soms/scene/reference/body_queries.h"
 
 #include "soms/base/arithmetic.h"
-#include "soms/geometry/detail/exact_point.h"
-#include "soms/geometry/detail/exact_ray.h"
+#include "soms/geometry/detail/exact/exact_point.h"
+#include "soms/geometry/detail/exact/exact_ray.h"
 #include "soms/query/detail/moved_triangle.h"
 #include "soms/query/reference/closest.h"
 #include "soms/query/reference/ray.h"
-#include "soms/scene/detail/body_search.h"
+#include "soms/scene/detail/search/body_search.h"
 
 #include <algorithm>
 #include <cstddef>

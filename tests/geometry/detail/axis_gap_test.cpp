@@ -1,6 +1,6 @@
 #include "soms/geometry/detail/axis_gap.h"
 
-#include "soms/geometry/detail/exact_distance.h"
+#include "soms/geometry/detail/exact/exact_distance.h"
 #include "soms/geometry/detail/feature_proof.h"
 #include "soms/geometry/detail/pair_distance.h"
 #include "soms/geometry/triangle_overlap.h"

@@ -1,8 +1,8 @@
 // Boxes leave no cell out, and where cuts are short they need few visits.
-#include "soms/geometry/detail/cell_boxes.h"
+#include "soms/geometry/detail/parts/cell_boxes.h"
 
 #include "soms/base/random.h"
-#include "soms/geometry/detail/plane_cells.h"
+#include "soms/geometry/detail/parts/plane_cells.h"
 
 #include "tests/support/slow_build.h"
 #include "tests/support/support.h"

@@ -1,8 +1,8 @@
 #include "soms/geometry/detail/crossing.h"
 
 #include "soms/base/random.h"
-#include "soms/geometry/detail/common_corners.h"
-#include "soms/geometry/detail/leading_part.h"
+#include "soms/geometry/detail/exact/leading_part.h"
+#include "soms/geometry/detail/parts/common_corners.h"
 #include "soms/geometry/triangle_overlap.h"
 
 #include <gtest/gtest.h>

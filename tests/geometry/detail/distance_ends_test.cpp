@@ -1,13 +1,13 @@
 // Bounds of distances where least is left of what they grant, and where products underflow.
 #include "soms/geometry/detail/distance_ends.h"
 
-#include "soms/geometry/detail/exact_distance.h"
+#include "soms/geometry/detail/exact/exact_distance.h"
 #include "soms/geometry/detail/feature_proof.h"
 #include "soms/geometry/detail/nearest_guess.h"
 #include "soms/geometry/triangle_distance.h"
 
-#include "tests/support/distance_truth.h"
 #include "tests/support/support.h"
+#include "tests/support/truth/distance_truth.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-#include "soms/geometry/detail/double_double.h"
+#include "soms/geometry/detail/exact/double_double.h"
 
-#include "soms/geometry/detail/integer.h"
-#include "soms/geometry/detail/odd.h"
+#include "soms/geometry/detail/exact/integer.h"
+#include "soms/geometry/detail/parts/odd.h"
 
 #include "tests/support/support.h"
 

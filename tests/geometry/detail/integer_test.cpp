@@ -1,7 +1,7 @@
-#include "soms/geometry/detail/integer.h"
+#include "soms/geometry/detail/exact/integer.h"
 
-#include "soms/geometry/detail/leading_part.h"
-#include "soms/geometry/detail/odd.h"
+#include "soms/geometry/detail/exact/leading_part.h"
+#include "soms/geometry/detail/parts/odd.h"
 
 #include "tests/support/integer.h"
 #include "tests/support/support.h"

@@ -1,4 +1,4 @@
-#include "soms/geometry/detail/odd_edges.h"
+#include "soms/geometry/detail/parts/odd_edges.h"
 
 #include "soms/base/random.h"
 

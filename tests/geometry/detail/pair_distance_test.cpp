@@ -2,8 +2,8 @@
 
 #include "soms/geometry/detail/feature_proof.h"
 
-#include "tests/support/distance_truth.h"
 #include "tests/support/support.h"
+#include "tests/support/truth/distance_truth.h"
 
 #include <gtest/gtest.h>
 

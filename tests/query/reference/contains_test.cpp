@@ -2,7 +2,7 @@
 
 #include "soms/base/error.h"
 
-#include "tests/support/question_truth.h"
+#include "tests/support/truth/question_truth.h"
 
 #include <gtest/gtest.h>
 

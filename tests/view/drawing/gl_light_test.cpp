@@ -1,4 +1,4 @@
-#include "apps/view/drawing/gl_renderer.h"
+#include "apps/view/drawing/gl/gl_renderer.h"
 #include "apps/view/drawing/palette.h"
 #include "tests/support/support.h"
 #include "tests/view/drawing/gl_support.h"

@@ -1,5 +1,5 @@
 // What lies over surfaces: boxes, lines, points, translucent and chosen bodies.
-#include "apps/view/drawing/gl_renderer.h"
+#include "apps/view/drawing/gl/gl_renderer.h"
 #include "apps/view/drawing/palette.h"
 #include "tests/support/support.h"
 #include "tests/view/drawing/gl_support.h"

@@ -4,8 +4,8 @@
 
 #include "soms/base/error.h"
 
-#include "apps/view/drawing/gl_renderer.h"
-#include "apps/view/drawing/headless_context.h"
+#include "apps/view/drawing/gl/gl_renderer.h"
+#include "apps/view/drawing/gl/headless_context.h"
 #include "tests/support/support.h"
 
 #include <memory>

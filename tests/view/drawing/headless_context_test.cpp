@@ -1,4 +1,4 @@
-#include "apps/view/drawing/headless_context.h"
+#include "apps/view/drawing/gl/headless_context.h"
 
 #include "tests/support/support.h"
 #include "tests/view/drawing/gl_support.h"

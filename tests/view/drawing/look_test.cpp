@@ -1,4 +1,4 @@
-#include "apps/support/look.h"
+#include "apps/draw/look.h"
 
 #include "apps/view/drawing/palette.h"
 #include "apps/view/scene/view_options.h"

@@ -2,7 +2,7 @@
 
 #include "soms/geometry/triangle_overlap.h"
 
-#include "tests/support/truth.h"
+#include "tests/support/truth/truth.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include "soms/io/write_mesh.h"
 #include "soms/scene/recording.h"
 
-#include "apps/support/recorded_world.h"
 #include "apps/view/scene/view_scene.h"
+#include "apps/world/recorded_world.h"
 #include "tests/support/bodies.h"
 #include "tests/support/support.h"
 

@@ -6,8 +6,8 @@
 #include "soms/scene/recording.h"
 #include "soms/scene/scene.h"
 
-#include "apps/support/json.h"
-#include "apps/view/drawing/headless_context.h"
+#include "apps/output/json.h"
+#include "apps/view/drawing/gl/headless_context.h"
 #include "apps/view/drawing/picture.h"
 #include "tests/support/support.h"
 

@@ -1,5 +1,5 @@
 // Markers, key, ground and shadows of `soms render`.
-#include "apps/support/json.h"
+#include "apps/output/json.h"
 #include "apps/view/drawing/palette.h"
 #include "tests/view/verbs/render_support.h"
 

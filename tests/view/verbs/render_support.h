@@ -6,7 +6,7 @@
 #include "soms/generate/shapes.h"
 #include "soms/io/write_mesh.h"
 
-#include "apps/view/drawing/headless_context.h"
+#include "apps/view/drawing/gl/headless_context.h"
 #include "apps/view/drawing/picture.h"
 #include "tests/support/support.h"
 

@@ -10,8 +10,8 @@
 #include "soms/tree/build.h"
 #include "soms/tree/statistics.h"
 
-#include "apps/support/json.h"
-#include "apps/support/text.h"
+#include "apps/cli/text.h"
+#include "apps/output/json.h"
 #include "apps/view/drawing/palette.h"
 #include "apps/view/drawing/picture.h"
 #include "tests/support/support.h"

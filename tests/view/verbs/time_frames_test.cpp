@@ -6,8 +6,8 @@
 #include "soms/io/write_mesh.h"
 #include "soms/query/overlap.h"
 
-#include "apps/support/json.h"
-#include "apps/view/drawing/headless_context.h"
+#include "apps/output/json.h"
+#include "apps/view/drawing/gl/headless_context.h"
 #include "tests/support/support.h"
 
 #include <array>

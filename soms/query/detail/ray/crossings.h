@@ -2,7 +2,7 @@
 /// All triangles that a ray meets, put into the order and the crossings of `all_hits`.
 #pragma once
 
-#include "soms/geometry/detail/exact_ray.h"
+#include "soms/geometry/detail/exact/exact_ray.h"
 #include "soms/geometry/detail/ray_plane.h"
 #include "soms/query/answer.h"
 #include "soms/query/body.h"

@@ -1,6 +1,6 @@
 #include "soms/query/detail/ray/ray_frame.h"
 
-#include "soms/geometry/detail/power_of_two.h"
+#include "soms/geometry/detail/exact/power_of_two.h"
 
 #include <algorithm>
 #include <cmath>

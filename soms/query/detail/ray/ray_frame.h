@@ -80,7 +80,7 @@
 
 #include "soms/base/pose.h"
 #include "soms/base/vector.h"
-#include "soms/geometry/detail/exact_ray.h"
+#include "soms/geometry/detail/exact/exact_ray.h"
 #include "soms/geometry/detail/ray_plane.h"
 #include "soms/query/detail/kernels/line_tasks.h"
 #include "soms/query/detail/relative_pose.h"

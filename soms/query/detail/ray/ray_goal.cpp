@@ -1,6 +1,6 @@
 #include "soms/query/detail/ray/ray_goal.h"
 
-#include "soms/geometry/detail/power_of_two.h"
+#include "soms/geometry/detail/exact/power_of_two.h"
 #include "soms/query/detail/engine/fetch.h"
 #include "soms/query/detail/moved_triangle.h"
 

@@ -2,7 +2,7 @@
 /// What is made of the triangles that a ray's traversal meets: the first one, any, or all.
 #pragma once
 
-#include "soms/geometry/detail/exact_ray.h"
+#include "soms/geometry/detail/exact/exact_ray.h"
 #include "soms/geometry/detail/ray_plane.h"
 #include "soms/query/answer.h"
 #include "soms/query/body.h"

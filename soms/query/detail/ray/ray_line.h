@@ -2,7 +2,7 @@
 /// Rays and segments as exact arithmetic takes them.
 #pragma once
 
-#include "soms/geometry/detail/exact_ray.h"
+#include "soms/geometry/detail/exact/exact_ray.h"
 #include "soms/query/ray.h"
 
 namespace soms::detail {

@@ -2,7 +2,7 @@
 /// Rays against one body, through its tree.
 #pragma once
 
-#include "soms/geometry/detail/exact_ray.h"
+#include "soms/geometry/detail/exact/exact_ray.h"
 #include "soms/query/body.h"
 #include "soms/query/detail/engine/limit.h"
 #include "soms/query/detail/ray/ray_frame.h"

@@ -1,6 +1,6 @@
 #include "soms/query/detail/solid/solid_regions.h"
 
-#include "soms/geometry/detail/predicates.h"
+#include "soms/geometry/detail/exact/predicates.h"
 #include "soms/query/detail/solid/planar_triangles.h"
 
 #include <algorithm>

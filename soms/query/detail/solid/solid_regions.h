@@ -20,7 +20,7 @@
 #pragma once
 
 #include "soms/base/vector.h"
-#include "soms/geometry/detail/plane_cells.h"
+#include "soms/geometry/detail/parts/plane_cells.h"
 #include "soms/query/answer.h"
 #include "soms/query/detail/solid/box_search.h"
 #include "soms/query/detail/solid/edge_sums.h"

@@ -1,8 +1,8 @@
 #include "soms/query/detail/winding/strip_angle.h"
 
 #include "soms/base/limits.h"
-#include "soms/geometry/detail/double_double.h"
-#include "soms/geometry/detail/predicates.h"
+#include "soms/geometry/detail/exact/double_double.h"
+#include "soms/geometry/detail/exact/predicates.h"
 #include "soms/query/detail/parity/triangle_crossing.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "soms/query/detail/winding/winding_tree.h"
 
 #include "soms/base/limits.h"
-#include "soms/geometry/detail/double_double.h"
-#include "soms/geometry/detail/joined.h"
+#include "soms/geometry/detail/exact/double_double.h"
+#include "soms/geometry/detail/parts/joined.h"
 #include "soms/query/detail/moved_triangle.h"
 #include "soms/query/detail/parity/triangle_crossing.h"
 #include "soms/tree/build.h"

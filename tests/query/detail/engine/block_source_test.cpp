@@ -6,7 +6,7 @@
 
 #include "tests/query/overlap_inputs.h"
 #include "tests/support/support.h"
-#include "tests/support/truth.h"
+#include "tests/support/truth/truth.h"
 
 #include <algorithm>
 #include <cmath>

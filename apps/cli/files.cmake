@@ -1,0 +1,37 @@
+set(SOMS_CLI_FILES
+  child.cpp
+  child.h
+  cli11.cpp
+  console.cpp
+  console.h
+  exit_status.h
+  interrupts.cpp
+  interrupts.h
+  kebab.h
+  length_unit.cpp
+  length_unit.h
+  option.cpp
+  option.h
+  parse.cpp
+  parse.h
+  parser.cpp
+  parser.h
+  program.cpp
+  program.h
+  progress.cpp
+  progress.h
+  shared.cpp
+  shared.h
+  spawn.cpp
+  spawn.h
+  standard_input.cpp
+  standard_input.h
+  suggest.cpp
+  suggest.h
+  temporary_folder.cpp
+  temporary_folder.h
+  text.cpp
+  text.h
+  verb.cpp
+  verb.h
+)

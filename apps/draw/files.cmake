@@ -1,0 +1,22 @@
+set(SOMS_DRAW_FILES
+  axis.cpp
+  axis.h
+  bar_chart.cpp
+  chart.cpp
+  chart.h
+  chart_parts.cpp
+  chart_parts.h
+  grouped_bars.cpp
+  grouped_bars.h
+  height_grid.cpp
+  height_grid.h
+  interval.h
+  interval_chart.cpp
+  interval_chart.h
+  look.h
+  outline.cpp
+  outline.h
+  page_style.h
+  svg.cpp
+  svg.h
+)

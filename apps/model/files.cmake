@@ -1,0 +1,12 @@
+set(SOMS_MODEL_FILES
+  frame_warnings.cpp
+  frame_warnings.h
+  georeference.cpp
+  georeference.h
+  models.cpp
+  models.h
+  stated_options.cpp
+  stated_options.h
+  up_guess.cpp
+  up_guess.h
+)

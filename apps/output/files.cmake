@@ -1,0 +1,17 @@
+set(SOMS_OUTPUT_FILES
+  block_size.h
+  deflate.cpp
+  deflate.h
+  json.cpp
+  json.h
+  npz_file.cpp
+  npz_file.h
+  output.cpp
+  output.h
+  png_file.cpp
+  png_file.h
+  spooled_bytes.cpp
+  spooled_bytes.h
+  zip_file.cpp
+  zip_file.h
+)

@@ -1,0 +1,14 @@
+set(SOMS_ROWS_FILES
+  json_list.cpp
+  json_list.h
+  point_source.cpp
+  point_source.h
+  pose_source.cpp
+  pose_source.h
+  ray_source.cpp
+  ray_source.h
+  row_run.cpp
+  row_run.h
+  row_source.cpp
+  row_source.h
+)

@@ -1,0 +1,116 @@
+#include "apps/soms/pairs/near_output.h"
+
+#include "apps/cli/console.h"
+#include "apps/cli/text.h"
+#include "apps/world/part_names.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace soms::command {
+
+namespace {
+
+constexpr std::uint64_t kRowsInText = 20;  // that a person may want to read
+
+std::string side_in_text(const Mesh& mesh, TriangleId i, const Vec3& at) {
+  return fmt::format("triangle {} of {} at {}", triangle_label(mesh, i), printable(mesh.source),
+                     point_in_text(at));
+}
+
+std::string json_point(const Vec3& p) {
+  return fmt::format("[{},{},{}]", p.x, p.y, p.z);
+}
+
+}  // namespace
+
+std::string json_number(double x) {
+  return std::isfinite(x) ? fmt::format("{}", x) : "null";
+}
+
+std::string near_keys(const NearPair& pair) {
+  return pair.triangles ? fmt::format(",\"triangles\":[{},{}],\"points\":[{},{}]",
+                                      pair.triangles->first, pair.triangles->second,
+                                      json_point(pair.point_a), json_point(pair.point_b))
+                        : std::string();
+}
+
+std::string near_text(const PairReport& report, const NearPair& pair) {
+  return pair.triangles ? fmt::format(": {} and {}",
+                                      side_in_text(report.a, pair.triangles->first, pair.point_a),
+                                      side_in_text(report.b, pair.triangles->second, pair.point_b))
+                        : std::string();
+}
+
+void NearTable::add(const PairReport& report, std::uint64_t pose, std::string_view title,
+                    std::string_view value, const NearPair& pair, Console& console) {
+  constexpr const char* kForm = "{:>6}  {:<16}  {:<20}  {}";
+  const auto print = [&](const auto&... cells) {
+    console.print(table_line(fmt::format(fmt::runtime(kForm), cells...)));
+  };
+  if (rows_ == 0) {
+    print("pose", title, "triangle of A", "triangle of B");
+  }
+  if (rows_++ < kRowsInText) {
+    const auto label = [&](const Mesh& mesh, TriangleId TrianglePair::*side) {
+      return pair.triangles ? triangle_label(mesh, (*pair.triangles).*side) : std::string();
+    };
+    print(pose, value, label(report.a, &TrianglePair::first),
+          label(report.b, &TrianglePair::second));
+  }
+}
+
+void NearTable::finish(Console& console) const {
+  if (rows_ > kRowsInText) {
+    console.print(
+        fmt::format("   and {} more; --json lists all\n", counted(rows_ - kRowsInText, "pose")));
+  }
+}
+
+NearCsv::NearCsv(const std::string& path) {
+  if (!path.empty()) {
+    file_.emplace(path);
+  }
+}
+
+void NearCsv::begin(const PairReport& report, std::string_view values) {
+  if (file_) {
+    report_ = &report;
+    parts_a_ = PartsOf(report.a);
+    parts_b_ = PartsOf(report.b);
+    georeference_ = GeoreferenceColumn(report.georeference);
+    file_->stream() << "pose," << values
+                    << ",coverage,triangle_a,part_a,name_a,triangle_b,part_b,name_b,x_a,y_a,z_a,"
+                       "x_b,y_b,z_b"
+                    << georeference_.head() << '\n';
+  }
+}
+
+void NearCsv::add(std::uint64_t pose, std::string_view values, const NearPair& pair) {
+  if (!file_) {
+    return;
+  }
+  const auto triangle = [&](TriangleId TrianglePair::*side) {
+    return pair.triangles ? std::optional((*pair.triangles).*side) : std::nullopt;
+  };
+  const auto point = [&](const Vec3& p) {
+    return pair.triangles ? fmt::format("{},{},{}", p.x, p.y, p.z) : std::string(",,");
+  };
+  file_->stream() << fmt::format(
+      "{},{},{},{},{},{}{}\n", pose, values,
+      triangle_csv_fields(report_->a, parts_a_, triangle(&TrianglePair::first)),
+      triangle_csv_fields(report_->b, parts_b_, triangle(&TrianglePair::second)),
+      point(pair.point_a), point(pair.point_b), georeference_.field());
+  if (!file_->stream().good()) {
+    file_->check();
+  }
+}
+
+void NearCsv::finish() {
+  if (file_) {
+    file_->commit();
+  }
+}
+
+}  // namespace soms::command

@@ -1,0 +1,31 @@
+/// \file
+/// The verb `overlap`: which triangles of two models share a point?
+#pragma once
+
+#include "soms/query/overlap.h"
+#include "soms/thesis/traversal_options.h"
+
+#include "apps/cli/verb.h"
+#include "apps/soms/pairs/pair_options.h"
+
+#include <string>
+
+namespace soms::command {
+
+/// Options of the verb `overlap`.
+struct OverlapVerbOptions : PairOptions {
+  OverlapOptions query;
+  TraversalOptions traversal = {};
+  bool list_pairs = true;
+  std::string report = {};   ///< empty: none
+  std::string csv = {};      ///< empty: none
+  std::string binary = {};   ///< file of columns; empty: none
+  bool by_part = false;      ///< lists pairs of parts, not of triangles
+  std::string fail_if = {};  ///< "overlap" or "within"; empty: no condition
+  double within = 0;         ///< with --within: the clearance
+};
+
+[[nodiscard]] Action add_overlap(Parser& parser, Shared& shared);
+[[nodiscard]] int run_overlap(const OverlapVerbOptions& options, Console& console);
+
+}  // namespace soms::command

@@ -1,0 +1,49 @@
+/// \file
+/// Options of every verb that asks something about two models at rows of poses.
+#pragma once
+
+#include "soms/tree/build_options.h"
+
+#include "apps/model/models.h"
+#include "apps/output/output.h"
+
+#include <optional>
+#include <string>
+
+namespace soms::command {
+
+/// Heading of the options that say what the question is.
+inline constexpr const char* kQuestionGroup = "Question";
+
+/// Two models, their poses, and what every verb does with its answers.
+struct PairOptions {
+  std::string a;
+  std::string b;
+  std::optional<std::string> pose_a;  ///< unset: not moved
+  std::optional<std::string> pose_b;
+  ModelOptions model_a;
+  ModelOptions model_b;
+  BuildOptions build;
+  bool verify = false;
+};
+
+/// Adds A, B, --pose and --pose-b.
+void add_posed_models(Parser& parser, PairOptions& options);
+
+/// Adds --verify.
+void add_verify(Parser& parser, PairOptions& options);
+
+/// Adds the options that say how models are read, and those of their trees.
+void add_model_reading(Parser& parser, PairOptions& options);
+
+/// Spreads options that hold for both models.
+/// \errors As `check_build`.
+void settle(const Parser& parser, PairOptions& options);
+
+/// The end of --help: two models, and `line` as a command that asks about them.
+[[nodiscard]] std::string example_of_pair(const std::string& line);
+
+/// \errors ErrorKind::usage if standard input is given twice, or as `check_outputs`.
+void check_files(const PairOptions& options, const NamedFiles& outputs);
+
+}  // namespace soms::command

@@ -1,0 +1,369 @@
+#include "apps/soms/robot/robot.h"
+
+#include "soms/base/error.h"
+#include "soms/robot/reference/robot_query.h"
+
+#include "apps/cli/console.h"
+#include "apps/cli/parse.h"
+#include "apps/cli/parser.h"
+#include "apps/cli/text.h"
+#include "apps/output/output.h"
+#include "apps/rows/json_list.h"
+#include "apps/rows/row_run.h"
+#include "apps/soms/pairs/pair_options.h"
+#include "apps/soms/robot/robot_output.h"
+#include "apps/soms/robot/robot_states.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace soms::command {
+
+namespace {
+
+/// States that the text lists: as many as a person may want to read.
+constexpr std::uint64_t kStatesInText = 20;
+constexpr std::uint64_t kMostRandom = 1'000'000'000;
+
+/// Files that the answers go to, too.
+class RobotFiles {
+ public:
+  explicit RobotFiles(const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+      File& file = files_.emplace_back(File{.file = std::make_unique<OutputFile>(name)});
+      if (extension_of(name) == ".csv") {
+        file.file->stream() << robot_csv_header();
+      } else {
+        file.list.emplace(file.file->stream(), name);
+      }
+    }
+  }
+
+  [[nodiscard]] bool empty() const { return files_.empty(); }
+
+  void add(const std::string& csv, const std::string& json) {
+    for (File& file : files_) {
+      if (file.list) {
+        file.list->add_text(json);
+      } else {
+        file.file->stream() << csv;
+      }
+    }
+  }
+
+  void finish(const Json& totals) {
+    for (File& file : files_) {
+      if (file.list) {
+        file.list->finish(totals);
+      }
+      file.file->commit();
+    }
+  }
+
+ private:
+  struct File {
+    std::unique_ptr<OutputFile> file = {};
+    std::optional<JsonListWriter> list = std::nullopt;  ///< none: CSV
+  };
+
+  std::vector<File> files_;
+};
+
+/// A run whose rows are states of a robot.
+class RobotRun : public RowRun {
+ public:
+  RobotRun(const RobotVerbOptions& options, RobotModels models, Console& console)
+      : RowRun({.verb = "robot",
+                .noun = "state",
+                .verify = options.verify,
+                .fail_if_found = options.fail_if_contact,
+                .has_files = !options.outputs.empty()},
+               console),
+        options_(options),
+        models_(std::move(models)),
+        files_(options.outputs),
+        states_(options, models_, console),
+        report_{.models = models_, .path = options.path, .distance = options.distance} {
+    for (const RobotBody& body : models_.model.cell_bodies()) {
+      cell_box_.grow(body.part.body.shape.bounds());
+    }
+  }
+
+ private:
+  void begin() override {
+    if (!console().shared().json) {
+      console().print(models_in_text(models_));
+    }
+  }
+
+  /// Whoever reads a program's answers needs no other form for a single row.
+  [[nodiscard]] bool is_single() const override { return false; }
+
+  void clear_block() override {
+    block_.clear();
+    boxes_.clear();
+    twins_.clear();
+  }
+
+  bool ready() override { return states_.ready(); }
+
+  bool read_row() override {
+    const auto state = states_.next();
+    if (!state) {
+      return false;
+    }
+    block_.insert(block_.end(), state->begin(), state->end());
+    boxes_.push_back(states_.box());
+    return true;
+  }
+
+  std::uint64_t answer_block() override {
+    answers_.clear();
+    if (boxes_.empty()) {
+      return 0;
+    }
+    const RobotOptions query{.first_contact = options_.any,
+                             .distance = options_.distance,
+                             .at_most = options_.at_most,
+                             .deadline = console().deadline()};
+    answers_ = robot_contacts(models_.model, block_, query, console().parallel());
+    // Without movable joints, rows are empty, and all the same.
+    answers_.resize(boxes_.size(), answers_.front());
+    return 0;
+  }
+
+  [[nodiscard]] Outcome outcome(std::size_t k) const override {
+    return {.found = answers_[k].verdict == RobotVerdict::contact,
+            .undecided = answers_[k].verdict == RobotVerdict::undecided,
+            .cut = answers_[k].coverage == Coverage::cut};
+  }
+
+  /// The twins of a block are found together, so that threads share them.
+  [[nodiscard]] std::optional<std::string> difference(std::size_t k) override {
+    if (twins_.empty()) {
+      std::vector<RobotAnswer> twins(boxes_.size());
+      const std::size_t width = models_.model.kinematics().size();
+      console().run("verifying", [&](const Parallel& parallel) {
+        for_each_chunk(twins.size(), 1, parallel, [&](std::size_t begin, std::size_t end) {
+          for (std::size_t i = begin; i < end; ++i) {
+            twins[i] = reference::robot_contacts_by_brute_force(
+                models_.model, std::span(block_).subspan(i * width, width), options_.distance,
+                {.stop = parallel.stop});
+          }
+        });
+      });
+      twins_ = std::move(twins);
+    }
+    if (reference::agrees(answers_[k], twins_[k])) {
+      return std::nullopt;
+    }
+    return "brute force finds: " + answer_in_text(models_, totals().rows, twins_[k]);
+  }
+
+  void print_row(std::size_t k, bool right, bool last) override {
+    const std::uint64_t state = totals().rows;
+    const RobotAnswer& answer = answers_[k];
+    boxes_watched_.look(boxes_[k], cell_box_);
+    report_.totals.add(answer);
+    report_.timed_out = report_.timed_out || last;
+    all_right_ = all_right_ && right;
+    const bool json = console().shared().json;
+    std::string line;
+    if (json || !files_.empty()) {
+      line = json_text(answer_as_json(models_, state, answer,
+                                      options_.verify ? std::optional(right) : std::nullopt));
+    }
+    if (!files_.empty()) {
+      files_.add(answer_as_csv(models_, state, answer), line);
+    }
+    if (json) {
+      console().print(line + "\n");
+    } else if (state < kStatesInText) {
+      console().print(answer_in_text(models_, state, answer));
+    }
+  }
+
+  void print_totals() override {
+    if (totals().rows > kStatesInText) {
+      console().print(fmt::format("and {} more; --json or -o FILE lists all\n",
+                                  counted(totals().rows - kStatesInText, "state")));
+    }
+    console().print(totals_in_text(report_));
+  }
+
+  void doubt() override {
+    if (!models_.cell.empty() && boxes_watched_.always_apart()) {
+      models_.warnings.push_back(
+          apart_warning("the robot", "the cell", boxes_watched_.least_gap(), "at every state "));
+      tell_warnings({models_.warnings.back()}, options_.reading.strict, console());
+    }
+    if (const auto warning = open_warning(report_)) {
+      if (options_.reading.strict) {
+        throw Error(warning->kind(), "--strict: " + warning->place(), warning->remedy());
+      }
+      console().note(std::string("warning: ") + warning->what());
+    }
+  }
+
+  void finish(End end) override {
+    report_.interrupted = end == End::interrupted;
+    report_.timed_out = end == End::out_of_time;
+    report_.verified = options_.verify && all_right_;
+    const Json ending = totals_as_json(report_);
+    if (console().shared().json) {
+      console().print(json_line(ending));
+      console().flush();
+    }
+    files_.finish(ending);
+  }
+
+  const RobotVerbOptions& options_;
+  RobotModels models_;
+  RobotFiles files_;
+  RobotStates states_;
+  RobotReport report_;
+  std::vector<double> block_;
+  std::vector<Box> boxes_;  ///< of the robot in each state of the block
+  std::vector<RobotAnswer> answers_;
+  std::vector<RobotAnswer> twins_;
+  Box cell_box_;
+  BoxWatch boxes_watched_;
+  bool all_right_ = true;
+};
+
+void check_options(const Parser& parser, const RobotVerbOptions& options) {
+  if (options.states.empty() == (parser.count("--random") == 0)) {
+    throw Error(ErrorKind::usage,
+                options.states.empty() ? "no states are given"
+                                       : "--states and --random both give the states",
+                "give --states FILE or --random N");
+  }
+  if (options.states.empty() && !options.home.empty()) {
+    throw Error(ErrorKind::usage, "--home has no effect without --states",
+                "leave it out, or also give --states FILE");
+  }
+  if (parser.count("--at-most") != 0 && !options.distance) {
+    throw Error(ErrorKind::usage, "--at-most has no effect without --distance",
+                "leave it out, or also give --distance");
+  }
+  NamedFiles taken{{"ROBOT", options.urdf}, {"--srdf", options.srdf}, {"--states", options.states}};
+  for (const std::string& file : options.cell) {
+    taken.emplace_back("--cell", file);
+  }
+  NamedFiles outputs;
+  for (const std::string& file : options.outputs) {
+    check_extension("-o", file, {".csv", ".json", ".jsonl"});
+    outputs.emplace_back("-o", file);
+  }
+  check_outputs(std::move(taken), outputs);
+  if (std::count(options.cell.begin(), options.cell.end(), "-") + (options.states == "-" ? 1 : 0) >
+      1) {
+    throw Error(ErrorKind::usage, "standard input is given twice", "give one of them as a file");
+  }
+}
+
+void add_robot_models(Parser& parser, RobotVerbOptions& options) {
+  constexpr const char* kGroup = "Robot and cell";
+  parser.add_option("ROBOT", options.urdf, "the robot: a URDF file")->required();
+  parser
+      .add_option("--srdf", options.srdf, "SRDF file: pairs of links that may touch, named states")
+      ->option_text("FILE")
+      ->group(kGroup);
+  add_repeatable(parser, "--package", options.packages,
+                 "folder of a package, where package://NAME/ is looked for; may be repeated",
+                 "NAME=DIR");
+  add_repeatable(parser, "--cell", options.cell,
+                 "model of the cell, in meters, compared with all links; may be repeated", "FILE");
+  parser
+      .add_option("--base", options.base,
+                  "pose of the root link in the cell: \"x y z [qw qx qy qz]\"")
+      ->option_text("POSE");
+  add_repeatable(parser, "--ignore", options.ignored,
+                 "leave out a pair of links, besides those of the SRDF file; may be repeated",
+                 "LINK,LINK");
+  add_repeatable(parser, "--off-cell", options.off_cell,
+                 "do not compare a link with the cell, such as one that stands on it; may be "
+                 "repeated",
+                 "LINK");
+  add_positive(parser, "--round-error", options.round_error,
+               "how far meshes of cylinders and spheres may exceed them, in meters (0.0005)");
+  for (const char* const name :
+       {"--package", "--cell", "--base", "--ignore", "--off-cell", "--round-error"}) {
+    parser.option(name)->group(kGroup);
+  }
+}
+
+void add_robot_questions(Parser& parser, RobotVerbOptions& options) {
+  parser
+      .add_option(
+          "--states", options.states,
+          "states: CSV, with names of joints as a header or without, or .npy; - is standard "
+          "input")
+      ->option_text("FILE")
+      ->group(kQuestionGroup);
+  add_count(parser, "--random", options.random, 1, kMostRandom,
+            "random states inside the joint limits, by --seed")
+      ->group(kQuestionGroup);
+  parser
+      .add_option("--home", options.home,
+                  "values of joints without a column: zero, or a named state of the SRDF file")
+      ->option_text("NAME")
+      ->group(kQuestionGroup);
+  parser.add_flag("--any", options.any, "stop at the first contact of each state")
+      ->group(kQuestionGroup);
+  parser.add_flag("--distance", options.distance, "also measure how near the nearest pair is")
+      ->group(kQuestionGroup);
+  add_length(parser, "--at-most", options.at_most, "beyond this distance, say no more than that")
+      ->option_text("D")
+      ->group(kQuestionGroup);
+  parser.add_flag("--path", options.path, "the states are a path: say which one is blocked first")
+      ->group(kQuestionGroup);
+  add_choice<bool>(parser, "--fail-if", options.fail_if_contact, {{"contact", true}},
+                   "exit with status 1 if anything touches in any state")
+      ->group(kQuestionGroup);
+  parser
+      .add_flag("--verify", options.verify,
+                "compare with brute force; exit with status 6 if they differ")
+      ->group(kQuestionGroup);
+  add_repeatable(
+      parser, "-o,--output", options.outputs,
+      "write the states to a file, by its extension: .csv, .json or .jsonl; may be repeated",
+      "FILE");
+}
+
+}  // namespace
+
+Action add_robot(Parser& parser, Shared& shared) {
+  const auto options = std::make_shared<RobotVerbOptions>();
+  add_robot_models(parser, *options);
+  add_robot_questions(parser, *options);
+  add_model_options(parser, options->reading, "--scale", "--up", "the cell");
+  parser
+      .add_flag("--strict", options->reading.strict,
+                "make errors of notes, warnings, states out of limits or undecided by an open body")
+      ->group("Models");
+  parser.footer(
+      "Exact for the poses that the joints give: surfaces that meet, and links inside of closed\n"
+      "bodies. What may be inside of an open one is undecided. Without --srdf, links that a joint\n"
+      "connects are not compared. Radians and meters.\n"
+      "\nExample:\n"
+      "  soms generate sphere --triangles 800 -o ball.off\n"
+      "  printf '<robot><link name=\"a\"><collision><geometry><box size=\"1 1 1\"/></geometry>"
+      "</collision></link></robot>' |\n"
+      "    soms robot /dev/stdin --cell ball.off --base \"1 0 0\" --random 1");
+  return [options, &parser, &shared](Console& console) {
+    options->seed = shared.seed;
+    check_options(parser, *options);
+    return run_robot(*options, console);
+  };
+}
+
+int run_robot(const RobotVerbOptions& options, Console& console) {
+  return RobotRun(options, read_robot_models(options, console), console).run();
+}
+
+}  // namespace soms::command

@@ -1,0 +1,268 @@
+#include "apps/soms/simulate/simulate.h"
+
+#include "soms/base/error.h"
+
+#include "apps/cli/console.h"
+#include "apps/cli/exit_status.h"
+#include "apps/output/output.h"
+#include "apps/soms/shell/viewer.h"
+#include "apps/soms/simulate/map.h"
+#include "apps/soms/simulate/simulate_events.h"
+#include "apps/soms/simulate/simulate_page.h"
+#include "apps/soms/simulate/simulate_picture.h"
+#include "apps/soms/simulate/simulate_record.h"
+#include "apps/soms/simulate/simulate_report.h"
+#include "apps/soms/simulate/simulate_run.h"
+#include "apps/world/route_notes.h"
+#include "apps/world/world.h"
+
+#include <algorithm>
+#include <exception>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace soms::command {
+
+namespace {
+
+/// Greater exit statuses are those of a shell, for programs that did not end by themselves.
+constexpr int kMostOfAProgram = 125;
+
+void check_files(const SimulateOptions& options) {
+  NamedFiles taken;
+  for (const std::string& path : options.world.cities) {
+    taken.emplace_back("CITY", path);
+  }
+  for (const std::string& path : options.world.movers) {
+    taken.emplace_back("--mover", path);
+  }
+  for (const std::string& path : options.world.routes) {
+    taken.emplace_back("--route", path);
+  }
+  check_outputs(std::move(taken), {{"--events", options.events},
+                                   {"--contacts", options.contacts},
+                                   {"--map", options.map},
+                                   {"--report", options.report},
+                                   {"--record", options.record},
+                                   {"--picture", options.picture}});
+  check_extension("--events", options.events, {".csv"});
+  check_extension("--contacts", options.contacts, {".csv"});
+  check_extension("--map", options.map, {".svg"});
+  check_extension("--report", options.report, {".html", ".htm"});
+  check_extension("--picture", options.picture, {".png"});
+}
+
+/// Throws ErrorKind::usage for a recording of models that nobody could find again.
+void check_recording(const SimulateOptions& options) {
+  const WorldOptions& world = options.world;
+  for (const auto* const files : {&world.cities, &world.movers}) {
+    if ((!options.record.empty() || !options.picture.empty()) &&
+        std::find(files->begin(), files->end(), "-") != files->end()) {
+      throw Error(ErrorKind::usage,
+                  "--record and --picture cannot name a model from standard input",
+                  "give the model as a file, which can be read again later");
+    }
+  }
+}
+
+RecordingEnding ending_of(const Outcome& outcome) {
+  switch (outcome.ending) {
+    case Ending::whole:
+      return RecordingEnding::complete;
+    case Ending::timed_out:
+      return RecordingEnding::timed_out;
+    case Ending::interrupted:
+      break;
+  }
+  return RecordingEnding::interrupted;
+}
+
+void open(std::optional<OutputFile>& file, const std::string& path) {
+  if (!path.empty()) {
+    file.emplace(path);
+  }
+}
+
+/// `drawn`: the exit status of who drew the picture.
+int status_of(const Outcome& outcome, const SimulateOptions& options, int drawn) {
+  if (outcome.is_wrong()) {
+    return kDifference;
+  }
+  if (outcome.ending == Ending::interrupted) {
+    return kInterrupted;
+  }
+  if (drawn != 0) {
+    return drawn <= kMostOfAProgram ? drawn : exit_code(ErrorKind::cannot_write);
+  }
+  if (options.fail_if == FailIf::never) {
+    return 0;
+  }
+  if (!outcome.contacts.contacts().empty() ||
+      (options.fail_if == FailIf::near && !outcome.near.events().empty())) {
+    return kConditionHolds;
+  }
+  // "Not found" is no proof of "free" when time ran out.
+  return outcome.ending == Ending::timed_out ? kOutOfTime : 0;
+}
+
+/// Movers that never come near the city cannot touch it: a shift, unit or axis may be missing. A
+/// run that was interrupted may not have come to where they do; a wrong answer says enough.
+std::vector<FrameWarning> doubt_boxes(const World& world, double clearance,
+                                      const Outcome& outcome) {
+  if (!outcome.boxes.always_apart() || outcome.boxes.least_gap() <= clearance ||
+      outcome.ending == Ending::interrupted || outcome.is_wrong()) {
+    return {};
+  }
+  return {apart_warning("the movers", world.title, outcome.boxes.least_gap(), "in every frame ")};
+}
+
+/// The pairs of --ignore. \errors ErrorKind::usage for what is no pair, or changes nothing.
+std::vector<NamedPair> parse_ignored(const SimulateOptions& options) {
+  if (!options.ignored.empty() && !options.between_movers) {
+    throw Error(ErrorKind::usage, "--ignore has no effect with --no-between-movers",
+                "leave out one of the two");
+  }
+  std::vector<NamedPair> pairs;
+  for (const std::string& text : options.ignored) {
+    pairs.push_back(parse_pair(text));
+  }
+  return pairs;
+}
+
+void check_fail_if(const SimulateOptions& options) {
+  if (options.fail_if == FailIf::near && !(options.clearance > 0)) {
+    throw Error(ErrorKind::usage, "--fail-if near has no effect without --clearance",
+                "also give --clearance D");
+  }
+}
+
+/// How many frames there are, once the routes are known; says what does not fit them.
+void settle_frames(World& world, SimulateOptions& options, const Console& console) {
+  const bool strict = options.world.city_model.strict;
+  if (!options.frames_given) {
+    options.frames = frames_of_routes(world, options.frames);
+  }
+  check_picture_frame(options);
+  note_unused_rows(world, options.frames, strict, console);
+  note_long_steps(world, strict, console);
+}
+
+/// Draws the picture, then tells what was found, whatever became of the picture.
+int finish(const World& world, const Outcome& outcome, const Picture& picture,
+           const SimulateOptions& options, Console& console) {
+  std::optional<int> drawn;
+  std::exception_ptr fault;
+  try {
+    drawn = picture.draw(outcome, console);
+  } catch (const Error&) {
+    fault = std::current_exception();
+  }
+  SimulateOptions reported = options;
+  if (drawn != 0) {
+    reported.picture.clear();  // there is none
+  }
+  console.print(console.shared().json
+                    ? json_of(world, outcome, reported)
+                    : table_of(world, outcome, reported, console.talks_to_a_person()));
+  console.flush();
+  const int status = status_of(outcome, options, drawn.value_or(0));
+  if (fault && status != kDifference) {
+    std::rethrow_exception(fault);
+  }
+  return status;
+}
+
+/// A window instead of an answer.
+int run_window(const SimulateOptions& options, const Console& console) {
+  const bool answers = options.verify || options.fail_if != FailIf::never || console.shared().json;
+  if (answers || !options.report.empty() || !options.map.empty() || !options.events.empty() ||
+      !options.contacts.empty() || !options.record.empty() || !options.picture.empty() ||
+      options.picture_frame || !options.between_movers || !options.ignored.empty() ||
+      options.clearance > 0) {
+    throw Error(ErrorKind::usage, "--view cannot be combined with an option of outputs or contacts",
+                "leave out --view, or the other option");
+  }
+  std::vector<std::string> more;
+  if (options.frames_given) {
+    more = {"--frames", std::to_string(options.frames)};
+  }
+  more.insert(more.end(), options.tree_words.begin(), options.tree_words.end());
+  return show_world(options.world, more, console);
+}
+
+}  // namespace
+
+int run_simulate(const SimulateOptions& given, Console& console) {
+  check_count(given.world);
+  const std::vector<NamedPair> ignored = parse_ignored(given);
+  if (given.view) {
+    return run_window(given, console);
+  }
+  check_files(given);
+  check_recording(given);
+  if (given.frames_given || given.world.routes.empty()) {
+    check_picture_frame(given);
+  }
+  check_fail_if(given);
+  // The answer is printed last: its reader is not waited for.
+  console.go_on_without_reader();
+  const Picture picture(given);
+  SimulateOptions options = given;
+  // Places that cannot be written to are reported before the work, not after it.
+  std::optional<OutputFile> events;
+  std::optional<OutputFile> contacts;
+  std::optional<OutputFile> map;
+  std::optional<OutputFile> page;
+  std::optional<OutputFile> record;
+  open(events, options.events);
+  open(contacts, options.contacts);
+  open(map, options.map);
+  open(page, options.report);
+  open(record, picture.recording());
+  World world = load_world(options.world, console);
+  world.filter = {.between = options.between_movers, .ignored = ignored_pairs(world, ignored)};
+  settle_frames(world, options, console);
+  std::optional<Recorder> recorder;
+  if (record) {
+    recorder.emplace(*record, world, options.frames, options.clearance);
+  }
+  const Outcome outcome = run_frames(world, options, console, recorder ? &*recorder : nullptr);
+  if (recorder) {
+    recorder->finish(ending_of(outcome));
+  }
+  const std::vector<FrameWarning> doubts = doubt_boxes(world, options.clearance, outcome);
+  world.warnings.insert(world.warnings.end(), doubts.begin(), doubts.end());
+  const bool strict = options.world.city_model.strict;
+  if (!strict) {
+    tell_warnings(doubts, strict, console);
+  }
+  std::vector<std::size_t> event_of;
+  if (events || contacts || page) {
+    event_of = events_of_contacts(world, outcome.contacts.contacts(), outcome.events.spans());
+  }
+  if (events) {
+    write_events(events->stream(), world, outcome, event_of, options);
+    events->commit();
+  }
+  if (contacts) {
+    write_contacts(contacts->stream(), world, outcome, event_of);
+    contacts->commit();
+  }
+  if (map) {
+    draw_map(map->stream(), world, outcome);
+    map->commit();
+  }
+  if (page) {
+    write_page(page->stream(), world, outcome, std::move(event_of), options);
+    page->commit();
+  }
+  const int status = finish(world, outcome, picture, options, console);
+  if (strict) {
+    tell_warnings(doubts, strict, console);  // an error, after all that was found is in its place
+  }
+  return status;
+}
+
+}  // namespace soms::command

@@ -1,0 +1,102 @@
+#include "apps/cli/parse.h"
+#include "apps/cli/parser.h"
+#include "apps/soms/simulate/simulate.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace soms::command {
+
+namespace {
+
+constexpr std::uint64_t kMostFrames = 1'000'000'000;
+
+const char* const kFooter =
+    "Without CITY, an embedded city of 1,000,000 triangles is used. Movers follow its streets,\n"
+    "and drones fly above them. In a city from files, movers go back and forth on straight, level\n"
+    "lines at street height. Movers start free of contact and pass through whatever they touch.\n"
+    "60 frames are one second. A contact is one mover and one triangle of the city, or two\n"
+    "movers, from the first frame in which they touch to the last. With --clearance, so is\n"
+    "what stays within that distance: a mover and a model of the city, or two movers. A route is\n"
+    "a CSV file: x,y,z are points of a line that is followed at constant speed; with\n"
+    "qw,qx,qy,qz, or as r00,...,tz, each row is the pose of one frame.\n"
+    "Only surfaces are tested: a mover entirely inside a closed building touches nothing.\n\n"
+    "Example:\n"
+    "  soms simulate --map city.svg\n"
+    "  soms generate city --triangles 20000 -o town.ply\n"
+    "  soms generate car -o car.ply\n"
+    "  soms simulate town.ply --mover car.ply --count 50 --frames 60 --events events.csv";
+
+/// The options of trees and traversals that were given, with their values.
+std::vector<std::string> words_of_trees(const Parser& parser) {
+  const std::string group = parser.option("--rule")->group();
+  std::vector<std::string> words;
+  for (const Option* const option : parser.options()) {
+    if (option->group() == group && option->count() > 0) {
+      words.push_back(option->name());
+      words.insert(words.end(), option->results().begin(), option->results().end());
+    }
+  }
+  return words;
+}
+
+}  // namespace
+
+Action add_simulate(Parser& parser, Shared&) {
+  const auto options = std::make_shared<SimulateOptions>();
+  add_world_options(parser, options->world);
+  add_world_tree_options(parser, options->world);
+  const Option* frames =
+      add_count(parser, "--frames", options->frames, 1, kMostFrames,
+                "number of frames (600; with --route of poses, as many as the longest has rows)");
+  parser.add_flag("--verify", options->verify,
+                  "check contacts, and a sample of free movers, by brute force");
+  parser.add_flag_callback(
+      "--no-between-movers", [options] { options->between_movers = false; },
+      "test movers against the city alone, not against each other");
+  add_repeatable(
+      parser, "--ignore", options->ignored,
+      "do not test two movers against each other, as neighboring links of\n"
+      "a robot; each is a number as in --events or the name of a model;\nmay be repeated",
+      "A,B");
+  add_positive(parser, "--clearance", options->clearance,
+               "report what comes within this distance (above 0), too, and how\n"
+               "near; --map, --report and --picture draw it, --record keeps it");
+  add_output(parser, "--map", options->map, "draw the city, its movers and contacts as SVG");
+  add_output(parser, "--report", options->report,
+             "write an HTML report with figures, a time line and the scene in 3-D");
+  add_output(parser, "--events", options->events,
+             "write who touches what, from when to when, as CSV: one row for a mover and\n"
+             "the part of the city, or other mover, that it touches (and near events)");
+  add_output(parser, "--contacts", options->contacts,
+             "write the beginning and end of every contact, triangle by triangle, as CSV");
+  add_output(parser, "--record", options->record,
+             "write poses and contacts (and gaps) of every frame; soms view plays the\n"
+             "file");
+  parser.add_flag("--view", options->view,
+                  "show the simulation in a window instead of reporting it");
+  add_output(parser, "--picture", options->picture, "draw the last frame and its contacts as PNG");
+  parser
+      .add_option_function(
+          "--picture-frame",
+          [options](const std::string& value) {
+            options->picture_frame = parse_count("--picture-frame", value, 0, kMostFrames);
+          },
+          "frame to draw with --picture, counted from 0 (the last)")
+      ->option_text("N");
+  add_choice<FailIf>(
+      parser, "--fail-if", options->fail_if,
+      {{"overlap", FailIf::contact}, {"contact", FailIf::contact}, {"near", FailIf::near}},
+      "exit with status 1 if anything touches, or comes within the\n--clearance");
+  parser.footer(kFooter);
+  return [options, frames, &parser](Console& console) {
+    options->frames_given = frames->count() > 0;
+    check_build(parser, options->world.build);
+    check_traversal(parser, options->world.traversal);
+    options->tree_words = words_of_trees(parser);
+    return run_simulate(*options, console);
+  };
+}
+
+}  // namespace soms::command

@@ -1,0 +1,244 @@
+#include "apps/soms/simulate/simulate_report.h"
+
+#include "soms/base/text.h"
+
+#include "apps/cli/text.h"
+#include "apps/model/georeference.h"
+#include "apps/model/models.h"
+#include "apps/output/json.h"
+#include "apps/soms/simulate/simulate_events.h"
+#include "apps/soms/simulate/simulate_near_report.h"
+#include "apps/world/route_notes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace soms::command {
+
+namespace {
+
+std::string row(const std::string& name, const std::string& value) {
+  return fmt::format("{:<14}{}\n", name, printable(value));
+}
+
+std::string whole_number(double number) {
+  return with_commas(static_cast<std::uint64_t>(std::llround(number)));
+}
+
+/// "1,000 (400 cars of 1,000 triangles, 400 persons of ...)"; a file's name has no plural: "2 (1 of
+/// car, 3,460 triangles; 1 of van, 9,995 triangles)".
+std::string movers_of(const World& world) {
+  std::vector<std::uint64_t> counts(world.models.size(), 0);
+  for (const MoverRoute& mover_route : world.routes) {
+    ++counts[mover_route.model];
+  }
+  std::string kinds;
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    const Model& model = world.models[k];
+    const std::string triangles = counted(model.shape.mesh().triangles.size(), "triangle");
+    if (model.kind == Kind::model) {
+      kinds += fmt::format("{}{} of {}, {}", k == 0 ? "" : "; ", with_commas(counts[k]), model.name,
+                           triangles);
+    } else {
+      kinds +=
+          fmt::format("{}{} of {}", k == 0 ? "" : ", ", counted(counts[k], model.name), triangles);
+    }
+  }
+  std::string text = fmt::format("{} ({})", with_commas(world.routes.size()), kinds);
+  if (world.routes.size() < world.requested) {
+    text +=
+        fmt::format("; {} requested, no free position for the rest", with_commas(world.requested));
+  }
+  return text;
+}
+
+std::string contacts_of(const World& world, const Outcome& outcome) {
+  const std::uint64_t all = outcome.contacts.contacts().size();
+  const std::uint64_t between = outcome.contacts.between_movers();
+  if (all == 0) {
+    return "none (surfaces only: a mover entirely inside a closed building touches nothing)";
+  }
+  return fmt::format("{} ({} with triangles of the city, {} between movers) by {} of {}",
+                     with_commas(all), with_commas(all - between), with_commas(between),
+                     with_commas(outcome.contacts.movers()), counted(world.routes.size(), "mover"));
+}
+
+std::string events_in_text(const Outcome& outcome) {
+  const std::uint64_t all = outcome.events.spans().size();
+  const std::uint64_t between = between_movers(outcome.events.spans());
+  return fmt::format("in {} ({} with parts of the city, {} between movers)", counted(all, "event"),
+                     with_commas(all - between), with_commas(between));
+}
+
+std::string frames_of(const World& world, const Outcome& outcome, const SimulateOptions& options) {
+  std::string text = with_commas(outcome.frames);
+  if (outcome.ending != Ending::whole) {
+    text += fmt::format(" of {}, {}", with_commas(options.frames),
+                        outcome.ending == Ending::interrupted ? "interrupted" : "out of time");
+  }
+  text += fmt::format(" ({:.4g} s of simulated time)",
+                      static_cast<double>(outcome.frames) / kFramesASecond);
+  if (!options.frames_given && options.frames == longest_poses(world)) {
+    text += ", one for each row of the longest route";
+  }
+  return text;
+}
+
+void add_most_touched(Figures& figures, const World& world, const Outcome& outcome) {
+  std::string name = "most touched";
+  for (const Touched& touched : outcome.contacts.most_touched(kMostTouched)) {
+    figures.emplace_back(std::exchange(name, ""),
+                         name_of(world, touched) + ": " + counts_of(touched));
+  }
+}
+
+const char* ending_name(Ending ending) {
+  return ending == Ending::whole ? "complete" : "cut";
+}
+
+double rounded(double value) {
+  return std::round(value * 100) / 100;
+}
+
+}  // namespace
+
+std::string name_of(const World& world, const Touched& touched) {
+  return fmt::format("triangle {} of {}", touched.triangle,
+                     part_name(world, touched.part, touched.triangle));
+}
+
+std::string counts_of(const Touched& touched) {
+  return fmt::format("{} in {}", counted(touched.contacts, "contact"),
+                     counted(touched.frames, "mover-frame"));
+}
+
+Figures figures_of(const World& world, const Outcome& outcome, const SimulateOptions& options) {
+  Figures figures;
+  figures.emplace_back("city",
+                       fmt::format("{}, {}", world.title, counted(world.triangles, "triangle")));
+  if (!world.georeference.empty()) {
+    figures.emplace_back("georeference", printable(describe(world.georeference)));
+  }
+  figures.emplace_back(
+      "built in", fmt::format("{:.0f} ms, after {:.0f} ms to {} it", world.build_ms, world.read_ms,
+                              options.world.cities.empty() ? "make" : "read"));
+  figures.emplace_back("movers", movers_of(world));
+  figures.emplace_back("frames", frames_of(world, outcome, options));
+  figures.emplace_back(
+      "speed", fmt::format("{} frames a second (worst {}), {} queries a second",
+                           whole_number(outcome.median_fps()), whole_number(outcome.worst_fps()),
+                           whole_number(outcome.queries_a_second())));
+  figures.emplace_back("contacts", contacts_of(world, outcome));
+  if (!outcome.events.spans().empty()) {
+    figures.emplace_back("", events_in_text(outcome));
+  }
+  if (!world.filter.between) {
+    figures.emplace_back("not tested", "movers against each other (--no-between-movers)");
+  } else if (!world.filter.ignored.empty()) {
+    figures.emplace_back("not tested",
+                         counted(world.filter.ignored.size(), "pair") + " of movers (--ignore)");
+  }
+  add_most_touched(figures, world, outcome);
+  if (options.clearance > 0) {
+    add_near_figures(figures, world, outcome, options);
+  }
+  if (outcome.verified) {
+    const Verified& v = *outcome.verified;
+    figures.emplace_back(
+        "verified", fmt::format("{} of bodies and {} by brute force, {} wrong",
+                                counted(v.contacts, "touching pair"), counted(v.free, "free mover"),
+                                with_commas(v.wrong)));
+  }
+  if (outcome.verified_gaps) {
+    figures.emplace_back("verified gaps", gaps_verified(*outcome.verified_gaps));
+  }
+  return figures;
+}
+
+std::string table_of(const World& world, const Outcome& outcome, const SimulateOptions& options,
+                     bool hints) {
+  std::string text;
+  for (const auto& [name, value] : figures_of(world, outcome, options)) {
+    text += row(name, value);
+  }
+  if (hints && options.map.empty() && options.report.empty() && options.picture.empty()) {
+    text += row("see it", "add --map city.svg to draw the city and its contacts, or --view");
+  }
+  for (const auto& [name, path] :
+       {Figure("map", options.map), Figure("report", options.report),
+        Figure("events", options.events), Figure("contacts in", options.contacts)}) {
+    if (!path.empty()) {
+      text += row(name, path);
+    }
+  }
+  if (!options.record.empty()) {
+    text += row("recording", options.record);
+  }
+  if (!options.picture.empty()) {
+    text += row("picture", options.picture);
+  }
+  return text;
+}
+
+std::string json_of(const World& world, const Outcome& outcome, const SimulateOptions& options) {
+  Json json;
+  json["schema"] = "soms.simulate/1";
+  json["city"] = world.title;
+  json["triangles"] = world.triangles;
+  json["movers"] = world.routes.size();
+  json["movers_requested"] = world.requested;
+  json["frames"] = outcome.frames;
+  json["frames_requested"] = options.frames;
+  json["coverage"] = ending_name(outcome.ending);
+  json["interrupted"] = outcome.ending == Ending::interrupted;
+  json["fps"] = {{"median", rounded(outcome.median_fps())},
+                 {"worst", rounded(outcome.worst_fps())}};
+  json["build_ms"] = rounded(world.build_ms);
+  json["read_ms"] = rounded(world.read_ms);
+  json["queries"] = outcome.queries;
+  json["queries_a_second"] = std::round(outcome.queries_a_second());
+  json["cost"] = {{"node_tests", outcome.cost.node_tests},
+                  {"triangle_tests", outcome.cost.triangle_tests},
+                  {"exact_tests", outcome.cost.exact_tests}};
+  json["contacts"] = outcome.contacts.contacts().size();
+  json["contacts_between_movers"] = outcome.contacts.between_movers();
+  json["events"] = outcome.events.spans().size();
+  json["events_between_movers"] = between_movers(outcome.events.spans());
+  json["between_movers"] = world.filter.between;
+  json["ignored_pairs"] = world.filter.ignored.size();
+  json["hash"] = fmt::format("{:016x}", outcome.hash);
+  json["most_touched"] = Json::array();
+  for (const Touched& touched : outcome.contacts.most_touched(kMostTouched)) {
+    json["most_touched"].push_back({{"city", world.city[touched.part].name},
+                                    {"part", part_name(world, touched.part, touched.triangle)},
+                                    {"triangle", touched.triangle},
+                                    {"contacts", touched.contacts},
+                                    {"mover_frames", touched.frames}});
+  }
+  add_georeference(json, world.georeference);
+  if (!world.notes.empty()) {
+    json["notes"] = world.notes;
+  }
+  if (!world.warnings.empty()) {
+    json["warnings"] = warnings_json(world.warnings);
+  }
+  if (outcome.verified) {
+    json["verified"] = {{"contacts", outcome.verified->contacts},
+                        {"free", outcome.verified->free},
+                        {"wrong", outcome.verified->wrong}};
+  }
+  if (outcome.verified_gaps) {
+    json["verified_gaps"] = {{"near", outcome.verified_gaps->near},
+                             {"free", outcome.verified_gaps->free},
+                             {"wrong", outcome.verified_gaps->wrong}};
+  }
+  if (options.clearance > 0) {
+    add_near_json(json, world, outcome, options);
+  }
+  return json_line(json);
+}
+
+}  // namespace soms::command

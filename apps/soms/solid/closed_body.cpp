@@ -1,0 +1,42 @@
+#include "apps/soms/solid/closed_body.h"
+
+#include "soms/base/error.h"
+#include "soms/base/text.h"
+
+#include "apps/cli/console.h"
+
+#include <string>
+#include <utility>
+
+namespace soms::command {
+
+std::string_view name(Side side) {
+  switch (side) {
+    case Side::outside:
+      return "outside";
+    case Side::inside:
+      return "inside";
+    case Side::on:
+      return "on";
+    case Side::undecided:
+      break;
+  }
+  return "undecided";
+}
+
+ClosedBody closed_body(Body body, std::string_view otherwise, Console& console) {
+  try {
+    return console.run(
+        "looking for edges of an odd number of triangles",
+        [&](const Parallel& parallel) { return ClosedBody(std::move(body), parallel); });
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::not_closed) {
+      throw;
+    }
+    throw Error(
+        error.kind(), printable(error.place()),
+        "soms info lists these edges; close the surface there, or " + std::string(otherwise));
+  }
+}
+
+}  // namespace soms::command

@@ -1,0 +1,20 @@
+set(SOMS_WORLD_FILES
+  map_layers.cpp
+  map_layers.h
+  map_page.cpp
+  map_page.h
+  mover_filter.cpp
+  mover_filter.h
+  mover_routes.cpp
+  mover_routes.h
+  part_names.cpp
+  part_names.h
+  recorded_world.cpp
+  recorded_world.h
+  route_notes.cpp
+  route_notes.h
+  world.cpp
+  world.h
+  world_options.cpp
+  world_options.h
+)

@@ -1,0 +1,149 @@
+#include "soms/query/closest.h"
+
+#include "soms/query/print.h"
+#include "soms/query/signed_closest.h"
+
+#include "python/src/answer.h"
+#include "python/src/bind.h"
+#include "python/src/function.h"
+#include "python/src/query/closest_fields.h"
+#include "python/src/query/point_query.h"
+#include "python/src/query/signed_distance.h"
+#include "python/src/scene/bodies.h"
+
+#include <optional>
+
+namespace soms::python {
+
+namespace {
+
+constexpr const char* kClosestDoc =
+    R"(closest(body, points, *, at_most=inf, seconds=None, threads=1, progress=None)
+
+Where is a surface nearest to a point? Of a ClosedBody, on which side is the point, too?
+
+body: a Body, Shape or Mesh, or a ClosedBody. points: (3,) or (n, 3). at_most: beyond this the answer
+is farther, and sooner. seconds, threads, progress: as for contains.
+
+Returns Closest for one point, ClosestBatch for n; SignedClosest and SignedClosestBatch of a
+ClosedBody. The least distance is from lower to upper, which are equal doubles or neighbors. Raises
+Error of kind not_finite, out_of_range, usage.
+Cost: typically logarithmic in the triangles.
+Source: Roussopoulos, Kelley and Vincent 1995.)";
+
+constexpr const char* kNearestDoc =
+    R"(nearest_triangles(body, points, count, *, at_most=inf, seconds=None, threads=1, progress=None)
+
+The nearest triangles of each point, in the order of their exact distances, then by number.
+
+points: (n, 3). count: most triangles of a point. Others: as for closest. Returns NearTriangles.)";
+
+constexpr const char* kNearDoc =
+    R"(near_triangles(body, points, radius, *, seconds=None, threads=1, progress=None)
+
+All triangles that are at most a radius from each point, decided exactly, in the order of
+nearest_triangles.
+
+points: (n, 3). radius: a number from 0 on. Others: as for closest. Returns NearTriangles.)";
+
+py::object query_closest(const py::object& body, const py::object& points, double at_most,
+                         std::optional<double> seconds, int threads, const py::object& progress) {
+  const ClosestOptions options{.at_most = at_most, .deadline = deadline_in(seconds)};
+  const auto ask = [&](const auto& surface) {
+    return answer_points(points, threads, progress,
+                         [&](const Parallel& parallel, const auto& places) {
+                           return closest(surface, places, options, parallel);
+                         });
+  };
+  if (const auto* const closed = inside<ClosedBody>(body)) {
+    return ask(*closed);
+  }
+  return ask(BodyArgument(body, "body", threads).get());
+}
+
+NearTriangles nearest(const py::object& body, const py::object& points, std::size_t count,
+                      double at_most, std::optional<double> seconds, int threads,
+                      const py::object& progress) {
+  const BodyArgument surface(body, "body", threads);
+  const Rows<Vec3> places = points_of(points, "points").owned();
+  const ClosestOptions options{.at_most = at_most, .deadline = deadline_in(seconds)};
+  return run(Work::many, threads, progress, [&](const Parallel& parallel) {
+    return nearest_triangles(surface.get(), places.get(), count, options, parallel);
+  });
+}
+
+NearTriangles near(const py::object& body, const py::object& points, double radius,
+                   std::optional<double> seconds, int threads, const py::object& progress) {
+  const BodyArgument surface(body, "body", threads);
+  const Rows<Vec3> places = points_of(points, "points").owned();
+  const ClosestOptions options{.deadline = deadline_in(seconds)};
+  return run(Work::many, threads, progress, [&](const Parallel& parallel) {
+    return near_triangles(surface.get(), places.get(), radius, options, parallel);
+  });
+}
+
+void bind_signed(py::module_& module) {
+  AnswerClass<SignedClosest> one(module, "SignedClosest",
+                                 "Answer of closest for a point and a ClosedBody.");
+  one.field("closest", &SignedClosest::closest, "Closest, of the surface.")
+      .field("side", &SignedClosest::side, "Side, as contains has it.")
+      .derived(
+          "lower", [](const SignedClosest& c) { return c.distance().lower; },
+          "The signed distance, below 0 inside, is at least this,")
+      .derived(
+          "upper", [](const SignedClosest& c) { return c.distance().upper; }, "and at most this.")
+      .derived(
+          "signed",
+          [](const SignedClosest& c) {
+            return signed_distance(c.closest.distance.upper, c.side, c.closest.coverage);
+          },
+          "The signed distance as one number, as signed_distance returns it.");
+  AnswerClass<SignedClosestBatch> batch(module, "SignedClosestBatch",
+                                        "Answers of closest for n points and a ClosedBody.");
+  batch.field("closest", &SignedClosestBatch::closest, "ClosestBatch, of the surface; a copy.")
+      .column("side", &SignedClosestBatch::side, "(n,) integers of Side.")
+      .derived(
+          "signed",
+          [](const SignedClosestBatch& b) {
+            const std::vector<double> all = signed_distances(b.closest, b.side);
+            return py::array_t<double>(static_cast<py::ssize_t>(all.size()), all.data());
+          },
+          "(n,) float64: the signed distances as signed_distance returns them; a copy.")
+      .entries();
+}
+
+void bind_near(py::module_& module) {
+  AnswerClass<NearTriangles> near(module, "NearTriangles", "Triangles near each of n points.");
+  near.rows("triangle", &NearTriangles::offsets, &NearTriangles::triangle,
+            "(k,) uint32: the triangles of all points; those of point i are of(i).")
+      .column("offsets", &NearTriangles::offsets, "(n + 1,) uint64.")
+      .column("lower", &NearTriangles::lower, "(k,) float64: the distance is between this")
+      .column("upper", &NearTriangles::upper, "(k,) float64: and this.")
+      .column("coverage", &NearTriangles::coverage, "(n,) integers of Coverage.")
+      .column("costs", &NearTriangles::costs, "(n,) node_tests, triangle_tests, exact_tests.")
+      .field("cost", &NearTriangles::cost, "Cost of all points together.")
+      .entries();
+}
+
+}  // namespace
+
+void bind_closest(py::module_& module) {
+  AnswerClass<Closest> one(module, "Closest", "Answer of closest for a point.");
+  closest_fields(one);
+  AnswerClass<ClosestBatch> batch(module, "ClosestBatch", "Answers of closest for n points.");
+  closest_columns(batch);
+  bind_signed(module);
+  bind_near(module);
+  def_function(
+      module, "closest", &query_closest, kClosestDoc,
+      with_limits({{"body"}, {"points"}, {"at_most", py::float_(ClosestOptions{}.at_most), true}}));
+  module.def("nearest_triangles", &nearest, py::arg("body"), py::arg("points"), py::arg("count"),
+             py::kw_only(), py::arg("at_most") = ClosestOptions{}.at_most,
+             py::arg("seconds") = py::none(), py::arg("threads") = 1,
+             py::arg("progress") = py::none(), kNearestDoc);
+  module.def("near_triangles", &near, py::arg("body"), py::arg("points"), py::arg("radius"),
+             py::kw_only(), py::arg("seconds") = py::none(), py::arg("threads") = 1,
+             py::arg("progress") = py::none(), kNearDoc);
+}
+
+}  // namespace soms::python

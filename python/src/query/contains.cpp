@@ -1,0 +1,179 @@
+#include "soms/query/contains.h"
+
+#include "soms/query/contains_parts.h"
+#include "soms/query/print.h"
+
+#include "python/src/answer.h"
+#include "python/src/bind.h"
+#include "python/src/function.h"
+#include "python/src/poses.h"
+#include "python/src/query/point_query.h"
+#include "python/src/scene/bodies.h"
+
+#include <pybind11/stl.h>
+
+#include <optional>
+
+namespace soms::python {
+
+namespace {
+
+constexpr const char* kContainsDoc =
+    R"(contains(body, points, *, seconds=None, threads=1, progress=None)
+
+Is a point inside a closed body? Decided exactly; orientation of the triangles plays no part.
+
+body: a ClosedBody, or a Body, Shape or Mesh, which is checked first each time; or a PartedBody, for
+the parts that hold each point. points: (3,) or (n, 3). seconds: ends the call, with coverage 'cut',
+after that time. threads: 0 for all processors. progress: called with the share done.
+
+Returns Contains for one point, ContainsBatch for n; ContainsParts and ContainsPartsBatch of a
+PartedBody. Raises Error of kind not_closed, not_finite, out_of_range, usage.
+Cost: typically a microsecond a point and less.
+Source: Edelsbrunner and Muecke 1990, Simulation of Simplicity.)";
+
+py::object query_contains(const py::object& body, const py::object& points,
+                          std::optional<double> seconds, int threads, const py::object& progress) {
+  const ContainsOptions options{.deadline = deadline_in(seconds)};
+  const auto ask = [&](const auto& surface) {
+    return answer_points(points, threads, progress,
+                         [&](const Parallel& parallel, const auto& places) {
+                           if constexpr (std::is_same_v<std::decay_t<decltype(places)>, Vec3>) {
+                             return contains(surface, places, options);
+                           } else {
+                             return contains(surface, places, options, parallel);
+                           }
+                         });
+  };
+  if (const auto* const closed = inside<ClosedBody>(body)) {
+    return ask(*closed);
+  }
+  if (const auto* const parted = inside<PartedBody>(body)) {
+    return ask(*parted);
+  }
+  return ask(BodyArgument(body, "body", threads).get());
+}
+
+void bind_closed_body(py::module_& module) {
+  py::class_<ClosedBody> closed(module, "ClosedBody",
+                                R"(ClosedBody(body, *, threads=1, progress=None)
+
+A body whose surface was found to be closed where its pose moves it. Checked once, queried often.
+
+Raises Error of kind not_closed, which counts the odd edges and names the first. O(n).)");
+  closed.def(
+      py::init([](const py::object& body, int threads, const py::object& progress) {
+        const BodyArgument given(body, "body", threads);
+        return run(Work::many, threads, progress,
+                   [&](const Parallel& parallel) { return ClosedBody(given.get(), parallel); });
+      }),
+      py::arg("body"), py::kw_only(), py::arg("threads") = 1, py::arg("progress") = py::none());
+  closed.def_property_readonly("body", &ClosedBody::body, "The Body.");
+  closed.def(
+      "at", [](const ClosedBody& b, const py::object& pose) { return b.at(pose_of(pose)); },
+      py::arg("pose"),
+      "at(pose) -> ClosedBody\n\nThe same body at another pose. Raises Error of kind not_closed if "
+      "a "
+      "T-junction opens there.");
+  closed.def(
+      "__eq__", [](const ClosedBody& a, const ClosedBody& b) { return a == b; }, py::is_operator());
+  closed.attr("__hash__") = py::none();
+  closed.def("__repr__", &printed<ClosedBody>);
+  closed.def(py::pickle([](const ClosedBody& b) { return py::make_tuple(b.body()); },
+                        [](const py::tuple& s) { return ClosedBody(s[0].cast<Body>()); }));
+}
+
+void bind_parted_body(py::module_& module) {
+  AnswerClass<BodyPart> part(module, "BodyPart", "A part of a PartedBody.");
+  part.derived(
+          "named",
+          [](const BodyPart& p) {
+            return p.named == Part::kNoParent ? std::optional<std::uint32_t>() : p.named;
+          },
+          "Index in Mesh.parts, or None.")
+      .derived(
+          "joined",
+          [](const BodyPart& p) {
+            std::vector<std::optional<std::uint32_t>> others;
+            for (const std::uint32_t other : p.joined) {
+              others.push_back(other == Part::kNoParent ? std::nullopt : std::optional(other));
+            }
+            return others;
+          },
+          "A list: the other parts of a body of several, by their indices; None for no part.")
+      .field("first", &BodyPart::first, "Its first triangle.")
+      .field("triangles", &BodyPart::triangles, "How many it has.")
+      .field("closed", &BodyPart::closed, "By itself, at the body's pose.")
+      .field("odd_edges", &BodyPart::odd_edges, "Edges of an odd number of its triangles.");
+  py::class_<PartedBody> parted(module, "PartedBody",
+                                R"(PartedBody(body, partition='named', *, threads=1, progress=None)
+
+A body whose parts were found and checked, each by itself. Open parts are no error.
+
+partition: 'named' by the parts of the file, or 'connected' by vertices in one place. O(n).)");
+  parted.def(py::init([](const py::object& body, const py::object& partition, int threads,
+                         const py::object& progress) {
+               const BodyArgument given(body, "body", threads);
+               const auto chosen = enum_of<Partition>(partition, "partition");
+               return run(Work::many, threads, progress, [&](const Parallel& parallel) {
+                 return PartedBody(given.get(), chosen, parallel);
+               });
+             }),
+             py::arg("body"), py::arg("partition") = "named", py::kw_only(), py::arg("threads") = 1,
+             py::arg("progress") = py::none());
+  parted.def_property_readonly("body", &PartedBody::body, "The Body.");
+  parted.def_property_readonly(
+      "parts",
+      [](const PartedBody& b) { return std::vector<BodyPart>(b.parts().begin(), b.parts().end()); },
+      "A list of BodyPart.");
+  parted.def_property_readonly("open_parts", &PartedBody::open_parts, "How many are open.");
+  parted.def(
+      "__eq__", [](const PartedBody& a, const PartedBody& b) { return a == b; }, py::is_operator());
+  parted.attr("__hash__") = py::none();
+  parted.def("__repr__", &printed<PartedBody>);
+}
+
+void bind_point_answers(py::module_& module) {
+  AnswerClass<Contains> one(module, "Contains", "Answer of contains for a point.");
+  one.field("side", &Contains::side, "Side: outside, inside, on, or undecided.")
+      .field("coverage", &Contains::coverage, "Coverage.")
+      .field("cost", &Contains::cost, "Cost.");
+  AnswerClass<ContainsBatch> batch(module, "ContainsBatch", "Answers of contains for n points.");
+  batch.column("side", &ContainsBatch::side, "(n,) integers of Side.")
+      .column("costs", &ContainsBatch::costs, "(n,) node_tests, triangle_tests, exact_tests.")
+      .field("coverage", &ContainsBatch::coverage, "Coverage: cut if a point is undecided.")
+      .field("cost", &ContainsBatch::cost, "Cost of all points together.")
+      .entries();
+}
+
+void bind_part_answers(py::module_& module) {
+  AnswerClass<ContainsParts> one(module, "ContainsParts", "The parts that hold a point.");
+  one.column("parts", &ContainsParts::parts,
+             "(k,) with fields part, an index of PartedBody.parts, and side: inside or on.")
+      .field("coverage", &ContainsParts::coverage, "Coverage.")
+      .field("cost", &ContainsParts::cost, "Cost.");
+  AnswerClass<ContainsPartsBatch> batch(module, "ContainsPartsBatch",
+                                        "The parts that hold each of n points.");
+  batch
+      .rows("parts", &ContainsPartsBatch::offsets, &ContainsPartsBatch::parts,
+            "(k,) with fields part and side, of all points; those of point i are of(i).")
+      .column("offsets", &ContainsPartsBatch::offsets, "(n + 1,) uint64.")
+      .column("coverages", &ContainsPartsBatch::coverages, "(n,) integers of Coverage.")
+      .column("costs", &ContainsPartsBatch::costs, "(n,) node_tests, triangle_tests, exact_tests.")
+      .field("coverage", &ContainsPartsBatch::coverage, "Coverage: cut if that of a point is.")
+      .field("cost", &ContainsPartsBatch::cost, "Cost of all points together.")
+      .entries();
+}
+
+}  // namespace
+
+void bind_contains(py::module_& module) {
+  bind_closed_body(module);
+  bind_parted_body(module);
+  bind_point_answers(module);
+  bind_part_answers(module);
+  def_function(module, "contains", &query_contains, kContainsDoc,
+               with_limits({{"body"}, {"points"}}));
+}
+
+}  // namespace soms::python

@@ -1,0 +1,31 @@
+/// \file
+/// Queries of two bodies, for one pose or n of them, whose answer is one class or its batch.
+#pragma once
+
+#include "python/src/call.h"
+#include "python/src/objects.h"
+#include "python/src/poses.h"
+#include "python/src/scene/bodies.h"
+
+#include <pybind11/pybind11.h>
+
+namespace soms::python {
+
+/// `query(parallel, a, b)` without poses, else `query(parallel, shape of a, poses, b)`.
+template <class Query>
+py::object answer_poses(const py::object& a, const py::object& b, const py::object& poses,
+                        int threads, const py::object& progress, const Query& query) {
+  const BodyArgument mover(a, "a", threads);
+  const BodyArgument fixed(b, "b", threads);
+  if (poses.is_none()) {
+    return made(run(Work::one, threads, progress, [&](const Parallel& parallel) {
+      return query(parallel, mover.get(), fixed.get());
+    }));
+  }
+  const Rows<Pose> places = poses_of(poses);
+  return made(run(Work::many, threads, progress, [&](const Parallel& parallel) {
+    return query(parallel, mover.get().shape, places.get(), fixed.get());
+  }));
+}
+
+}  // namespace soms::python

@@ -1,0 +1,106 @@
+#include "soms/query/print.h"
+#include "soms/query/ray.h"
+
+#include "python/src/answer.h"
+#include "python/src/bind.h"
+#include "python/src/call.h"
+#include "python/src/function.h"
+#include "python/src/query/closest_fields.h"
+#include "python/src/query/ray_arguments.h"
+#include "python/src/scene/bodies.h"
+
+#include <optional>
+
+namespace soms::python {
+
+namespace {
+
+constexpr const char* kRaysDoc = R"(
+
+body: a Body, Shape or Mesh. origins: (3,) or (n, 3). directions: the same; they need not have unit
+length, t counts in units of them. Or ends: the same, for segments, where t is from 0 to 1. lengths:
+of the rays, in units of the directions: a number, or (n,). skip: a triangle that takes no part.
+seconds: ends the call, with coverage 'cut', after that time. threads: 0 for all processors.
+progress: called with the share done.
+
+Raises Error of kind not_finite, out_of_range, usage.
+Cost: typically logarithmic in the triangles.
+Source: Woop, Benthin and Wald 2013.)";
+
+bool sees_between(const py::object& body, const py::object& a, const py::object& b) {
+  const BodyArgument surface(body, "body");
+  const Vec3 from = point_of(doubles_of(a, "a"), "a");
+  const Vec3 to = point_of(doubles_of(b, "b"), "b");
+  return run(Work::one, 1, py::none(),
+             [&](const Parallel&) { return sees(surface.get(), from, to); });
+}
+
+/// Binds `query(body, one or more lines, options...)`.
+template <class Query>
+void def_rays(py::module_& module, const char* name, const Query& query, const char* what) {
+  const std::string doc = std::string(name) +
+                          "(body, origins, directions=None, *, ends=None, lengths=inf, skip=None, "
+                          "seconds=None, threads=1, progress=None)\n\n" +
+                          what + kRaysDoc;
+  const auto ask = [query](const py::object& body, const py::object& origins,
+                           const py::object& directions, const py::object& ends,
+                           const py::object& lengths, const py::object& skip,
+                           std::optional<double> seconds, int threads, const py::object& progress) {
+    const BodyArgument surface(body, "body", threads);
+    const RayOptions options = ray_options(skip, seconds);
+    return answer_rays(rays_of(origins, directions, ends, lengths), threads, progress,
+                       [&](const auto& lines, const auto&... parallel) {
+                         return query(surface.get(), lines, options, parallel...);
+                       });
+  };
+  def_function(module, name, ask, doc,
+               with_limits({{"body"},
+                            {"origins"},
+                            {"directions", py::none()},
+                            {"ends", py::none(), true},
+                            {"lengths", py::float_(Ray{}.length), true},
+                            {"skip", py::none(), true}}));
+}
+
+}  // namespace
+
+void bind_rays(py::module_& module) {
+  AnswerClass<ClosestHit> hit(module, "ClosestHit", "Answer of closest_hit for a ray.");
+  hit_fields(hit);
+  AnswerClass<ClosestHitBatch> hits(module, "ClosestHitBatch",
+                                    "Answers of closest_hit for n rays.");
+  hit_columns(hits);
+  AnswerClass<AnyHit> any(module, "AnyHit",
+                          "Answer of any_hit for a ray. Its truth is that of hit.");
+  any.truth("hit", &AnyHit::hit, "The ray hits something.")
+      .field("coverage", &AnyHit::coverage, "Coverage.")
+      .field("cost", &AnyHit::cost, "Cost.");
+  AnswerClass<AnyHitBatch> anys(module, "AnyHitBatch", "Answers of any_hit for n rays.");
+  anys.column("hit", &AnyHitBatch::hit, "(n,) bool.")
+      .column("coverage", &AnyHitBatch::coverage, "(n,) integers of Coverage.")
+      .column("costs", &AnyHitBatch::costs, "(n,) node_tests, triangle_tests, exact_tests.")
+      .field("cost", &AnyHitBatch::cost, "Cost of all rays together.")
+      .entries();
+  AnswerClass<AllHits> all(module, "AllHits", "All places where n rays meet a surface.");
+  all_hits_columns(all);
+  def_rays(
+      module, "closest_hit", [](const auto&... of) { return closest_hit(of...); },
+      "The first point of a surface on a ray or segment. Triangles are closed sets, so no ray "
+      "slips\nbetween two that share an edge. Returns ClosestHit, or ClosestHitBatch for n.");
+  def_rays(
+      module, "any_hit", [](const auto&... of) { return any_hit(of...); },
+      "Does a ray or segment hit anything? Returns AnyHit, or AnyHitBatch for n.");
+  def_rays(
+      module, "all_hits",
+      [](const Body& body, const auto& lines, const auto&... others) {
+        return all_hits(body, lines_of(lines), others...);
+      },
+      "All places where rays or segments meet a surface, in the order of t; triangles that meet "
+      "there are\none crossing. Returns AllHits.");
+  module.def(
+      "sees", &sees_between, py::arg("body"), py::arg("a"), py::arg("b"),
+      "sees(body, a, b) -> bool\n\nTrue if nothing of the surface is on the segment from a to "
+      "b, both (3,), ends included.");
+}
+
+}  // namespace soms::python

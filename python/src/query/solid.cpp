@@ -1,0 +1,108 @@
+#include "soms/query/solid.h"
+
+#include "soms/query/print.h"
+
+#include "python/src/answer.h"
+#include "python/src/bind.h"
+#include "python/src/function.h"
+#include "python/src/query/point_query.h"
+#include "python/src/query/pose_query.h"
+
+#include <optional>
+
+namespace soms::python {
+
+namespace {
+
+constexpr const char* kSolidDoc =
+    R"(solid(a, b, poses=None, *, seconds=None, threads=1, progress=None)
+
+How do two closed bodies stand to each other: clear, touching, crossing, one in the other, the same?
+Decided exactly.
+
+a, b: ClosedBody, or Body, Shape or Mesh, which are checked first each time. poses, seconds, threads,
+progress: as for overlap.
+
+Returns Solid, or with poses SolidBatch, where a pose at which a is not closed is undecided. Raises
+Error of kind not_closed, and as overlap does.
+Cost: that of overlap with mode 'any' and of one contains for each connected part; where bodies touch
+of the order of 0.1 ms for each triangle that takes part.)";
+
+/// A body that is given as closed, or checked for the call.
+class ClosedArgument {
+ public:
+  ClosedArgument(const py::object& given, const char* what, int threads)
+      : body_(inside<ClosedBody>(given)) {
+    if (body_ == nullptr) {
+      const BodyArgument body(given, what, threads);
+      made_.emplace(run(Work::many, threads, py::none(), [&](const Parallel& parallel) {
+        return ClosedBody(body.get(), parallel);
+      }));
+      body_ = &*made_;
+    }
+  }
+
+  ClosedArgument(const ClosedArgument&) = delete;
+  ClosedArgument& operator=(const ClosedArgument&) = delete;
+
+  [[nodiscard]] const ClosedBody& get() const { return *body_; }
+
+ private:
+  std::optional<ClosedBody> made_;
+  const ClosedBody* body_;
+};
+
+/// With poses the mover is checked where it was built, as its own pose plays no part.
+py::object at_poses(const py::object& a, const py::object& b, const py::object& poses,
+                    const SolidOptions& options, int threads, const py::object& progress) {
+  const Rows<Pose> places = poses_of(poses);
+  const ClosedArgument fixed(b, "b", threads);
+  const auto answer = [&](const ClosedBody& mover) {
+    return made(run(Work::many, threads, progress, [&](const Parallel& parallel) {
+      return solid(mover, places.get(), fixed.get(), options, parallel);
+    }));
+  };
+  if (const auto* const closed = inside<ClosedBody>(a)) {
+    return answer(*closed);
+  }
+  const BodyArgument body(a, "a", threads);
+  return answer(run(Work::many, threads, py::none(), [&](const Parallel& parallel) {
+    return ClosedBody(Body(body.get().shape), parallel);
+  }));
+}
+
+py::object query_solid(const py::object& a, const py::object& b, const py::object& poses,
+                       std::optional<double> seconds, int threads, const py::object& progress) {
+  const SolidOptions options{.deadline = deadline_in(seconds)};
+  if (!poses.is_none()) {
+    return at_poses(a, b, poses, options, threads, progress);
+  }
+  const ClosedArgument first(a, "a", threads);
+  const ClosedArgument second(b, "b", threads);
+  return made(run(Work::one, threads, progress, [&](const Parallel& parallel) {
+    return solid(first.get(), second.get(), options, parallel);
+  }));
+}
+
+}  // namespace
+
+void bind_solid(py::module_& module) {
+  AnswerClass<Solid> one(module, "Solid", "Answer of solid.");
+  one.field("relation", &Solid::relation, "Relation.")
+      .field("surfaces_meet", &Solid::surfaces_meet, "Triangles of the two overlap.")
+      .field("why", &Solid::why, "Undecided: why the relation is.")
+      .field("coverage", &Solid::coverage, "Coverage.")
+      .field("cost", &Solid::cost, "Cost.");
+  AnswerClass<SolidBatch> batch(module, "SolidBatch", "Answers of solid for n poses.");
+  batch.column("relation", &SolidBatch::relation, "(n,) integers of Relation.")
+      .column("surfaces_meet", &SolidBatch::surfaces_meet, "(n,) bool.")
+      .column("why", &SolidBatch::why, "(n,) integers of Undecided.")
+      .column("coverage", &SolidBatch::coverage, "(n,) integers of Coverage.")
+      .column("costs", &SolidBatch::costs, "(n,) node_tests, triangle_tests, exact_tests.")
+      .field("cost", &SolidBatch::cost, "Cost of all poses together.")
+      .entries();
+  def_function(module, "solid", &query_solid, kSolidDoc,
+               with_limits({{"a"}, {"b"}, {"poses", py::none()}}));
+}
+
+}  // namespace soms::python

@@ -1,0 +1,104 @@
+// Points and rays of a scene.
+#include "soms/query/print.h"
+#include "soms/scene/print.h"
+
+#include "python/src/scene/many_bodies.h"
+#include "python/src/scene/scene.h"
+#include "python/src/scene/scene_columns.h"
+
+#include <optional>
+#include <utility>
+
+namespace soms::python {
+
+template <>
+struct Packing<SceneClosest> : ExtendedPacking<SceneClosest, Closest, &SceneClosest::body> {};
+
+template <>
+struct Packing<SceneClosestBatch>
+    : ExtendedPacking<SceneClosestBatch, ClosestBatch, &SceneClosestBatch::body> {};
+
+template <>
+struct Packing<SceneHit> : ExtendedPacking<SceneHit, ClosestHit, &SceneHit::body> {};
+
+template <>
+struct Packing<SceneHitBatch>
+    : ExtendedPacking<SceneHitBatch, ClosestHitBatch, &SceneHitBatch::body> {};
+
+template <>
+struct Packing<SceneAllHits> : ExtendedPacking<SceneAllHits, AllHits, &SceneAllHits::body> {};
+
+py::dtype RowType<SceneBody>::get() {
+  return structured(
+      {{"kind", "u1", offsetof(SceneBody, kind)}, {"number", "u4", offsetof(SceneBody, id)}},
+      sizeof(SceneBody));
+}
+
+py::array Column<std::optional<SceneBody>>::make(
+    const std::vector<std::optional<SceneBody>>& values, py::handle) {
+  py::array_t<std::int64_t> array({static_cast<py::ssize_t>(values.size()), py::ssize_t{2}});
+  std::int64_t* to = array.mutable_data();
+  for (const auto& value : values) {
+    *to++ = value ? static_cast<std::int64_t>(value->kind) : -1;
+    *to++ = value ? std::int64_t{value->id} : -1;
+  }
+  return array;
+}
+
+namespace {
+
+using Ignored = std::optional<std::pair<py::object, std::uint32_t>>;
+
+SceneFilter filter_of(bool environment, bool movers, Ignored ignored) {
+  SceneFilter filter{.environment = environment, .movers = movers};
+  if (ignored) {
+    filter.except = SceneBody{enum_of<SceneBodyKind>(ignored->first, "ignore"), ignored->second};
+  }
+  return filter;
+}
+
+/// (kind, number), or None.
+template <class T>
+py::object body_of(const T& answer) {
+  return answer.body ? py::object(py::make_tuple(member(answer.body->kind), answer.body->id))
+                     : py::none();
+}
+
+void bind_scene_answers(py::module_& module) {
+  const char* const body = "(kind, number) of the body, or None.";
+  const char* const bodies = "(n, 2) int64: kind and number of the body, -1, -1 for none.";
+  AnswerClass<SceneClosest> closest(module, "SceneClosest", "The nearest point of a scene.");
+  closest_fields(closest);
+  closest.derived("body", &body_of<SceneClosest>, body);
+  AnswerClass<SceneClosestBatch> closests(module, "SceneClosestBatch",
+                                          "The nearest points of a scene to n points.");
+  closest_columns(closests);
+  closests.column("body", &SceneClosestBatch::body, bodies);
+  AnswerClass<SceneHit> hit(module, "SceneHit", "The first hit of a ray in a scene.");
+  hit_fields(hit);
+  hit.derived("body", &body_of<SceneHit>, body);
+  AnswerClass<SceneHitBatch> hits(module, "SceneHitBatch", "The first hits of n rays in a scene.");
+  hit_columns(hits);
+  hits.column("body", &SceneHitBatch::body, bodies);
+  AnswerClass<SceneAllHits> all(module, "SceneAllHits", "All places where n rays meet a scene.");
+  all_hits_columns(all);
+  all.column("body", &SceneAllHits::body, "(m,) with fields kind and number, of each crossing.");
+}
+
+}  // namespace
+
+void bind_scene_queries(py::module_& module, SceneClass& scene) {
+  bind_scene_answers(module);
+  ManyBodies many(
+      scene, &filter_of,
+      {py::arg("environment") = true, py::arg("movers") = true, py::arg("ignore") = py::none()},
+      {"environment=True, movers=True, ignore=None, ",
+       "\n\nenvironment, movers: which bodies take part. ignore: (kind, number) of a body that "
+       "does "
+       "not, such as\n('mover', 3); with skip, only that triangle of it does not. Others: as for "
+       "the function of this name."});
+  many.bind_closest("SceneClosest", "SceneClosestBatch");
+  many.bind_all_rays("SceneHit", "SceneHitBatch", "SceneAllHits");
+}
+
+}  // namespace soms::python

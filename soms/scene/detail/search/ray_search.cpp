@@ -1,0 +1,190 @@
+// The first hit of rays and segments on many bodies.
+#include "soms/base/arithmetic.h"
+#include "soms/base/error.h"
+#include "soms/query/detail/engine/batch.h"
+#include "soms/scene/detail/search/body_search.h"
+#include "soms/scene/detail/search/line_question.h"
+#include "soms/scene/detail/search/nearest_body.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace soms::detail {
+
+namespace {
+
+template <class Line>
+BodyHit first(BodySets sets, const Line& line, const RayOptions& options, LeftOut left_out,
+              SearchMemory& memory) {
+  const LineQuestion<Line> question(line, options, left_out);
+  NearestBody nearest(question);
+  nearest.run(sets, memory);
+  BodyHit answer;
+  if (nearest.found()) {
+    answer = *nearest.found();
+  }
+  answer.coverage = Coverage::complete;
+  if (nearest.cut()) {
+    answer.coverage = Coverage::cut;
+    answer.t.lower = std::min(answer.t.lower, nearest.at_least());
+  }
+  answer.cost = nearest.cost();
+  return answer;
+}
+
+template <class Line>
+AnyHit any(BodySets sets, const Line& line, const RayOptions& options, LeftOut left_out,
+           SearchMemory& memory) {
+  const LineQuestion<Line> question(line, options, left_out);
+  double limit = question.limit();
+  AnyHit answer;
+  answer.cost.node_tests += for_each_near_body(
+      sets, [&](const Box& box) { return question.key(box); }, limit, memory,
+      [&](const Body& body, std::uint32_t number, double /*key*/) {
+        const AnyHit here = question.ask_any(body, number);
+        answer.hit = here.hit;
+        answer.coverage = here.coverage;
+        answer.cost += here.cost;
+        if (here.hit || here.coverage == Coverage::cut) {
+          limit = -std::numeric_limits<double>::infinity();
+        }
+        return limit;
+      });
+  return answer;
+}
+
+template <class Line>
+BodyHit checked_first(BodySets sets, const Line& line, const RayOptions& options,
+                      LeftOut left_out) {
+  const PlainArithmetic plain;
+  check_left_out(sets, options, left_out);
+  static_cast<void>(soms::closest_hit(Body(), line));  // all but checks
+  SearchMemory memory;
+  return first(sets, line, options, left_out, memory);
+}
+
+template <class Line>
+AnyHit checked_any(BodySets sets, const Line& line, const RayOptions& options, LeftOut left_out) {
+  const PlainArithmetic plain;
+  check_left_out(sets, options, left_out);
+  static_cast<void>(soms::any_hit(Body(), line));  // all but checks
+  SearchMemory memory;
+  return any(sets, line, options, left_out, memory);
+}
+
+void put(const BodyHit& answer, std::size_t i, BodyHitBatch& batch) {
+  batch.lower[i] = answer.t.lower;
+  batch.upper[i] = answer.t.upper;
+  batch.triangle[i] = answer.triangle;
+  batch.point[i] = answer.point;
+  batch.front[i] = answer.front ? 1 : 0;
+  batch.coverage[i] = answer.coverage;
+  batch.costs[i] = answer.cost;
+  batch.body[i] = answer.body;
+}
+
+void put(const AnyHit& answer, std::size_t i, AnyHitBatch& batch) {
+  batch.hit[i] = answer.hit ? 1 : 0;
+  batch.coverage[i] = answer.coverage;
+  batch.costs[i] = answer.cost;
+}
+
+/// `ask(line, memory)` for each line, shared by threads, instead of what `batch` has.
+template <class Batch, class Line, class Ask>
+Batch for_all(std::span<const Line> lines, const Parallel& parallel, Batch batch, const Ask& ask) {
+  for_each_block(
+      lines.size(), parallel, [] { return SearchMemory(); },
+      [&](SearchMemory& memory, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          put(ask(lines[i], memory), i, batch);
+        }
+      });
+  batch.cost = sum_of(batch.costs);
+  return batch;
+}
+
+// What a body without triangles answers is checked, and its columns are of the right size.
+
+template <class Line>
+BodyHitBatch first_of_all(BodySets sets, std::span<const Line> lines, const RayOptions& options,
+                          LeftOut left_out, const Parallel& parallel) {
+  const PlainArithmetic plain;
+  check_left_out(sets, options, left_out);
+  BodyHitBatch batch{soms::closest_hit(Body(), lines, {}, parallel), {}};
+  batch.body.resize(lines.size());
+  return for_all(lines, parallel, std::move(batch), [&](const Line& line, SearchMemory& memory) {
+    return first(sets, line, options, left_out, memory);
+  });
+}
+
+template <class Line>
+AnyHitBatch any_of_all(BodySets sets, std::span<const Line> lines, const RayOptions& options,
+                       LeftOut left_out, const Parallel& parallel) {
+  const PlainArithmetic plain;
+  check_left_out(sets, options, left_out);
+  AnyHitBatch batch = soms::any_hit(Body(), lines, {}, parallel);
+  return for_all(lines, parallel, std::move(batch), [&](const Line& line, SearchMemory& memory) {
+    return any(sets, line, options, left_out, memory);
+  });
+}
+
+}  // namespace
+
+void check_left_out(BodySets sets, const RayOptions& options, LeftOut left_out) {
+  check_left_out(sets, left_out);
+  if (!options.skip) {
+    return;
+  }
+  if (!left_out) {
+    throw Error(ErrorKind::usage, "ray options: a triangle to skip is of no body",
+                "name the body as the one to leave out: only its triangle is then");
+  }
+  const std::size_t count = body_of(sets, *left_out).shape.mesh().triangles.size();
+  if (*options.skip >= count) {
+    throw Error(ErrorKind::usage,
+                "ray options: body " + std::to_string(*left_out) + " has no triangle " +
+                    std::to_string(*options.skip) + " to skip",
+                "triangles are numbered from 0");
+  }
+}
+
+BodyHit closest_hit(BodySets sets, const Ray& ray, const RayOptions& options, LeftOut left_out) {
+  return checked_first(sets, ray, options, left_out);
+}
+
+BodyHit closest_hit(BodySets sets, const Segment& segment, const RayOptions& options,
+                    LeftOut left_out) {
+  return checked_first(sets, segment, options, left_out);
+}
+
+BodyHitBatch closest_hit(BodySets sets, std::span<const Ray> rays, const RayOptions& options,
+                         LeftOut left_out, const Parallel& parallel) {
+  return first_of_all(sets, rays, options, left_out, parallel);
+}
+
+BodyHitBatch closest_hit(BodySets sets, std::span<const Segment> segments,
+                         const RayOptions& options, LeftOut left_out, const Parallel& parallel) {
+  return first_of_all(sets, segments, options, left_out, parallel);
+}
+
+AnyHit any_hit(BodySets sets, const Ray& ray, const RayOptions& options, LeftOut left_out) {
+  return checked_any(sets, ray, options, left_out);
+}
+
+AnyHit any_hit(BodySets sets, const Segment& segment, const RayOptions& options, LeftOut left_out) {
+  return checked_any(sets, segment, options, left_out);
+}
+
+AnyHitBatch any_hit(BodySets sets, std::span<const Ray> rays, const RayOptions& options,
+                    LeftOut left_out, const Parallel& parallel) {
+  return any_of_all(sets, rays, options, left_out, parallel);
+}
+
+AnyHitBatch any_hit(BodySets sets, std::span<const Segment> segments, const RayOptions& options,
+                    LeftOut left_out, const Parallel& parallel) {
+  return any_of_all(sets, segments, options, left_out, parallel);
+}
+
+}  // namespace soms::detail

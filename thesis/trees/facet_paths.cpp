@@ -1,0 +1,153 @@
+#include "thesis/trees/facet_paths.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numeric>
+#include <utility>
+
+namespace soms::reproduce {
+
+namespace {
+
+constexpr int kShades = 14;
+/// How many paths back a facet may go to find its color.
+constexpr std::size_t kReach = 48;
+
+struct Rgb {
+  int red;
+  int green;
+  int blue;
+};
+
+Rgb rgb_of(int color) {
+  if (color == kClay) {
+    return {216, 206, 190};
+  }
+  if (color == kHighlight) {
+    return {226, 30, 45};
+  }
+  const std::string hex(series_color(static_cast<std::size_t>(color)).substr(1));
+  const int all = static_cast<int>(std::strtol(hex.c_str(), nullptr, 16));
+  return {all >> 16, (all >> 8) & 255, all & 255};
+}
+
+/// What a facet may cover, its outline included.
+struct Extent {
+  double left;
+  double top;
+  double right;
+  double bottom;
+};
+
+Extent extent_of(const Facet& facet) {
+  const auto& [a, b, c] = facet.corners;
+  constexpr double kOutline = 0.5;
+  return {std::min({a.x, b.x, c.x}) - kOutline, std::min({a.y, b.y, c.y}) - kOutline,
+          std::max({a.x, b.x, c.x}) + kOutline, std::max({a.y, b.y, c.y}) + kOutline};
+}
+
+bool overlap(const Extent& a, const Extent& b) {
+  return a.left <= b.right && b.left <= a.right && a.top <= b.bottom && b.top <= a.bottom;
+}
+
+/// "12 -3" needs no space before a sign.
+void append_number(std::string& data, long number) {
+  if (number >= 0) {
+    data += ' ';
+  }
+  data += fmt::format("{}", number);
+}
+
+void append_facet(std::string& data, const Facet& facet) {
+  const auto tenth = [](double value) { return std::lround(10 * value); };
+  const auto& [a, b, c] = facet.corners;
+  data += fmt::format("M{}", tenth(a.x));
+  append_number(data, tenth(a.y));
+  data += fmt::format("l{}", tenth(b.x) - tenth(a.x));
+  append_number(data, tenth(b.y) - tenth(a.y));
+  append_number(data, tenth(c.x) - tenth(b.x));
+  append_number(data, tenth(c.y) - tenth(b.y));
+  data += 'z';
+}
+
+/// Bytes of paths as they are written, attributes included.
+std::size_t bytes_of(std::span<const FacetPath> paths) {
+  std::size_t bytes = 0;
+  for (const FacetPath& path : paths) {
+    bytes += path.data.size() + (path.outlined ? 32 : 66);
+  }
+  return bytes;
+}
+
+/// Keeps the `count` facets that show most, in their order.
+void keep_most(std::vector<Facet>& facets, std::size_t count) {
+  std::vector<std::size_t> order(facets.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return facets[a].samples > facets[b].samples;
+  });
+  order.resize(count);
+  std::sort(order.begin(), order.end());
+  std::vector<Facet> kept;
+  kept.reserve(count);
+  for (const std::size_t k : order) {
+    kept.push_back(facets[k]);
+  }
+  facets = std::move(kept);
+}
+
+}  // namespace
+
+std::string shade_of(int color, double brightness) {
+  const double light = 1.08 * std::round(brightness * kShades) / kShades;
+  const Rgb rgb = rgb_of(color);
+  const auto channel = [&](int value) {
+    return std::min(static_cast<int>(std::lround(light * value)), 255);
+  };
+  return fmt::format("#{:02x}{:02x}{:02x}", channel(rgb.red), channel(rgb.green),
+                     channel(rgb.blue));
+}
+
+std::vector<FacetPath> facet_paths(std::span<const Facet> facets) {
+  std::vector<FacetPath> paths;
+  std::vector<std::vector<Extent>> covered;
+  for (const Facet& facet : facets) {
+    std::string fill = shade_of(facet.color, facet.brightness);
+    const Extent extent = extent_of(facet);
+    std::size_t at = paths.size();
+    for (std::size_t k = paths.size(); k-- > 0 && paths.size() - k <= kReach;) {
+      if (paths[k].fill == fill && paths[k].outlined == facet.whole) {
+        at = k;
+        break;
+      }
+      if (std::any_of(covered[k].begin(), covered[k].end(),
+                      [&](const Extent& other) { return overlap(extent, other); })) {
+        break;
+      }
+    }
+    if (at == paths.size()) {
+      paths.push_back({std::move(fill), {}, facet.whole});
+      covered.emplace_back();
+    }
+    append_facet(paths[at].data, facet);
+    covered[at].push_back(extent);
+  }
+  return paths;
+}
+
+FittedPaths paths_within(std::vector<Facet> facets, std::size_t bytes) {
+  for (;;) {
+    std::vector<FacetPath> paths = facet_paths(facets);
+    const std::size_t size = bytes_of(paths);
+    if (size <= bytes || facets.empty()) {
+      return {std::move(paths), facets.size()};
+    }
+    const double share = 0.98 * static_cast<double>(bytes) / static_cast<double>(size);
+    keep_most(facets, static_cast<std::size_t>(share * static_cast<double>(facets.size())));
+  }
+}
+
+}  // namespace soms::reproduce
