@@ -35,21 +35,21 @@ Rgb rgb_of(int color) {
 }
 
 /// What a facet may cover, its outline included.
-struct Extent {
+struct FacetExtent {
   double left;
   double top;
   double right;
   double bottom;
 };
 
-Extent extent_of(const Facet& facet) {
+FacetExtent extent_of(const Facet& facet) {
   const auto& [a, b, c] = facet.corners;
   constexpr double kOutline = 0.5;
   return {std::min({a.x, b.x, c.x}) - kOutline, std::min({a.y, b.y, c.y}) - kOutline,
           std::max({a.x, b.x, c.x}) + kOutline, std::max({a.y, b.y, c.y}) + kOutline};
 }
 
-bool overlap(const Extent& a, const Extent& b) {
+bool overlap(const FacetExtent& a, const FacetExtent& b) {
   return a.left <= b.right && b.left <= a.right && a.top <= b.bottom && b.top <= a.bottom;
 }
 
@@ -113,10 +113,10 @@ std::string shade_of(int color, double brightness) {
 
 std::vector<FacetPath> facet_paths(std::span<const Facet> facets) {
   std::vector<FacetPath> paths;
-  std::vector<std::vector<Extent>> covered;
+  std::vector<std::vector<FacetExtent>> covered;
   for (const Facet& facet : facets) {
     std::string fill = shade_of(facet.color, facet.brightness);
-    const Extent extent = extent_of(facet);
+    const FacetExtent extent = extent_of(facet);
     std::size_t at = paths.size();
     for (std::size_t k = paths.size(); k-- > 0 && paths.size() - k <= kReach;) {
       if (paths[k].fill == fill && paths[k].outlined == facet.whole) {
@@ -124,7 +124,7 @@ std::vector<FacetPath> facet_paths(std::span<const Facet> facets) {
         break;
       }
       if (std::any_of(covered[k].begin(), covered[k].end(),
-                      [&](const Extent& other) { return overlap(extent, other); })) {
+                      [&](const FacetExtent& other) { return overlap(extent, other); })) {
         break;
       }
     }
