@@ -19,6 +19,7 @@ set(SOMS_SUPPORT_FILES
   json.h
   json_list.cpp
   json_list.h
+  json_text.cpp
   kebab.h
   length_unit.cpp
   length_unit.h
