@@ -5,6 +5,9 @@ ARGS ?=
 WERROR ?= OFF
 STRICT = -D CMAKE_COMPILE_WARNING_AS_ERROR=$(WERROR)
 
+# What ninja says before each file: "[12 of 67 files, 41 s] ".
+export NINJA_STATUS ?= [%f of %t files, %e s] $()
+
 .PHONY: help run build view thesis install python test headers large check wheel asan asan-library asan-python tsan tidy arm64 wasm-configured wasm live wasm-test determinism memcheck endurance packages bare fuzz faults bench format clean
 
 help:
@@ -29,9 +32,12 @@ help:
 	@echo "make clean   remove build/"
 
 run:
+	@echo "1 of 3: packages that are missing"
 	@tools/install_packages.sh run
+	@echo "2 of 3: build the command on $(JOBS) cores, once; some minutes, up to 1 GB of memory for each core"
 	cmake --preset release -D SOMS_BUILD_TESTS=OFF
 	cmake --build --preset release -j $(JOBS) --target soms_command
+	@echo "3 of 3: run it"
 	build/release/bin/soms simulate $(ARGS)
 
 # All that an installed soms has. What misses a package is left out, aloud.

@@ -46,4 +46,4 @@ export DEBIAN_FRONTEND=noninteractive
 # shellcheck disable=SC2086
 install_all() { $as_root apt-get install -y -q --no-install-recommends $missing; }
 # Package lists may be absent or old on a fresh system; they are fetched only where needed.
-install_all >/dev/null 2>&1 || { $as_root apt-get update -q && install_all; }
+install_all || { echo "apt did not find all of them: fetching its lists" && $as_root apt-get update -q && install_all; }

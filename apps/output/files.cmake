@@ -4,6 +4,7 @@ set(SOMS_OUTPUT_FILES
   deflate.h
   json.cpp
   json.h
+  json_text.cpp
   npz_file.cpp
   npz_file.h
   output.cpp

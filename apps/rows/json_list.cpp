@@ -46,35 +46,7 @@ std::string whole_file(const std::string& option, const std::string& file) {
   return text;
 }
 
-/// A text of JSON, parsed.
-struct Parsed {
-  Json value;
-  std::size_t fault = 0;  ///< the byte that is no JSON, from 1 on; 0 where all is
-  bool too_deep = false;
-};
-
-Parsed parse(std::string_view text) {
-  Parsed parsed;
-  const auto check_depth = [&](int depth, Json::parse_event_t, const Json&) {
-    if (depth > kDeepestList) {
-      throw std::length_error("deep");
-    }
-    return true;
-  };
-  try {
-    parsed.value = Json::parse(text.begin(), text.end(), check_depth);
-  } catch (const Json::parse_error& error) {
-    parsed.fault = std::max<std::size_t>(error.byte, 1);
-  } catch (const Json::exception&) {
-    parsed.fault = 1;  // a number beyond a double: which one is not said
-  } catch (const std::length_error&) {
-    parsed.fault = 1;
-    parsed.too_deep = true;
-  }
-  return parsed;
-}
-
-[[noreturn]] void refuse(const std::string& place, const Parsed& parsed) {
+[[noreturn]] void refuse(const std::string& place, const ParsedJson& parsed) {
   const std::string what = parsed.too_deep
                                ? fmt::format("nested more than {} levels deep", kDeepestList)
                                : "this is not valid JSON";
@@ -101,7 +73,7 @@ std::vector<ListedObject> objects_of_lines(std::string_view text, const std::str
       continue;
     }
     std::string place = fmt::format("{}, line {}", name, number);
-    Parsed parsed = parse(line);
+    ParsedJson parsed = parse_json(line, kDeepestList);
     if (parsed.fault != 0) {
       refuse(place, parsed);
     }
@@ -253,11 +225,11 @@ std::vector<ListedObject> read_json_list(const std::string& option, const std::s
   const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
   const std::string_view first =
       std::string_view(text).substr(begin, text.find('\n', begin) - begin);
-  const Parsed line = parse(first);
+  const ParsedJson line = parse_json(first, kDeepestList);
   if (first.empty() || (line.fault == 0 && !is_document(line.value))) {
     return objects_of_lines(text, name);
   }
-  Parsed whole = parse(text);
+  ParsedJson whole = parse_json(text, kDeepestList);
   if (whole.fault != 0) {
     refuse(fmt::format("{}, line {}", name, line_at(text, whole.fault - 1)), whole);
   }

@@ -71,6 +71,9 @@ std::vector<std::string> words_for(const reproduce::DrawRequest& request,
   return words;
 }
 
+/// Frames are four levels deep.
+constexpr int kDeepestAnswer = 8;
+
 reproduce::CollisionTime collision_of(const Json& times) {
   return {.move = times.at("move_ms").get<double>(), .query = times.at("query_ms").get<double>()};
 }
@@ -79,7 +82,7 @@ reproduce::CollisionTime collision_of(const Json& times) {
 
 reproduce::DrawnFrames parse_drawn_frames(const std::string& text) {
   try {
-    const Json answer = Json::parse(text);
+    const Json answer = parse_json(text, kDeepestAnswer).value;
     reproduce::DrawnFrames drawn{.device = answer.at("device").get<std::string>(),
                                  .width = answer.at("width").get<int>(),
                                  .height = answer.at("height").get<int>(),

@@ -40,6 +40,9 @@ std::uint64_t fingerprint(const ClashModels& models, const ClashOptions& options
   return hash.value();
 }
 
+/// Blocks have three levels.
+constexpr int kDeepestBlock = 8;
+
 Json point_of(const Vec3& v) {
   return {v.x, v.y, v.z};
 }
@@ -59,13 +62,13 @@ Json as_json(const Clash& clash) {
               clash.gap.lower,
               clash.gap.upper};
   for (const Vec3& v : {clash.place, clash.box.lower, clash.box.upper}) {
-    for (const double x : point_of(v)) {
+    for (const Json& x : point_of(v)) {
       row.push_back(x);
     }
   }
   if (clash.penetration) {
     row.push_back(clash.penetration->depth);
-    for (const double x : point_of(clash.penetration->direction)) {
+    for (const Json& x : point_of(clash.penetration->direction)) {
       row.push_back(x);
     }
   }
@@ -124,7 +127,7 @@ std::optional<DecidedClashes> block_of(std::string_view line, const ClashModels&
   if (at == std::string_view::npos || checksum(line.substr(at + 1)) != line.substr(0, at + 1)) {
     return std::nullopt;
   }
-  const Json block = Json::parse(line.substr(at + 1), nullptr, false);
+  const Json block = parse_json(line.substr(at + 1), kDeepestBlock).value;
   if (!block.is_object()) {
     return std::nullopt;
   }
@@ -181,7 +184,7 @@ void ClashJournal::read(std::ifstream& in, const std::string& head, const ClashM
   }
   if (line != head) {
     refuse_utf16(line, "--journal " + file_);
-    const Json found = Json::parse(line, nullptr, false);
+    const Json found = parse_json(line, kDeepestBlock).value;
     const bool is_journal =
         found.is_object() && found.contains("schema") && found["schema"] == kJournalSchema;
     throw is_journal

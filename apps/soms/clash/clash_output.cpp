@@ -131,7 +131,7 @@ Json totals_as_json(const ClashReport& report) {
 }
 
 std::string number_of(const Json& row, const char* key) {
-  return row.contains(key) && row[key].is_number() ? row[key].dump() : std::string();
+  return row.contains(key) && row[key].is_number() ? json_text(row[key]) : std::string();
 }
 
 /// A side of a row as fields of CSV: file, set, part, id, type, path.
@@ -157,7 +157,7 @@ std::string numbers_of(const Json& row, const char* key, std::size_t count) {
     text += k == 0 ? "" : ",";
     if (row.contains(key) && row[key].is_array() && row[key].size() == count &&
         row[key][k].is_number()) {
-      text += row[key][k].dump();
+      text += json_text(row[key][k]);
     }
   }
   return text;

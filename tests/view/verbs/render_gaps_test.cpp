@@ -6,10 +6,11 @@
 #include "soms/scene/recording.h"
 #include "soms/scene/scene.h"
 
-#include "apps/output/json.h"
 #include "apps/view/drawing/gl/headless_context.h"
 #include "apps/view/drawing/picture.h"
 #include "tests/support/support.h"
+
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <fstream>
@@ -66,7 +67,7 @@ TEST(RenderGaps, DrawsAndTellsTheGapsOfARecording) {
     const std::string recording = record_balls(folder.path(), ball, clearance);
     const test::RunResult result = rendered(recording, "--json");
     EXPECT_EQ(result.status, 0) << result.err;
-    return std::pair(command::Json::parse(result.out), read_png(picture));
+    return std::pair(nlohmann::ordered_json::parse(result.out), read_png(picture));
   };
   const auto [without, plain] = drawn(0);
   EXPECT_FALSE(without.contains("gaps"));
@@ -77,7 +78,7 @@ TEST(RenderGaps, DrawsAndTellsTheGapsOfARecording) {
   EXPECT_EQ(empty, plain);
   const auto [near, lined] = drawn(2);
   EXPECT_EQ(near["gaps"], 2);
-  const command::Json& gap = near["least_gap"];
+  const nlohmann::ordered_json& gap = near["least_gap"];
   EXPECT_EQ(gap["city"], "ball");
   EXPECT_EQ(gap["mover"], 0);
   EXPECT_NEAR(gap["lower"].get<double>(), 1, 0.1);

@@ -1,7 +1,8 @@
 // Markers, key, ground and shadows of `soms render`.
-#include "apps/output/json.h"
 #include "apps/view/drawing/palette.h"
 #include "tests/view/verbs/render_support.h"
+
+#include <nlohmann/json.hpp>
 
 #include <array>
 #include <fstream>
@@ -40,7 +41,7 @@ TEST_F(RenderMarks, MarkersSumUpToTheTouchingMovers) {
                                  "320x180", "--json", "--no-shadow"});
     const test::RunResult result = render(words);
     EXPECT_EQ(result.status, 0) << result.err;
-    const command::Json json = command::Json::parse(result.out);
+    const nlohmann::ordered_json json = nlohmann::ordered_json::parse(result.out);
     return std::array<int, 3>{json.at("touching_movers"), json.at("marked_movers"),
                               json.at("markers")};
   };

@@ -11,11 +11,12 @@
 #include "soms/tree/statistics.h"
 
 #include "apps/cli/text.h"
-#include "apps/output/json.h"
 #include "apps/view/drawing/palette.h"
 #include "apps/view/drawing/picture.h"
 #include "tests/support/support.h"
 #include "tests/view/verbs/render_support.h"
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -111,15 +112,15 @@ TEST_F(Render, ReportsTheGapThatTheLibraryFinds) {
     words.insert(words.end(), {"-o", picture_, "--size", "90x60", "--json"});
     const test::RunResult result = render(words);
     ASSERT_EQ(result.status, 0) << result.err;
-    const command::Json gap = command::Json::parse(result.out).at("gap");
+    const nlohmann::ordered_json gap = nlohmann::ordered_json::parse(result.out).at("gap");
     EXPECT_EQ(gap.at("lower"), near.distance.lower);
     EXPECT_EQ(gap.at("upper"), near.distance.upper);
     EXPECT_EQ(gap.at("triangles"),
-              command::Json::array({near.triangles->first, near.triangles->second}));
+              nlohmann::ordered_json::array({near.triangles->first, near.triangles->second}));
     EXPECT_EQ(gap.at("points").at(0),
-              command::Json::array({near.point_a.x, near.point_a.y, near.point_a.z}));
+              nlohmann::ordered_json::array({near.point_a.x, near.point_a.y, near.point_a.z}));
     EXPECT_EQ(gap.at("points").at(1),
-              command::Json::array({near.point_b.x, near.point_b.y, near.point_b.z}));
+              nlohmann::ordered_json::array({near.point_b.x, near.point_b.y, near.point_b.z}));
   }
   const test::RunResult beside =
       render({ball_, other, "--camera", "gap", "-o", picture_, "--size", "90x60"});
@@ -309,9 +310,9 @@ TEST_F(Render, DrawsTheFrameOfATestInWhichMostTouchesUnlessOneIsChosen) {
     more.insert(more.end(), {ball_, "--mover", ball_, "-o", picture_, "--size", "90x60", "--json"});
     const test::RunResult result = render(more);
     EXPECT_EQ(result.status, 0) << result.err;
-    return command::Json::parse(result.out);
+    return nlohmann::ordered_json::parse(result.out);
   };
-  const command::Json last = drawn({"--test", "right"});
+  const nlohmann::ordered_json last = drawn({"--test", "right"});
   EXPECT_EQ(last.at("frame"), 48);
   EXPECT_EQ(last.at("test"), "right");
   EXPECT_GT(last.at("touching_pairs"), 0);

@@ -6,9 +6,10 @@
 #include "soms/io/write_mesh.h"
 #include "soms/query/overlap.h"
 
-#include "apps/output/json.h"
 #include "apps/view/drawing/gl/headless_context.h"
 #include "tests/support/support.h"
+
+#include <nlohmann/json.hpp>
 
 #include <array>
 #include <fstream>
@@ -57,7 +58,7 @@ TEST_F(TimeFrames, GiveTimesAndContactsOfEachFrameAsJson) {
     const test::RunResult result =
         run({"--mover", ball_, "--traversal", traversal, "--mover-levels", "5", "--json"});
     ASSERT_EQ(result.status, 0) << result.err;
-    const command::Json answer = command::Json::parse(result.out);
+    const nlohmann::ordered_json answer = nlohmann::ordered_json::parse(result.out);
     EXPECT_EQ(answer.at("schema"), "soms.time-frames/1");
     EXPECT_FALSE(answer.at("device").get<std::string>().empty());
     EXPECT_EQ(answer.at("width"), 640);
@@ -66,7 +67,7 @@ TEST_F(TimeFrames, GiveTimesAndContactsOfEachFrameAsJson) {
     ASSERT_EQ(answer.at("frames").size(), 3U);
     const std::array<Vec3, 3> places{{{5, 0, 0}, {1.2, 0, 0}, {0.5, 0.25, 0}}};
     for (std::size_t k = 0; k < places.size(); ++k) {
-      const command::Json& frame = answer.at("frames").at(k);
+      const nlohmann::ordered_json& frame = answer.at("frames").at(k);
       const Pose pose = Pose::translation(places[k].x, places[k].y, places[k].z);
       EXPECT_EQ(frame.at("contacts"), overlap(Body(ball), Body(ball, pose)).pairs.size());
       EXPECT_GT(frame.at("drawn").at("draw_ms").get<double>(), 0);
