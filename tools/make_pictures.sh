@@ -48,11 +48,11 @@ draw city_contact --frame 60 --camera contact,1.5x --size 1200x675
 draw city_above --frame 60 --camera contact,215:40,0.09x --size 960x540
 
 for level in 1 3 5 6; do
-  draw "bunny_level_$level" "$data/ply/bun_zipper.ply" --up y --level $level --rule soms \
+  draw "bunny_level_$level" "$data/ply/bun_zipper.ply" --up y --level $level --tree rule=soms \
     --camera 200:15 --size 640x480
 done
 draw bunny_traversal "$data/ply/bun_zipper_res2.ply" --up y --mover "$data/ply/bun_zipper_res3.ply" \
-  --mover-up y --pose "0.1 -0.04 0.05" --trace --rule soms --traversal e-node --descent larger --colors plain \
+  --mover-up y --pose "0.1 -0.04 0.05" --trace --tree rule=soms,traversal=e-node,descent=larger --colors plain \
   --camera 200:20 --size 960x640
 draw thesis_right "$data/ply/bun_zipper_res4.ply" --mover "$data/ply/bun_zipper_res4.ply" --test right \
   --thesis --trace --colors plain --camera 200:20 --size 960x640

@@ -1,7 +1,9 @@
 // The one source that sees CLI11, whose header alone takes seconds to compile.
 #include "soms/base/error.h"
 
+#include "apps/cli/option_lists.h"
 #include "apps/cli/parser.h"
+#include "apps/cli/shared.h"
 
 #include <CLI/CLI.hpp>
 
@@ -52,20 +54,26 @@ Error mismatch(const CLI::ArgumentMismatch& error, const std::string& help) {
 
 class Parser::Built {
  public:
-  explicit Built(const Parser& parser) : app_(parser.question_, parser.name_) {
+  /// `shown`: for --help alone, without what that does not show.
+  Built(const Parser& parser, bool shown)
+      : app_(parser.question_, parser.name_), parser_(&parser), shown_(shown) {
     app_.allow_extras();   // reported by program.cpp, with a suggestion
     app_.set_help_flag();  // added where it stands among the options
     app_.formatter(std::make_shared<HelpText>());
     app_.get_formatter()->column_width(30);
     app_.get_formatter()->label("Positionals", "Arguments");
     app_.get_formatter()->label("REQUIRED", "");
-    app_.footer(parser.footer_);
+    app_.footer(shown ? named_shared(parser) + parser.footer_ : parser.footer_);
     for (const auto& option : parser.options_) {
-      add(*option);
+      if (!shown || is_shown(*option)) {
+        add(*option);
+      }
     }
     for (const auto& [option, own] : made_) {
       for (const Option* const other : option->excluded_) {
-        own->excludes(made_of(other));
+        if (CLI::Option* const made = made_of(other)) {
+          own->excludes(made);
+        }
       }
     }
   }
@@ -80,6 +88,37 @@ class Parser::Built {
   }
 
  private:
+  static bool is_shown(const Option& option) {
+    return option.list_ == nullptr && option.first_ == nullptr && option.group_ != kSharedGroup;
+  }
+
+  /// "Shared options, explained by soms --help: --json, --threads N".
+  static std::string named_shared(const Parser& parser) {
+    std::string names;
+    for (const auto& option : parser.options_) {
+      if (option->group_ == kSharedGroup) {
+        const std::string value =
+            option->option_text_.empty() ? std::string() : " " + option->option_text_;
+        names += (names.empty() ? "" : ", ") + option->name() + value;
+      }
+    }
+    const std::string program = parser.name_.substr(0, parser.name_.find(' '));
+    return names.empty() ? names
+                         : "Shared options (" + program + " --help): " + names +
+                               (parser.footer_.empty() ? "" : "\n\n");
+  }
+
+  /// Its names, in --help with those of the options on its line.
+  [[nodiscard]] std::string names_of(const Parser& parser, const Option& option) const {
+    std::string names = option.names_;
+    for (const auto& other : parser.options_) {
+      if (shown_ && other->first_ == &option) {
+        names += "," + other->names_;
+      }
+    }
+    return names;
+  }
+
   void add(Option& option) {
     CLI::Option* const own = made(option);
     own->group(option.group_)->required(option.required_)->option_text(option.option_text_);
@@ -97,42 +136,51 @@ class Parser::Built {
   }
 
   CLI::Option* made(Option& option) {
-    const std::string& meaning = option.description_;
+    const std::string& meaning =
+        shown_ && !option.shown_meaning_.empty() ? option.shown_meaning_ : option.description_;
+    const std::string names = names_of(*parser_, option);
     switch (option.takes_) {
       case Takes::help:
-        return app_.set_help_flag(option.names_, meaning);
+        return app_.set_help_flag(names, meaning);
       case Takes::nothing:
-        return option.flag_ != nullptr
-                   ? app_.add_flag(option.names_, *option.flag_, meaning)
-                   : app_.add_flag_callback(
-                         option.names_, [&option] { option.set_({}); }, meaning);
+        return option.flag_ != nullptr ? app_.add_flag(names, *option.flag_, meaning)
+                                       : app_.add_flag_callback(
+                                             names, [&option] { option.set_({}); }, meaning);
       case Takes::one:
         return app_.add_option_function<std::string>(
-            option.names_, [&option](const std::string& word) { option.set_({word}); }, meaning);
+            names, [&option](const std::string& word) { option.set_({word}); }, meaning);
       case Takes::one_each_time:
       case Takes::several:
         break;
     }
     return app_.add_option_function<std::vector<std::string>>(
-        option.names_, [&option](const std::vector<std::string>& words) { option.set_(words); },
-        meaning);
+        names, [&option](const std::vector<std::string>& words) { option.set_(words); }, meaning);
   }
 
   CLI::Option* made_of(const Option* option) const {
-    return std::find_if(made_.begin(), made_.end(),
-                        [&](const auto& made) { return made.first == option; })
-        ->second;
+    const auto found = std::find_if(made_.begin(), made_.end(),
+                                    [&](const auto& made) { return made.first == option; });
+    return found == made_.end() ? nullptr : found->second;
   }
 
   CLI::App app_;
+  const Parser* parser_;
+  bool shown_;
   std::vector<std::pair<Option*, CLI::Option*>> made_;
 };
 
 ParsedWords Parser::parse(const std::vector<std::string>& words) {
-  Built built(*this);
+  const Expanded expanded(*this, words);
   ParsedWords parsed;
+  parsed.keys = expanded.keys();
+  parsed.remarks = expanded.remarks();
+  if (!parsed.keys.empty()) {
+    return parsed;
+  }
+  Built built(*this, false);
   try {
-    built.app().parse(std::vector<std::string>(words.rbegin(), words.rend()));
+    const std::vector<std::string>& all = expanded.words();
+    built.app().parse(std::vector<std::string>(all.rbegin(), all.rend()));
   } catch (const CLI::Success&) {
     parsed.wants_help = true;
   } catch (const CLI::ArgumentMismatch& error) {
@@ -145,8 +193,21 @@ ParsedWords Parser::parse(const std::vector<std::string>& words) {
   return parsed;
 }
 
+std::string Parser::lines_of(std::string_view group) const {
+  std::string lines;
+  for (const auto& option : options_) {
+    if (option->group_ == group) {
+      const std::string names =
+          option->names_ + (option->option_text_.empty() ? "" : " ") + option->option_text_;
+      lines += "  " + names + std::string(names.size() < 26 ? 26 - names.size() : 1, ' ') +
+               option->description_ + "\n";
+    }
+  }
+  return lines;
+}
+
 std::string Parser::help() const {
-  std::string text = Built(*this).app().help();
+  std::string text = Built(*this, true).app().help();
   for (std::size_t at = text.find("\n\n\n"); at != std::string::npos; at = text.find("\n\n\n")) {
     text.erase(at, 1);
   }

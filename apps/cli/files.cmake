@@ -12,6 +12,8 @@ set(SOMS_CLI_FILES
   length_unit.h
   option.cpp
   option.h
+  option_lists.cpp
+  option_lists.h
   parse.cpp
   parse.h
   parser.cpp

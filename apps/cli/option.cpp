@@ -54,6 +54,17 @@ Option* Option::check(Check check) {
   return this;
 }
 
+Option* Option::key_of(const Option* list) {
+  list_ = list;
+  return this;
+}
+
+Option* Option::shown_with(Option* first, std::string meaning) {
+  first_ = first;
+  first->shown_meaning_ = std::move(meaning);
+  return this;
+}
+
 std::string Option::name() const {
   const std::vector<std::string> dashed = dashed_names();
   return dashed.empty() ? names_ : dashed.front();

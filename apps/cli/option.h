@@ -43,6 +43,11 @@ class Option {
   Option* excludes(const Option* other);
   /// Its word must pass this check.
   Option* check(Check check);
+  /// It is a key of a list, `--tree rule=soms`. --help shows the list alone; its own name is the
+  /// old form, which still works.
+  Option* key_of(const Option* list);
+  /// --help shows it on the line of `first`, which then has this meaning.
+  Option* shown_with(Option* first, std::string meaning);
 
   /// The first name with two dashes; else the first with one; else the name of the argument.
   [[nodiscard]] std::string name() const;
@@ -74,6 +79,9 @@ class Option {
 
   [[nodiscard]] const Check& check() const { return check_; }
 
+  /// The list that it is a key of; nullptr for most options.
+  [[nodiscard]] const Option* list() const { return list_; }
+
   /// The words that the last parsed command line gave it.
   [[nodiscard]] const std::vector<std::string>& results() const { return results_; }
 
@@ -89,8 +97,11 @@ class Option {
   std::string description_;
   std::vector<const Option*> excluded_;
   Check check_;
-  Set set_;               ///< of an option with a value
-  bool* flag_ = nullptr;  ///< of a flag with a target
+  const Option* list_ = nullptr;
+  const Option* first_ = nullptr;  ///< on whose line --help shows it
+  std::string shown_meaning_;      ///< in --help, if others are shown on its line
+  Set set_;                        ///< of an option with a value
+  bool* flag_ = nullptr;           ///< of a flag with a target
   std::vector<std::string> results_;
   Takes takes_;
   bool required_ = false;

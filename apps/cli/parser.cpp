@@ -65,6 +65,11 @@ Option* Parser::add_flag_callback(const std::string& names, std::function<void()
              [set = std::move(set)](const std::vector<std::string>&) { set(); });
 }
 
+Option* Parser::add_list(const std::string& name, const std::string& meaning) {
+  Option* const list = add(name, Takes::one_each_time, meaning, [](const auto&) {});
+  return list->option_text("KEY=VALUE,...");
+}
+
 Option* Parser::add_help(const std::string& names, const std::string& meaning) {
   return add(names, Takes::help, meaning, {});
 }
@@ -85,6 +90,11 @@ const Option* Parser::option(std::string_view name) const {
   return found(name);
 }
 
+bool Parser::has_option(std::string_view name) const {
+  return std::any_of(options_.begin(), options_.end(),
+                     [&](const auto& option) { return option->is_named(name); });
+}
+
 Option* Parser::found(std::string_view name) const {
   const auto at = std::find_if(options_.begin(), options_.end(),
                                [&](const auto& option) { return option->is_named(name); });
@@ -92,6 +102,16 @@ Option* Parser::found(std::string_view name) const {
     throw std::logic_error("there is no option " + std::string(name));
   }
   return at->get();
+}
+
+std::vector<const Option*> Parser::keys_of(const Option* list) const {
+  std::vector<const Option*> keys;
+  for (const auto& option : options_) {
+    if (option->list_ == list) {
+      keys.push_back(option.get());
+    }
+  }
+  return keys;
 }
 
 void Parser::remove_option(const Option* option) {

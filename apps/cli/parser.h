@@ -21,6 +21,10 @@ struct ParsedWords {
   std::vector<std::string> rest;
   /// What is wrong with the words, in one line; empty if nothing is.
   std::string fault;
+  /// The keys of a list with their meanings, if `LIST help` asks for them.
+  std::string keys;
+  /// About old forms of options, a sentence each.
+  std::vector<std::string> remarks;
 };
 
 /// The options of a verb, in the order in which --help lists them and in which they are heeded. The
@@ -57,6 +61,10 @@ class Parser {
   Option* add_flag_callback(const std::string& names, std::function<void()> set,
                             const std::string& meaning);
 
+  /// A list of keys with values: `--tree rule=soms,leaf=1`. Its keys are options of this parser
+  /// (`Option::key_of`).
+  Option* add_list(const std::string& name, const std::string& meaning);
+
   /// The option that prints the help.
   Option* add_help(const std::string& names, const std::string& meaning);
 
@@ -71,6 +79,8 @@ class Parser {
   [[nodiscard]] Option* option(std::string_view name);
   [[nodiscard]] const Option* option(std::string_view name) const;
 
+  [[nodiscard]] bool has_option(std::string_view name) const;
+
   /// How often the last parsed command line has an option. \pre There is one of this name.
   [[nodiscard]] std::size_t count(std::string_view name) const { return option(name)->count(); }
 
@@ -80,14 +90,23 @@ class Parser {
   /// option with too many words, or too few.
   ParsedWords parse(const std::vector<std::string>& words);
 
-  /// The text of --help.
+  /// The text of --help: without the shared options, which it only names.
   [[nodiscard]] std::string help() const;
+
+  /// Names and meanings of the options under a heading, a line each.
+  [[nodiscard]] std::string lines_of(std::string_view group) const;
+
+  /// A message about options, with keys of lists as they are written: `--leaf` as `--tree leaf`.
+  [[nodiscard]] std::string with_keys(std::string text) const;
 
  private:
   /// The library's parser, with these options; in cli11.cpp.
   class Built;
+  /// Words with the keys of lists as options of their own; in option_lists.cpp.
+  class Expanded;
 
   [[nodiscard]] Option* found(std::string_view name) const;
+  [[nodiscard]] std::vector<const Option*> keys_of(const Option* list) const;
   Option* add(const std::string& names, Takes takes, const std::string& meaning, Option::Set set);
 
   std::string question_;

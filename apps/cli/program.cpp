@@ -103,17 +103,49 @@ void check_rest(const ParsedVerb& verb, std::vector<std::string> rest) {
   throw usage("unknown option " + word, remedy_for(word, known, help));
 }
 
-/// True if the words ask for the help.
-bool parse(ParsedVerb& verb, const std::vector<std::string>& words) {
+/// What the words ask for.
+enum class ParsedAs { question, help, keys };
+
+/// Remarks on old forms go to `remarks`. Keys are printed.
+ParsedAs parse(ParsedVerb& verb, const std::vector<std::string>& words,
+               std::vector<std::string>& remarks) {
   const ParsedWords parsed = verb.parser().parse(words);
   if (parsed.wants_help) {
-    return true;
+    return ParsedAs::help;
+  }
+  if (!parsed.keys.empty()) {
+    print_plain(parsed.keys);
+    return ParsedAs::keys;
   }
   check_rest(verb, parsed.rest);  // an unknown option says more than a missing argument
   if (!parsed.fault.empty()) {
     throw usage(parsed.fault, "see " + verb.parser().name() + " --help");
   }
-  return false;
+  remarks = parsed.remarks;
+  return ParsedAs::question;
+}
+
+/// Runs it with keys of lists in messages as they are written.
+int run_parsed(ParsedVerb& verb, const std::vector<std::string>& words) {
+  try {
+    std::vector<std::string> remarks;
+    if (const ParsedAs parsed = parse(verb, words, remarks); parsed != ParsedAs::question) {
+      if (parsed == ParsedAs::help) {
+        print_plain(verb.help());
+      }
+      return 0;
+    }
+    Console console(verb.shared());
+    for (const std::string& remark : remarks) {
+      console.note(remark);
+    }
+    const int status = verb.action()(console);
+    console.flush();
+    return status;
+  } catch (const Error& error) {
+    throw Error(error.kind(), verb.parser().with_keys(error.place()),
+                verb.parser().with_keys(error.remedy()));
+  }
 }
 
 int run_verb(const Program& program, const Verb& entry, const std::vector<std::string>& words) {
@@ -121,15 +153,8 @@ int run_verb(const Program& program, const Verb& entry, const std::vector<std::s
     return entry.pass_on(entry.name, words);
   }
   ParsedVerb verb(program.name, entry);
-  if (parse(verb, words)) {
-    print_plain(verb.help());
-    return 0;
-  }
-  Console console(verb.shared());
   try {
-    const int status = verb.action()(console);
-    console.flush();
-    return status;
+    return run_parsed(verb, words);
   } catch (const std::bad_alloc&) {
     throw out_of_memory(verb.shared());
   }
@@ -186,6 +211,11 @@ std::string help_of(const Program& program) {
       "\n{0} VERB --help lists the options of a verb and shows an example.\n"
       "{0} --version prints the version.\n",
       program.name);
+  Parser shared("", std::string(program.name));
+  Shared values;
+  add_help_option(shared);
+  add_shared_options(shared, values);
+  text += "\nShared options:\n" + shared.lines_of(kSharedGroup);
   text +=
       "\nAnswers go to standard output, everything else to standard error. Exit status:\n"
       "  0 answered  1 a condition of --fail-if holds  2 usage  3 bad input\n"

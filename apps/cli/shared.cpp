@@ -10,6 +10,10 @@
 
 namespace soms::command {
 
+void add_help_option(Parser& parser) {
+  parser.add_help("-h,--help", "print this help")->group(kSharedGroup);
+}
+
 void add_shared_options(Parser& parser, Shared& shared) {
   const char* const group = kSharedGroup;
   parser.add_flag("--json", shared.json, "print answers as JSON")->group(group);

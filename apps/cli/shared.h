@@ -25,6 +25,9 @@ struct Shared {
   std::uint64_t max_memory = 0;                  ///< bytes; 0: no limit of ours
 };
 
+/// Adds --help.
+void add_help_option(Parser& parser);
+
 /// Adds --json, --quiet, --threads, --seed, --timeout and --max-memory.
 void add_shared_options(Parser& parser, Shared& shared);
 

@@ -9,7 +9,7 @@ namespace soms::command {
 ParsedVerb::ParsedVerb(std::string_view program, const Verb& verb)
     : parser_(std::string(verb.question), std::string(program) + " " + std::string(verb.name)) {
   action_ = verb.add(parser_, shared_);
-  parser_.add_help("-h,--help", "print this help")->group(kSharedGroup);
+  add_help_option(parser_);
   add_shared_options(parser_, shared_);
 }
 
@@ -20,7 +20,7 @@ std::vector<OptionWords> ParsedVerb::options() const {
     if (option->option_text() == kChoiceText) {
       words.values = listed_words(option->description());
     }
-    if (!option->is_argument()) {
+    if (!option->is_argument() && option->list() == nullptr) {
       options.push_back(std::move(words));
     }
   }

@@ -49,6 +49,21 @@ Choices<Descent> descent_choices() {
   return choices;
 }
 
+/// Shows an option of a second model on the line of that of the first: "--scale,--scale-b X".
+void show_with_first(Parser& parser, const std::string& name, const std::string& whose) {
+  constexpr std::string_view kSecond = "-b";
+  const std::string first_name = name.substr(0, name.size() - kSecond.size());
+  if (!name.ends_with(kSecond) || !parser.has_option(first_name)) {
+    return;
+  }
+  Option* const first = parser.option(first_name);
+  std::string meaning = first->description();
+  if (const std::size_t at = meaning.find(" of A"); at != std::string::npos) {
+    meaning.insert(at + 5, " or " + whose);
+    parser.option(name)->shown_with(first, std::move(meaning));
+  }
+}
+
 /// The command's option for a field of the library's options.
 std::string option_of(std::string_view field) {
   return field == "level" ? "--levels" : field == "per_leaf" ? "--leaf" : "--" + kebab(field);
@@ -116,7 +131,10 @@ void add_model_options(Parser& parser, ModelOptions& options, const std::string&
           return number ? "give the name of a system, such as EPSG:25833" : std::string();
         })
         ->group(group);
+    show_with_first(parser, crs_name, whose);
   }
+  show_with_first(parser, scale_name, whose);
+  show_with_first(parser, up_name, whose);
 }
 
 void add_city_options(Parser& parser, ModelOptions& options, const std::string& suffix,
@@ -165,6 +183,22 @@ void add_build_options(Parser& parser, BuildOptions& options) {
       add_count(parser, "--root-level", options.root_level, 0, 1, "level number of the root (1)"));
   grouped(add_count(parser, "--c-vertex", options.c_vertex, 0, 2,
                     "vertex that is C for --midpoint thesis (2)"));
+}
+
+void add_tree_list(Parser& parser, BuildOptions& build, TraversalOptions* traversal) {
+  add_build_options(parser, build);
+  if (traversal != nullptr) {
+    add_traversal_options(parser, *traversal);
+  }
+  Option* const list = parser.add_list(
+      "--tree", fmt::format("options of trees, such as rule={}; --tree help lists them",
+                            entry(build.rule).kebab));
+  for (const Option* const option : parser.options()) {
+    if (option->group() == kTreeGroup) {
+      parser.option(option->name())->key_of(list);
+    }
+  }
+  list->group(kTreeGroup);
 }
 
 std::vector<std::string> given_of(const Parser& parser, const std::vector<IdleOption>& idle) {

@@ -52,6 +52,9 @@ void add_allow_empty(Parser& parser, ModelOptions& options);
 /// Adds --rule, --levels, --leaf and the thesis' options of a build.
 void add_build_options(Parser& parser, BuildOptions& options);
 
+/// Adds --tree, whose keys are the options of a build, and those of a traversal if there is one.
+void add_tree_list(Parser& parser, BuildOptions& build, TraversalOptions* traversal = nullptr);
+
 /// \errors ErrorKind::usage, in words of the command, for options of a build that do not go
 /// together, and for one that was given and has no effect beside the others.
 void check_build(const Parser& parser, const BuildOptions& options);

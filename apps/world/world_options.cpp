@@ -37,8 +37,7 @@ void add_world_options(Parser& parser, WorldOptions& options) {
 }
 
 void add_world_tree_options(Parser& parser, WorldOptions& options) {
-  add_build_options(parser, options.build);
-  add_traversal_options(parser, options.traversal);
+  add_tree_list(parser, options.build, &options.traversal);
 }
 
 }  // namespace soms::command

@@ -51,9 +51,9 @@ TEST(Info, BuildsATreeByEveryRule) {
 // The bunny of the thesis at 15 levels: golden counts of the design, soms and thesis options.
 TEST(Info, CountsTheTreeOfTheThesis) {
   SOMS_NEEDS_OUTSIDE_DATA("1 tree of the thesis");
-  const Json report =
-      info({outside_data("ply/bun_zipper_res4.ply")->string(), "--rule", "soms", "--levels", "15",
-            "--midpoint", "thesis", "--empty-side", "stop", "--leaf", "1"});
+  const Json report = info({outside_data("ply/bun_zipper_res4.ply")->string(), "--tree",
+                            "rule=soms", "--tree", "levels=15", "--tree", "midpoint=thesis",
+                            "--tree", "empty-side=stop", "--tree", "leaf=1"});
   ASSERT_EQ(report.at("triangles"), 948);
   const Json& tree = report.at("trees").at(0);
   EXPECT_EQ(report.at("trees").size(), 1U);
@@ -67,7 +67,7 @@ TEST(Info, CountsTheTreeOfTheThesis) {
 
 // Scripts that were written for version 0.1 find what they look for during this one.
 TEST(Info, KeepsTheOldKeysBesideTheNewOnes) {
-  const Json report = info({test::data("formats/mirrored_node.gltf").string(), "--leaf", "2"});
+  const Json report = info({test::data("formats/mirrored_node.gltf").string(), "--tree", "leaf=2"});
   for (const auto& [before, now] :
        {std::pair("unit", "meters_per_unit"), std::pair("up", "up_axis"),
         std::pair("bytes_ready", "memory_bytes")}) {
@@ -108,7 +108,7 @@ TEST(Info, SaysOfHowManyBuildsATimeIsTheMedian) {
 // Two equal triangles have one midpoint: no plane parts them.
 TEST(Info, CountsNodesThatARuleCannotDivide) {
   const std::string path = test::data("nasty/two_triangles_same.ply").string();
-  const Json report = info({path, "--rule", "soms", "--empty-side", "stop"});
+  const Json report = info({path, "--tree", "rule=soms", "--tree", "empty-side=stop"});
   EXPECT_EQ(report.at("trees").at(0).at("undividable"), 1);
 }
 

@@ -75,8 +75,8 @@ TEST(Program, NamesOptionsThatDoNotGoTogether) {
     EXPECT_EQ(result.status, 2) << result.err;
     EXPECT_NE(result.err.find(what), std::string::npos) << result.err;
   };
-  says({"info", box, "--empty-side", "chain"}, "--empty-side chain without --levels");
-  says({"overlap", box, box, "--traversal", "e-node-front", "--descent", "cross"},
+  says({"info", box, "--tree", "empty-side=chain"}, "--empty-side chain without --levels");
+  says({"overlap", box, box, "--tree", "traversal=e-node-front", "--tree", "descent=cross"},
        "--traversal e-node-front does not work with --descent cross; use --descent both or "
        "--descent larger");
   says({"man", "overlap", "--output", "/tmp"}, "--output writes all pages");
@@ -95,19 +95,22 @@ TEST(Program, R119OptionsThatWouldBeIgnoredAreRefused) {
     EXPECT_EQ(result.out, "");
     EXPECT_NE(result.err.find(what), std::string::npos) << result.err;
   };
-  says({"info", box, "--rule", "fast", "--midpoint", "centroid", "--empty-side", "stop"},
+  says({"info", box, "--tree", "rule=fast", "--tree", "midpoint=centroid", "--tree",
+        "empty-side=stop"},
        "--midpoint has no effect: the rules fast, quality and quick have builders of their own; "
        "leave it out, or give another --rule");
   // Its default, too: whoever gives it means it to matter.
-  says({"info", box, "--rule", "quality", "--midpoint", "aabb"}, "--midpoint has no effect");
-  says({"overlap", box, box, "--axis-from", "outer"}, "--axis-from has no effect");
-  says({"overlap", box, box, "--rule", "sah", "--c-vertex", "0"},
+  says({"info", box, "--tree", "rule=quality", "--tree", "midpoint=aabb"},
+       "--midpoint has no effect");
+  says({"overlap", box, box, "--tree", "axis-from=outer"}, "--axis-from has no effect");
+  says({"overlap", box, box, "--tree", "rule=sah", "--tree", "c-vertex=0"},
        "--c-vertex has no effect: only the midpoint thesis has a corner C; leave it out, or "
        "also give --midpoint thesis");
-  says({"info", box, "--root-level", "0"}, "--root-level has no effect: levels are not limited");
-  says({"info", box, "--no-trees", "--leaf", "4"},
+  says({"info", box, "--tree", "root-level=0"},
+       "--root-level has no effect: levels are not limited");
+  says({"info", box, "--no-trees", "--tree", "leaf=4"},
        "--leaf has no effect: --no-trees builds no trees");
-  says({"overlap", box, box, "--traversal", "a-first", "--descent", "both"},
+  says({"overlap", box, box, "--tree", "traversal=a-first", "--tree", "descent=both"},
        "--descent has no effect");
   says({"overlap", box, box, "--any", "--no-pairs"}, "--no-pairs has no effect");
   says({"overlap", box, box, "--any", "--limit", "3"}, "--limit");
@@ -118,7 +121,8 @@ TEST(Program, R119OptionsThatWouldBeIgnoredAreRefused) {
 // Where trees are built by every rule, an option that only some use is no error; that is said.
 TEST(Program, R119OptionsThatSomeRulesIgnoreAreNoted) {
   const std::string box = test::data("truth/meshes/box2.ply").string();
-  const RunResult result = soms_run({"info", box, "--midpoint", "thesis", "--c-vertex", "0"});
+  const RunResult result =
+      soms_run({"info", box, "--tree", "midpoint=thesis", "--tree", "c-vertex=0"});
   EXPECT_EQ(result.status, 0);
   EXPECT_EQ(result.err,
             "rule fast does not use --midpoint, --c-vertex\n"
@@ -259,20 +263,20 @@ TEST(Program, SaysWhatIsMissingOrTooMuch) {
 
 TEST(Program, RefusesNumbersThatMakeNoSenseAndNamesTheOption) {
   const std::vector<std::pair<std::string, std::string>> cases{
-      {"--threads", "-1"},     {"--threads", "4294967297"},
-      {"--threads", "2x"},     {"--threads", ""},
-      {"--threads", "1e3"},    {"--threads", "nan"},
-      {"--seed", "-1"},        {"--seed", "18446744073709551616"},
-      {"--timeout", "-1"},     {"--timeout", "nan"},
-      {"--timeout", "inf"},    {"--max-memory", "0"},
-      {"--max-memory", "-5"},  {"--max-memory", "5X"},
-      {"--max-memory", "5MX"}, {"--max-memory", "99999999999T"},
-      {"--leaf", "0"},         {"--leaf", "2147483648"},
-      {"--levels", "-3"},      {"--levels", "1000"},
-      {"--c-vertex", "3"},     {"--root-level", "2"},
-      {"--scale", "0"},        {"--scale", "-1"},
-      {"--scale", "nan"},      {"--scale", "1,5"},
-      {"--limit", "0"},        {"--limit", "-7"}};
+      {"--threads", "-1"},      {"--threads", "4294967297"},
+      {"--threads", "2x"},      {"--threads", ""},
+      {"--threads", "1e3"},     {"--threads", "nan"},
+      {"--seed", "-1"},         {"--seed", "18446744073709551616"},
+      {"--timeout", "-1"},      {"--timeout", "nan"},
+      {"--timeout", "inf"},     {"--max-memory", "0"},
+      {"--max-memory", "-5"},   {"--max-memory", "5X"},
+      {"--max-memory", "5MX"},  {"--max-memory", "99999999999T"},
+      {"--tree", "leaf=0"},     {"--tree", "leaf=2147483648"},
+      {"--tree", "levels=-3"},  {"--tree", "levels=1000"},
+      {"--tree", "c-vertex=3"}, {"--tree", "root-level=2"},
+      {"--scale", "0"},         {"--scale", "-1"},
+      {"--scale", "nan"},       {"--scale", "1,5"},
+      {"--limit", "0"},         {"--limit", "-7"}};
   for (const auto& [option, value] : cases) {
     const RunResult result = soms_run({"overlap", "a.ply", "b.ply", option, value});
     EXPECT_EQ(result.status, 2) << option << " " << value << ": " << result.err;
@@ -288,7 +292,7 @@ TEST(Program, TakesSizesInEitherCase) {
 }
 
 TEST(Program, ListsTheWordsOfAChoice) {
-  const RunResult rule = soms_run({"overlap", "a", "b", "--rule", "shah"});
+  const RunResult rule = soms_run({"overlap", "a", "b", "--tree", "rule=shah"});
   EXPECT_EQ(rule.status, 2);
   EXPECT_NE(rule.err.find("--rule shah; did you mean sah? choose one of object-median"),
             std::string::npos)
@@ -296,11 +300,11 @@ TEST(Program, ListsTheWordsOfAChoice) {
   for (const auto& [given, meant] :
        {std::pair("SAH", "sah"), std::pair("object_median", "object-median"),
         std::pair("Object_Median", "object-median"), std::pair("SOMS", "soms")}) {
-    const RunResult other = soms_run({"info", "a", "--rule", given});
+    const RunResult other = soms_run({"info", "a", "--tree", std::string("rule=") + given});
     EXPECT_NE(other.err.find(std::string("did you mean ") + meant + "? "), std::string::npos)
         << other.err;
   }
-  const RunResult traversal = soms_run({"overlap", "a", "b", "--traversal", "zig-zag"});
+  const RunResult traversal = soms_run({"overlap", "a", "b", "--tree", "traversal=zig-zag"});
   EXPECT_EQ(traversal.status, 2);
   EXPECT_NE(traversal.err.find("e-node"), std::string::npos) << traversal.err;
 }

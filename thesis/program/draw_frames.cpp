@@ -39,9 +39,21 @@ void write_poses(const std::filesystem::path& path, const std::vector<Vec3>& off
   file.commit();
 }
 
+/// The trees and the traversal, as --tree takes them.
+std::string tree_of(const reproduce::DrawRequest& request) {
+  const TraversalOptions& traversal = request.traversal;
+  std::string keys =
+      fmt::format("rule={},midpoint=thesis,empty-side=stop,leaf={},levels={},traversal={}",
+                  entry(request.build.rule).kebab, request.build.per_leaf, request.build.level,
+                  entry(traversal.traversal).kebab);
+  if (traversal.traversal == Traversal::e_node) {
+    keys += fmt::format(",descent={}", entry(traversal.descent).kebab);
+  }
+  return keys;
+}
+
 std::vector<std::string> words_for(const reproduce::DrawRequest& request,
                                    const std::filesystem::path& folder) {
-  const TraversalOptions& traversal = request.traversal;
   std::vector<std::string> words{"time-frames",
                                  "--json",
                                  "--quiet",
@@ -49,23 +61,10 @@ std::vector<std::string> words_for(const reproduce::DrawRequest& request,
                                  kTimeout,
                                  "--threads",
                                  "1",
-                                 "--rule",
-                                 std::string(entry(request.build.rule).kebab),
-                                 "--midpoint",
-                                 "thesis",
-                                 "--empty-side",
-                                 "stop",
-                                 "--leaf",
-                                 std::to_string(request.build.per_leaf),
-                                 "--levels",
-                                 std::to_string(request.build.level),
+                                 "--tree",
+                                 tree_of(request),
                                  "--mover-levels",
-                                 std::to_string(request.moving_level),
-                                 "--traversal",
-                                 std::string(entry(traversal.traversal).kebab)};
-  if (traversal.traversal == Traversal::e_node) {
-    words.insert(words.end(), {"--descent", std::string(entry(traversal.descent).kebab)});
-  }
+                                 std::to_string(request.moving_level)};
   words.insert(words.end(), {"--mover", (folder / "moving.ply").string(), "--pose",
                              (folder / "poses.csv").string(), (folder / "still.ply").string()});
   return words;

@@ -277,7 +277,8 @@ void check_trees(const Parser& parser, const InfoOptions& options, const Console
   for (const RuleEntry& row : rules()) {
     build.rule = row.rule;
     if (const auto without = given_of(parser, idle_options(build)); !without.empty()) {
-      console.note(fmt::format("rule {} does not use {}", row.kebab, fmt::join(without, ", ")));
+      console.note(parser.with_keys(
+          fmt::format("rule {} does not use {}", row.kebab, fmt::join(without, ", "))));
     }
   }
 }
@@ -300,10 +301,11 @@ Action add_info(Parser& parser, Shared&) {
   add_city_options(parser, options->model, "", "the models");
   add_allow_empty(parser, options->model);
   add_strict(parser, options->model.strict);
-  add_build_options(parser, options->build);
+  add_tree_list(parser, options->build);
   parser.option("--rule")->description("splitting rule (every one)");
   parser.footer(
-      "Builds a tree with every splitting rule, or only with the one given by --rule.\n\nExample:\n"
+      "Builds a tree with every splitting rule, or only with that of --tree "
+      "rule=NAME.\n\nExample:\n"
       "  soms generate knot --triangles 2000 -o knot.ply\n"
       "  soms info knot.ply");
   return [options, &parser](Console& console) {

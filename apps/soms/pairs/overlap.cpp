@@ -192,8 +192,7 @@ Action add_overlap(Parser& parser, Shared&) {
   const auto options = std::make_shared<OverlapVerbOptions>();
   add_posed_models(parser, *options);
   add_questions(parser, *options);
-  add_model_reading(parser, *options);
-  add_traversal_options(parser, options->traversal);
+  add_model_reading(parser, *options, &options->traversal);
   parser.footer(
       "Touching counts as overlap: corners and edges belong to their triangles. Only surfaces are\n"
       "tested: a body entirely inside another one does not overlap it." +

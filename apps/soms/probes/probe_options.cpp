@@ -47,7 +47,7 @@ void add_probe_options(Parser& parser, ProbeOptions& options) {
   add_model_options(parser, options.reading, "--scale", "--up", "the model");
   add_allow_empty(parser, options.reading);
   add_strict(parser, options.reading.strict);
-  add_build_options(parser, options.build);
+  add_tree_list(parser, options.build);
 }
 
 void check_probe_options(Parser& parser, ProbeOptions& options, const std::string& rows) {

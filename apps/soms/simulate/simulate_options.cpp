@@ -2,6 +2,8 @@
 #include "apps/cli/parser.h"
 #include "apps/soms/simulate/simulate.h"
 
+#include <fmt/format.h>
+
 #include <memory>
 #include <string>
 #include <vector>
@@ -33,9 +35,10 @@ std::vector<std::string> words_of_trees(const Parser& parser) {
   const std::string group = parser.option("--rule")->group();
   std::vector<std::string> words;
   for (const Option* const option : parser.options()) {
-    if (option->group() == group && option->count() > 0) {
-      words.push_back(option->name());
-      words.insert(words.end(), option->results().begin(), option->results().end());
+    if (option->list() != nullptr && option->group() == group && option->count() > 0) {
+      words.insert(words.end(),
+                   {option->list()->name(),
+                    fmt::format("{}={}", option->name().substr(2), option->results().front())});
     }
   }
   return words;

@@ -32,30 +32,27 @@ using Words = std::vector<std::string>;
 /// The trees and the traversal, as soms-view takes them.
 Words words_of_trees(const ThesisOptions& options) {
   const BuildOptions& build = options.build;
-  Words words{"--thesis",
-              "--rule",
-              std::string(entry(build.rule).kebab),
-              "--levels",
-              std::to_string(build.level),
-              "--leaf",
-              std::to_string(build.per_leaf)};
-  const auto add = [&](bool differs, const char* option, const std::string& value) {
+  std::string keys;
+  const auto add = [&](bool differs, std::string_view key, const std::string& value) {
     if (differs) {
-      words.insert(words.end(), {option, value});
+      keys += fmt::format("{}{}={}", keys.empty() ? "" : ",", key, value);
     }
   };
+  add(true, "rule", std::string(entry(build.rule).kebab));
+  add(true, "levels", std::to_string(build.level));
+  add(true, "leaf", std::to_string(build.per_leaf));
   const BuildOptions thesis = without_idle(thesis_options(build.rule, build.level));
-  add(build.midpoint != thesis.midpoint, "--midpoint", kebab(name(build.midpoint)));
-  add(build.empty_side != thesis.empty_side, "--empty-side", kebab(name(build.empty_side)));
+  add(build.midpoint != thesis.midpoint, "midpoint", kebab(name(build.midpoint)));
+  add(build.empty_side != thesis.empty_side, "empty-side", kebab(name(build.empty_side)));
   if (build.axis_from) {
-    add(build.axis_from != thesis.axis_from, "--axis-from", kebab(name(*build.axis_from)));
+    add(build.axis_from != thesis.axis_from, "axis-from", kebab(name(*build.axis_from)));
   }
-  add(build.root_level != thesis.root_level, "--root-level", std::to_string(build.root_level));
-  add(build.c_vertex != thesis.c_vertex, "--c-vertex", std::to_string(build.c_vertex));
+  add(build.root_level != thesis.root_level, "root-level", std::to_string(build.root_level));
+  add(build.c_vertex != thesis.c_vertex, "c-vertex", std::to_string(build.c_vertex));
   const Traversal traversal = options.traversal.traversal;
-  add(true, "--traversal", std::string(entry(traversal).kebab));
-  add(has_descent(traversal), "--descent", std::string(entry(options.traversal.descent).kebab));
-  return words;
+  add(true, "traversal", std::string(entry(traversal).kebab));
+  add(has_descent(traversal), "descent", std::string(entry(options.traversal.descent).kebab));
+  return {"--thesis", "--tree", keys};
 }
 
 /// The two models of trips as soms-view reads them: their files, or those that are written for
@@ -133,7 +130,7 @@ void note_on_drive(const ThesisTrip& what, const ThesisOptions& options, const C
   if (what.trip.test == kDriveTest && what.still_levels.last != options.build.level) {
     console.note(
         fmt::format("drive: soms-view builds both trees with {} levels; the table has {} levels of "
-                    "the still model (--levels {} shows the same)",
+                    "the still model (--level {} shows the same)",
                     options.build.level, what.still_levels.last, what.still_levels.last));
   }
 }

@@ -13,11 +13,10 @@ void add_tree_options(command::Parser& parser, BuildOptions& build, TraversalOpt
         build = thesis_options(Rule::soms);
         traversal = {.traversal = Traversal::e_node, .prune = traversal.prune};
       },
-      "tree and traversal of the thesis: --rule soms --midpoint thesis --leaf 1\n"
-      "--empty-side stop --levels 15 --traversal e-node --descent both");
-  command::add_build_options(parser, build);
-  command::add_traversal_options(parser, traversal);
-  thesis->group(parser.option("--rule")->group());
+      "tree and traversal of the thesis: --tree rule=soms,midpoint=thesis,leaf=1,\n"
+      "empty-side=stop,levels=15,traversal=e-node,descent=both");
+  command::add_tree_list(parser, build, &traversal);
+  thesis->group(parser.option("--tree")->group());
 }
 
 void check_tree_options(const command::Parser& parser, BuildOptions& build,

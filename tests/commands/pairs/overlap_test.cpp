@@ -117,16 +117,19 @@ TEST(OverlapVerb, GivesTheSameLinesForAnyThreadsRuleAndTraversal) {
             soms_run({"overlap", box(), box(), "--json", "--pose", poses, "--threads", "3"}).out);
   for (const char* rule : {"object-median", "object-mean", "spatial-median", "soms", "sah",
                            "soms-sah", "fast", "quality", "quick"}) {
-    EXPECT_EQ(hashes({"--rule", rule, "--leaf", "1"}), expected) << rule;
+    EXPECT_EQ(hashes({"--tree", std::string("rule=") + rule, "--tree", "leaf=1"}), expected)
+        << rule;
   }
   for (const char* traversal : {"a-first", "b-first", "alternate", "larger", "simultaneous",
                                 "ericson", "larsson", "e-node", "e-node-front", "default"}) {
-    EXPECT_EQ(hashes({"--traversal", traversal}), expected) << traversal;
+    EXPECT_EQ(hashes({"--tree", std::string("traversal=") + traversal}), expected) << traversal;
   }
   for (const char* descent : {"both", "larger", "cross", "fewest"}) {
-    EXPECT_EQ(hashes({"--traversal", "e-node", "--descent", descent}), expected) << descent;
+    EXPECT_EQ(hashes({"--tree", "traversal=e-node", "--tree", std::string("descent=") + descent}),
+              expected)
+        << descent;
   }
-  const RunResult idle = soms_run({"overlap", box(), box(), "--descent", "cross"});
+  const RunResult idle = soms_run({"overlap", box(), box(), "--tree", "descent=cross"});
   EXPECT_EQ(idle.status, 2);
   EXPECT_NE(idle.err.find("--descent has no effect: only E-Node has a descent; leave it out, or "
                           "also give --traversal e-node or e-node-front"),
@@ -137,7 +140,9 @@ TEST(OverlapVerb, GivesTheSameLinesForAnyThreadsRuleAndTraversal) {
 TEST(OverlapVerb, CountsTheTrianglePairsOfANamedTraversal) {
   // One node a tree: its leaf holds all 12 triangles, so 12 x 12 pairs are looked at.
   const Json cost =
-      ask({"--traversal", "larger", "--levels", "1", "--pose", "1.5 0.25 0.25"}).at(0).at("cost");
+      ask({"--tree", "traversal=larger", "--tree", "levels=1", "--pose", "1.5 0.25 0.25"})
+          .at(0)
+          .at("cost");
   EXPECT_EQ(cost.at("node_tests"), 1);
   EXPECT_EQ(cost.at("entered"), 1);
   EXPECT_EQ(cost.at("leaf_pairs"), 1);
@@ -146,8 +151,8 @@ TEST(OverlapVerb, CountsTheTrianglePairsOfANamedTraversal) {
   EXPECT_EQ(cost.at("max_stack"), 1);
   EXPECT_LT(cost.at("triangle_tests"), 144);
   EXPECT_FALSE(ask({}).at(0).at("cost").contains("triangle_pairs"));
-  const RunResult text = soms_run({"overlap", box(), box(), "--traversal", "larger", "--levels",
-                                   "1", "--pose", "1.5 0.25 0.25"});
+  const RunResult text = soms_run({"overlap", box(), box(), "--tree", "traversal=larger", "--tree",
+                                   "levels=1", "--pose", "1.5 0.25 0.25"});
   EXPECT_NE(
       text.out.find("  traversal larger: 1 box test, 1 pair entered, 1 leaf pair, 144 "
                     "triangle pairs, " +
@@ -161,7 +166,7 @@ TEST(OverlapVerb, CountsANamedTraversalPoseByPose) {
   const std::string poses = (folder.path() / "poses.csv").string();
   write_text(poses, "x,y,z\n1.5,0.25,0.25\n9,0,0\n");
   const std::vector<Json> answers =
-      ask({"--traversal", "simultaneous", "--levels", "1", "--pose", poses});
+      ask({"--tree", "traversal=simultaneous", "--tree", "levels=1", "--pose", poses});
   ASSERT_EQ(answers.size(), 2U);
   EXPECT_EQ(answers[0].at("cost").at("triangle_pairs"), 144);
   EXPECT_EQ(answers[1].at("cost").at("triangle_pairs"), 0);

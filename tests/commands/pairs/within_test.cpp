@@ -320,8 +320,8 @@ TEST(WithinVerb, RefusesWhatOverlapCannotAskWithAClearance) {
                                                     {"--limit", "3"},
                                                     {"--no-pairs"},
                                                     {"--by", "part"},
-                                                    {"--descent", "both"},
-                                                    {"--traversal", "a-first"},
+                                                    {"--tree", "descent=both"},
+                                                    {"--tree", "traversal=a-first"},
                                                     {"--fail-if", "overlap"}};
   for (std::vector<std::string> words : cases) {
     words.insert(words.begin(), {"overlap", box(), box(), "--within", "1"});

@@ -45,7 +45,7 @@ TEST(ContainsVerb, AnswersInTheSchema) {
 TEST(ContainsVerb, AnswersTheSameByAnyThreadsRuleAndOrderOfColumns) {
   EXPECT_EQ(answers({"--threads", "1"}), answers({"--threads", "2"}));
   for (const char* rule : {"sah", "spatial-median", "quality"}) {
-    EXPECT_EQ(sides(answers({"--rule", rule, "--leaf", "1"})), kSides);
+    EXPECT_EQ(sides(answers({"--tree", std::string("rule=") + rule, "--tree", "leaf=1"})), kSides);
   }
   EXPECT_EQ(sides(answers({}, "z,x,y\n-0.25,1,0.5\n\n# a remark\n0,1.5,0\n")),
             (std::vector<std::string>{"on", "outside"}));

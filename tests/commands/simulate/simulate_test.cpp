@@ -440,15 +440,15 @@ TEST(Simulate, AnswersTheSameForEveryTreeAndTraversal) {
   const std::string plain = hash_with({});
   for (const char* rule : {"object-median", "object-mean", "spatial-median", "soms", "sah",
                            "soms-sah", "quality", "quick"}) {
-    EXPECT_EQ(hash_with({"--rule", rule}), plain) << rule;
+    EXPECT_EQ(hash_with({"--tree", std::string("rule=") + rule}), plain) << rule;
   }
   for (const char* traversal : {"a-first", "b-first", "alternate", "larger", "simultaneous",
                                 "ericson", "larsson", "e-node", "e-node-front"}) {
-    EXPECT_EQ(hash_with({"--traversal", traversal}), plain) << traversal;
+    EXPECT_EQ(hash_with({"--tree", std::string("traversal=") + traversal}), plain) << traversal;
   }
-  EXPECT_EQ(hash_with({"--traversal", "e-node", "--descent", "cross"}), plain);
-  EXPECT_EQ(hash_with({"--rule", "soms", "--midpoint", "thesis", "--empty-side", "stop", "--leaf",
-                       "1", "--levels", "15"}),
+  EXPECT_EQ(hash_with({"--tree", "traversal=e-node", "--tree", "descent=cross"}), plain);
+  EXPECT_EQ(hash_with({"--tree", "rule=soms", "--tree", "midpoint=thesis", "--tree",
+                       "empty-side=stop", "--tree", "leaf=1", "--tree", "levels=15"}),
             plain);
 }
 

@@ -172,7 +172,7 @@ TEST_F(Render, CountsTheLevelAndTheLeavesAboveIt) {
                     [&](const Node& node) { return node.depth == counts.depth; }));
   ASSERT_LT(last, counts.leaves) << "a ball whose leaves are on several levels";
   const test::RunResult result = render({ball_, "-o", picture_, "--size", "90x60", "--json",
-                                         "--leaf", "1", "--level", std::to_string(level)});
+                                         "--tree", "leaf=1", "--level", std::to_string(level)});
   EXPECT_NE(result.out.find("\"boxes\":" + std::to_string(counts.leaves) + ","), std::string::npos);
   EXPECT_NE(result.out.find("\"level_boxes\":" + std::to_string(last) +
                             ",\"leaves_above\":" + std::to_string(counts.leaves - last)),
@@ -180,7 +180,8 @@ TEST_F(Render, CountsTheLevelAndTheLeavesAboveIt) {
       << result.out;
   const test::RunResult below = render({ball_, "-o", picture_, "--level", "99"});
   EXPECT_NE(below.err.find(", or --leaf below 8"), std::string::npos) << below.err;
-  const test::RunResult single = render({ball_, "-o", picture_, "--level", "99", "--leaf", "1"});
+  const test::RunResult single =
+      render({ball_, "-o", picture_, "--level", "99", "--tree", "leaf=1"});
   EXPECT_EQ(single.err.find("--leaf"), std::string::npos) << single.err;
 }
 
@@ -188,17 +189,17 @@ TEST_F(Render, ANamedTraversalHasItsOwnDescent) {
   SOMS_NEEDS_EGL();
   const auto drawn = [&](std::vector<std::string> words) {
     words.insert(words.begin(), {ball_, "--mover", ball_, "--pose", "1.2 0 0", "-o", picture_,
-                                 "--size", "90x60", "--json", "--trace", "--leaf", "1"});
+                                 "--size", "90x60", "--json", "--trace", "--tree", "leaf=1"});
     const test::RunResult result = render(words);
     EXPECT_EQ(result.status, 0) << result.err;
     const std::size_t at = result.out.find("\"boxes\":");
     return at == std::string::npos ? std::string() : result.out.substr(at, 16);
   };
-  const std::string both = drawn({"--traversal", "e-node", "--descent", "both"});
-  const std::string larger = drawn({"--traversal", "e-node", "--descent", "larger"});
+  const std::string both = drawn({"--tree", "traversal=e-node", "--tree", "descent=both"});
+  const std::string larger = drawn({"--tree", "traversal=e-node", "--tree", "descent=larger"});
   ASSERT_NE(both, larger);
   EXPECT_EQ(drawn({}), larger);
-  EXPECT_EQ(drawn({"--traversal", "e-node"}), both);
+  EXPECT_EQ(drawn({"--tree", "traversal=e-node"}), both);
 }
 
 TEST_F(Render, SaysThatTreesAreThoseOfTheFirstFileOfACity) {
@@ -234,11 +235,11 @@ TEST_F(Render, DrawsTheTreesOfTheThesisByName) {
     return result.out;
   };
   const std::string thesis = drawn({"--thesis"});
-  EXPECT_EQ(thesis,
-            drawn({"--rule", "soms", "--midpoint", "thesis", "--leaf", "1", "--empty-side", "stop",
-                   "--levels", "15", "--traversal", "e-node", "--descent", "both"}));
+  EXPECT_EQ(thesis, drawn({"--tree", "rule=soms", "--tree", "midpoint=thesis", "--tree", "leaf=1",
+                           "--tree", "empty-side=stop", "--tree", "levels=15", "--tree",
+                           "traversal=e-node", "--tree", "descent=both"}));
   EXPECT_NE(thesis, drawn({}));
-  EXPECT_NE(thesis, drawn({"--thesis", "--leaf", "8"}));  // what is named, too, wins
+  EXPECT_NE(thesis, drawn({"--thesis", "--tree", "leaf=8"}));  // what is named, too, wins
 }
 
 TEST_F(Render, R119OptionsThatThePictureIgnoresAreRefused) {
@@ -250,16 +251,18 @@ TEST_F(Render, R119OptionsThatThePictureIgnoresAreRefused) {
   };
 
   const std::vector<Case> cases{
-      {{"--rule", "sah"}, "--rule has no effect without --level or --trace"},
+      {{"--tree", "rule=sah"}, "--rule has no effect without --level or --trace"},
       {{"--thesis"}, "--thesis has no effect without --level or --trace"},
-      {{"--leaf", "4"}, "--leaf has no effect without --level or --trace"},
-      {{"--traversal", "larger"}, "--traversal has no effect without --trace"},
-      {{"--level", "2", "--descent", "both"}, "--descent has no effect without --trace"},
-      {{"--level", "2", "--rule", "fast", "--midpoint", "centroid"}, "--midpoint has no effect"},
-      {{"--level", "2", "--c-vertex", "1"}, "--c-vertex has no effect: only the midpoint thesis"},
-      {{"--mover", ball_, "--trace", "--traversal", "larger", "--descent", "both"},
+      {{"--tree", "leaf=4"}, "--leaf has no effect without --level or --trace"},
+      {{"--tree", "traversal=larger"}, "--traversal has no effect without --trace"},
+      {{"--level", "2", "--tree", "descent=both"}, "--descent has no effect without --trace"},
+      {{"--level", "2", "--tree", "rule=fast", "--tree", "midpoint=centroid"},
+       "--midpoint has no effect"},
+      {{"--level", "2", "--tree", "c-vertex=1"},
+       "--c-vertex has no effect: only the midpoint thesis"},
+      {{"--mover", ball_, "--trace", "--tree", "traversal=larger", "--tree", "descent=both"},
        "--descent has no effect: only E-Node has a descent"},
-      {{"--mover", ball_, "--trace", "--traversal", "e-node-front", "--no-prune"},
+      {{"--mover", ball_, "--trace", "--tree", "traversal=e-node-front", "--no-prune"},
        "--no-prune: --traversal e-node-front needs pruning"},
       {{"--mover", ball_, "--pose", "3 0 0", "--frame", "7"},
        "--frame 7 has no effect: --pose draws the mover at every pose, in one picture; leave it "
@@ -275,8 +278,8 @@ TEST_F(Render, R119OptionsThatThePictureIgnoresAreRefused) {
     EXPECT_FALSE(std::filesystem::exists(picture_));
   }
   // A traversal other than E-Node does not trip over E-Node's descent, which nobody gave.
-  EXPECT_EQ(render({ball_, "-o", picture_, "--size", "90x60", "--mover", ball_, "--trace",
-                    "--traversal", "larger"})
+  EXPECT_EQ(render({ball_, "-o", picture_, "--size", "90x60", "--mover", ball_, "--trace", "--tree",
+                    "traversal=larger"})
                 .status,
             0);
 }
@@ -425,7 +428,7 @@ TEST_F(Render, TellsFaultsInOneSentenceAndLeavesNoFile) {
       {{ball_, "-o", picture_, "--level-of", "mover"}, 2},
       {{ball_, "-o", picture_, "--no-prune"}, 2},
       {{ball_, "-o", picture_, "--center"}, 2},
-      {{ball_, "-o", picture_, "--mover", ball_, "--trace", "--traversal", "fast"}, 2},
+      {{ball_, "-o", picture_, "--mover", ball_, "--trace", "--tree", "traversal=fast"}, 2},
       {{ball_, "-o", (folder_.path() / "out.jpg").string()}, 2},
       {{ball_, "-o", picture_, "--timeout", "0"}, 4},
       {{ball_, "-o", (folder_.path() / "missing" / "out.png").string()}, 5},

@@ -54,7 +54,8 @@ TEST(TreeOptions, WhatIsNamedBesideThemWins) {
 
 TEST(TreeOptions, OfTheWindowAreCheckedBeforeItOpens) {
   for (const std::vector<std::string>& words :
-       {std::vector<std::string>{"--descent", "cross"}, {"--rule", "fast", "--midpoint", "aabb"}}) {
+       {std::vector<std::string>{"--tree", "descent=cross"},
+        {"--tree", "rule=fast", "--tree", "midpoint=aabb"}}) {
     std::vector<std::string> all{SOMS_VIEW_COMMAND, "view", "none.ply"};
     all.insert(all.end(), words.begin(), words.end());
     const test::RunResult result = test::run_program(all);

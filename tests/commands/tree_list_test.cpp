@@ -1,0 +1,100 @@
+// --tree KEY=VALUE,...: the options of trees in one list, and their old forms.
+#include "tests/commands/run.h"
+
+#include <regex>
+
+namespace soms::test {
+namespace {
+
+/// A folder with a knot and a ball that touch.
+class TreeList : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(soms_run({"generate", "knot", "--triangles", "400", "-o", knot()}).status, 0);
+    ASSERT_EQ(soms_run({"generate", "sphere", "--triangles", "80", "-o", ball()}).status, 0);
+  }
+
+  [[nodiscard]] std::string knot() const { return (folder_.path() / "knot.ply").string(); }
+
+  [[nodiscard]] std::string ball() const { return (folder_.path() / "ball.ply").string(); }
+
+  [[nodiscard]] RunResult overlap(std::vector<std::string> words) const {
+    words.insert(words.begin(), {"overlap", knot(), ball(), "--no-pairs"});
+    return soms_run(words);
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST_F(TreeList, SetsWhatTheOldOptionsSet) {
+  const RunResult list =
+      overlap({"--tree", "rule=soms,leaf=1,levels=9", "--tree=traversal=larger"});
+  EXPECT_EQ(list.status, 0) << list.err;
+  EXPECT_EQ(list.err, "");
+  EXPECT_NE(list.out.find("traversal larger: "), std::string::npos) << list.out;
+  const RunResult old =
+      overlap({"--rule", "soms", "--leaf=1", "--levels", "9", "--traversal", "larger"});
+  EXPECT_EQ(old.out, list.out);
+  EXPECT_NE(overlap({"--tree", "traversal=larger"}).out, list.out);
+}
+
+TEST_F(TreeList, AnOldFormSaysWhatItIsNow) {
+  const RunResult old = overlap({"--leaf", "1"});
+  EXPECT_EQ(old.status, 0);
+  EXPECT_EQ(old.err,
+            "note: --leaf is now --tree leaf=N; the old form ends with the next release\n");
+  EXPECT_EQ(overlap({"--leaf", "1", "--quiet"}).err, "");
+}
+
+TEST_F(TreeList, RefusesWhatIsNoKeyOrHasNoValue) {
+  const auto says = [&](const std::string& list, const std::string& what) {
+    const RunResult result = overlap({"--tree", list});
+    EXPECT_EQ(result.status, 2) << list;
+    EXPECT_EQ(result.out, "");
+    EXPECT_NE(result.err.find(what), std::string::npos) << result.err;
+  };
+  says("rull=soms", "--tree: unknown key rull; did you mean rule?");
+  says("pose=1", "--tree: unknown key pose; use rule, levels, leaf");
+  says("", "unknown key \"\"");
+  says("rule=soms,", "unknown key \"\"");
+  says("leaf", "--tree: leaf has no value; write --tree leaf=VALUE");
+  says("leaf=x", "--tree leaf");
+  says("rule=somes", "--tree rule");
+  says("leaf=1,leaf=2", "--tree leaf is given more than once");
+  says("empty-side=chain,rule=soms", "--tree empty-side=chain without --tree levels never ends");
+  says("midpoint=thesis", "--tree midpoint has no effect");
+  EXPECT_NE(overlap({"--tree"}).err.find("--tree needs a value"), std::string::npos);
+}
+
+TEST_F(TreeList, HelpListsTheKeys) {
+  const RunResult keys = soms_run({"overlap", "--tree", "help"});
+  EXPECT_EQ(keys.status, 0);
+  for (const char* const key : {"rule=NAME", "levels=N", "leaf=N", "traversal=NAME",
+                                "vertex that is C for --tree midpoint=thesis", "object-median|"}) {
+    EXPECT_NE(keys.out.find(key), std::string::npos) << key << keys.out;
+  }
+  EXPECT_EQ(soms_run({"closest", "--tree", "help"}).out.find("traversal="), std::string::npos);
+}
+
+TEST(HelpOfQueries, HasAtMostTwentyOptions) {
+  const std::regex option("\n  -[^\n]*");
+  for (const char* const verb : {"overlap", "closest", "distance", "within", "contains", "ray"}) {
+    const std::string help = soms_run({verb, "--help"}).out;
+    const auto count = std::distance(std::sregex_iterator(help.begin(), help.end(), option),
+                                     std::sregex_iterator());
+    EXPECT_LE(count, 20) << help;
+    EXPECT_GE(count, 8) << help;
+    EXPECT_NE(help.find("Shared options (soms --help): --help, --json, "), std::string::npos)
+        << help;
+    EXPECT_NE(help.find("--tree KEY=VALUE,..."), std::string::npos) << help;
+    EXPECT_EQ(help.find("--rule"), std::string::npos) << help;
+  }
+  const std::string all = soms_run({"--help"}).out;
+  for (const char* const shared : {"-h,--help", "--threads N", "--timeout SECONDS"}) {
+    EXPECT_NE(all.find(std::string("\n  ") + shared + " "), std::string::npos) << all;
+  }
+}
+
+}  // namespace
+}  // namespace soms::test
