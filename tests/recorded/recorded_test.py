@@ -109,6 +109,8 @@ class Runner:
             if file.is_file() and not (inputs / file.name).exists():
                 yield f"{file.relative_to(folder)}:"
                 yield from ("  " + line for line in forms.file_lines(file.name, self.as_recorded(file.read_bytes())))
+        for file in inputs.iterdir():
+            (folder / file.name).unlink()  # what stays, for --keep, are the outputs
 
 
 def shown(words):
