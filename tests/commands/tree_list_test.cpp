@@ -43,7 +43,7 @@ TEST_F(TreeList, AnOldFormSaysWhatItIsNow) {
   const RunResult old = overlap({"--leaf", "1"});
   EXPECT_EQ(old.status, 0);
   EXPECT_EQ(old.err,
-            "note: --leaf is now --tree leaf=N; the old form ends with the next release\n");
+            "--leaf is now --tree leaf=N; the old form ends with the next release\n");
   EXPECT_EQ(overlap({"--leaf", "1", "--quiet"}).err, "");
 }
 

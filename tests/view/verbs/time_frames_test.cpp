@@ -56,7 +56,8 @@ TEST_F(TimeFrames, GiveTimesAndContactsOfEachFrameAsJson) {
   const Shape ball(generate_sphere(200));
   for (const char* const traversal : {"e-node", "larsson"}) {
     const test::RunResult result =
-        run({"--mover", ball_, "--tree", std::string("traversal=") + traversal, "--mover-levels", "5", "--json"});
+        run({"--mover", ball_, "--tree", std::string("traversal=") + traversal, "--mover-levels",
+             "5", "--json"});
     ASSERT_EQ(result.status, 0) << result.err;
     const nlohmann::ordered_json answer = nlohmann::ordered_json::parse(result.out);
     EXPECT_EQ(answer.at("schema"), "soms.time-frames/1");
