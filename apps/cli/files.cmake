@@ -10,6 +10,8 @@ set(SOMS_CLI_FILES
   kebab.h
   length_unit.cpp
   length_unit.h
+  machine_use.cpp
+  machine_use.h
   option.cpp
   option.h
   option_lists.cpp

@@ -28,6 +28,8 @@ MASKS = [
     # Times and speeds: members of JSON, then what simulate, info and thesis print.
     (rf'("\w*(?:_ms|fps|seconds|_a_second)": ?){TIME}', r"\1TIME"),
     (r'("build_runs":)\d+', r"\1RUNS"),
+    (r'("share_of_others":)(?:null|[\d.]+)', r"\1SHARE"),
+    (r"(?m)^.*other programs used \d+ % of the processors.*\n", ""),
     (r"[\d.]+ ms, after [\d.]+ ms to", "TIME, after TIME to"),
     (r"[\d,]+ frames a second \(worst [\d,]+\), [\d,]+ queries", "SPEED frames a second (worst SPEED), SPEED queries"),
     (r"(?s)(<title>Time of each frame</title>).*?</svg>", r"\1</svg>"),

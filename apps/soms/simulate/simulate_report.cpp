@@ -2,6 +2,7 @@
 
 #include "soms/base/text.h"
 
+#include "apps/cli/machine_use.h"
 #include "apps/cli/text.h"
 #include "apps/model/georeference.h"
 #include "apps/model/models.h"
@@ -131,6 +132,11 @@ Figures figures_of(const World& world, const Outcome& outcome, const SimulateOpt
       "speed", fmt::format("{} frames a second (worst {}), {} queries a second",
                            whole_number(outcome.median_fps()), whole_number(outcome.worst_fps()),
                            whole_number(outcome.queries_a_second())));
+  if (outcome.share_of_others.value_or(0) > kBusyShare) {
+    figures.emplace_back(
+        "", fmt::format("other programs used {:.0f} % of the processors: times are too long",
+                        100 * *outcome.share_of_others));
+  }
   figures.emplace_back("contacts", contacts_of(world, outcome));
   if (!outcome.events.spans().empty()) {
     figures.emplace_back("", events_in_text(outcome));
@@ -196,6 +202,8 @@ std::string json_of(const World& world, const Outcome& outcome, const SimulateOp
   json["interrupted"] = outcome.ending == Ending::interrupted;
   json["fps"] = {{"median", rounded(outcome.median_fps())},
                  {"worst", rounded(outcome.worst_fps())}};
+  json["share_of_others"] =
+      outcome.share_of_others ? Json(rounded(*outcome.share_of_others)) : Json(nullptr);
   json["build_ms"] = rounded(world.build_ms);
   json["read_ms"] = rounded(world.read_ms);
   json["queries"] = outcome.queries;

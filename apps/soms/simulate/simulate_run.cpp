@@ -4,6 +4,7 @@
 #include "soms/base/hash.h"
 #include "soms/thesis/overlap.h"
 
+#include "apps/cli/machine_use.h"
 #include "apps/report/placing.h"
 #include "apps/soms/simulate/simulate_events.h"
 
@@ -210,7 +211,10 @@ Outcome run_frames(const World& world, const SimulateOptions& options, Console& 
                    Recorder* recorder) {
   Scene scene = console.run("placing movers",
                             [&](const Parallel& parallel) { return make_scene(world, parallel); });
-  return Run(world, options, console, recorder, std::move(scene)).go();
+  const MachineUse use;
+  Outcome outcome = Run(world, options, console, recorder, std::move(scene)).go();
+  outcome.share_of_others = use.share_of_others();
+  return outcome;
 }
 
 }  // namespace soms::command

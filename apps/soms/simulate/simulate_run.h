@@ -45,6 +45,8 @@ struct Outcome {
   std::vector<std::vector<Place>> tracks;  ///< where each mover was, at some hundred frames
   Ending ending = Ending::whole;
   BoxWatch boxes;  ///< of movers and the city, until one is near
+  /// Of the processors, that other programs used meanwhile, 0 to 1; none of a short run.
+  std::optional<double> share_of_others = std::nullopt;
 
   /// A verification found a difference.
   [[nodiscard]] bool is_wrong() const;

@@ -1,0 +1,61 @@
+#include "apps/cli/machine_use.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <string>
+#include <thread>
+
+namespace soms::command {
+
+namespace {
+
+/// Seconds that all processors were busy since the machine started. \source proc(5), /proc/stat.
+std::optional<double> busy_seconds() {
+  std::ifstream stat("/proc/stat");
+  std::string name;
+  std::array<double, 8> ticks{};  // user nice system idle iowait irq softirq steal
+  stat >> name;
+  for (double& tick : ticks) {
+    stat >> tick;
+  }
+  if (!stat || name != "cpu") {
+    return std::nullopt;
+  }
+  const double busy = ticks[0] + ticks[1] + ticks[2] + ticks[5] + ticks[6] + ticks[7];
+  return busy / static_cast<double>(::sysconf(_SC_CLK_TCK));
+}
+
+double own_seconds() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  double seconds = 0;
+  for (const timeval& time : {usage.ru_utime, usage.ru_stime}) {
+    seconds += static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  }
+  return seconds;
+}
+
+}  // namespace
+
+MachineUse::MachineUse()
+    : begin_(std::chrono::steady_clock::now()), busy_(busy_seconds()), own_(own_seconds()) {
+}
+
+std::optional<double> MachineUse::share_of_others() const {
+  constexpr double kLeastSeconds = 0.5;
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  const std::optional<double> busy = busy_seconds();
+  if (!busy_ || !busy || seconds < kLeastSeconds) {
+    return std::nullopt;
+  }
+  const double others = *busy - *busy_ - (own_seconds() - own_);
+  const double processors = std::max(1U, std::thread::hardware_concurrency());
+  return std::clamp(others / (seconds * processors), 0.0, 1.0);
+}
+
+}  // namespace soms::command
