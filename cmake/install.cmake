@@ -100,7 +100,7 @@ if(NOT CMAKE_CROSSCOMPILING)
     COMMAND soms_command man --quiet --output ${made}
     COMMAND soms_command completion bash > ${made}/soms.bash
     COMMAND soms_command completion fish > ${made}/soms.fish
-    DEPENDS soms_command soms_reproduce_command
+    DEPENDS soms_command $<$<TARGET_EXISTS:soms_reproduce_command>:soms_reproduce_command>
       $<$<TARGET_EXISTS:soms_view_command>:soms_view_command> VERBATIM)
   add_custom_target(soms_manual ALL DEPENDS ${manual})
   add_dependencies(soms_installed soms_manual)

@@ -47,16 +47,20 @@ constexpr std::array kVerbs{
     Verb{"ray", "find what rays, or segments between two points, hit in a model", add_ray},
     Verb{"render", "draw a city, its movers and contacts to a PNG file, without a screen", nullptr,
          pass_to_viewer},
+#if SOMS_WITH_THESIS
     Verb{"reproduce", "rerun the experiments of the thesis: tables, figures and a page", nullptr,
          pass_to_reproduce},
+#endif
     Verb{"robot", "decide in which states a robot touches itself or its cell, and how near it is",
          add_robot},
     Verb{"simulate", "move objects through a city and report what touches what, frame by frame",
          add_simulate},
     Verb{"solid", "decide whether two closed models are clear, touch, cross or contain each other",
          add_solid},
+#if SOMS_WITH_THESIS
     Verb{"thesis", "run the orientation tests of the thesis: counts, times and contacts by frame",
          add_thesis},
+#endif
     Verb{"version", "print the version, the instruction set and the file formats", add_version},
     Verb{"view", "fly through a city and see what touches what, and why", nullptr, pass_to_viewer},
     Verb{"within", "decide whether two models are within a clearance of each other", add_within},
