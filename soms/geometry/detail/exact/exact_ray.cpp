@@ -13,7 +13,7 @@ namespace soms::detail {
 
 namespace {
 
-constexpr double kEndless = std::numeric_limits<double>::infinity();
+constexpr double kEndlessRay = std::numeric_limits<double>::infinity();
 
 /// The exponent of a grid that holds all numbers.
 int unit_of(std::span<const Odd> numbers) {
@@ -87,7 +87,7 @@ Bracket bracket(const RayTime& time) {
   while (compare(time, lower) < 0) {
     lower = std::nextafter(lower, 0.0);
   }
-  for (double upper = lower;; upper = std::nextafter(upper, kEndless)) {
+  for (double upper = lower;; upper = std::nextafter(upper, kEndlessRay)) {
     const std::strong_ordering order = compare(time, upper);
     if (order <= 0) {
       return {order == 0 ? upper : lower, upper};
