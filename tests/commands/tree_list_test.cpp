@@ -42,8 +42,7 @@ TEST_F(TreeList, SetsWhatTheOldOptionsSet) {
 TEST_F(TreeList, AnOldFormSaysWhatItIsNow) {
   const RunResult old = overlap({"--leaf", "1"});
   EXPECT_EQ(old.status, 0);
-  EXPECT_EQ(old.err,
-            "--leaf is now --tree leaf=N; the old form ends with the next release\n");
+  EXPECT_EQ(old.err, "--leaf is now --tree leaf=N; the old form ends with the next release\n");
   EXPECT_EQ(overlap({"--leaf", "1", "--quiet"}).err, "");
 }
 
