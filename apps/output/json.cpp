@@ -1,7 +1,7 @@
 #include "apps/output/json.h"
 
 #include <algorithm>
-#include <iterator>
+#include <memory>
 
 namespace soms::command {
 

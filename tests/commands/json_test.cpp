@@ -1,0 +1,81 @@
+#include "apps/support/json.h"
+
+#include "tests/support/support.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace soms::test {
+namespace {
+
+using command::Json;
+using Other = nlohmann::ordered_json;
+
+std::string text_of(const Other& value) {
+  return value.dump(-1, ' ', false, Other::error_handler_t::replace);
+}
+
+/// The same value in both, by members and by braces.
+template <class Value>
+Value made_of(double number, const std::string& text) {
+  Value value{{"text", text}, {"pair", {text, number}}, {"two", {"a", "b"}}, {"none", nullptr}};
+  value["list"] = Value::array({number, -3, 7U, true, {{"x", number}, {"x", 2}}});
+  value["list"].push_back(Value::array());
+  value["empty"] = Value::object();
+  value["text"] = value["pair"];
+  value.erase("two");
+  return value;
+}
+
+TEST(Json, IsWrittenAsNlohmannWritesIt) {
+  for (const double number :
+       {0.0, -0.0, 1.0, 0.1, 1e-5, 1e15, 1e16, 123456789.125, 5e-324, 1.7976931348623157e308,
+        std::nextafter(0.3, 1.0), std::numeric_limits<double>::infinity(), std::nan("")}) {
+    for (const std::string text : {"", "plain", "\"\\\n\x01", "\xc3\xa9", "\xff\xc3", "\xe2\x82"}) {
+      EXPECT_EQ(command::json_text(made_of<Json>(number, text)),
+                text_of(made_of<Other>(number, text)));
+    }
+  }
+  EXPECT_EQ(command::json_text("\x7f\xc2\x85"), "\"\\u007f\\u0085\"");
+}
+
+TEST(Json, IsReadAsNlohmannReadsIt) {
+  for (const std::string text :
+       {"{\"a\":1,\"b\":[-2,3.5,null,true,{\"c\":\"\xc3\xa9\"}],\"a\":\"again\"}", "[]",
+        "18446744073709551615", " \"x\" "}) {
+    const command::ParsedJson parsed = command::parse_json(text, 8);
+    EXPECT_EQ(parsed.fault, 0U) << text;
+    EXPECT_EQ(command::json_text(parsed.value), text_of(Other::parse(text)));
+  }
+  for (const std::string text : {"", "[1,", "{\"a\" 1}", "[1] 2", "nul", "[\"\x01\"]"}) {
+    std::size_t byte = 0;
+    try {
+      EXPECT_TRUE(Other::parse(text).is_discarded()) << text;
+    } catch (const Other::parse_error& error) {
+      byte = error.byte;
+    }
+    EXPECT_EQ(command::parse_json(text, 8).fault, std::max<std::size_t>(byte, 1)) << text;
+  }
+  EXPECT_EQ(command::parse_json("[1e999]", 8).fault, 1U);
+}
+
+TEST(Json, IsRefusedWhereItIsTooDeep) {
+  EXPECT_FALSE(command::parse_json("[[[1]]]", 3).too_deep);
+  EXPECT_FALSE(command::parse_json("[[[[]]]]", 3).too_deep);
+  EXPECT_TRUE(command::parse_json("[[[[1]]]]", 3).too_deep);
+}
+
+TEST(Json, OfAnotherTypeIsAnError) {
+  const Json value{{"a", 1}};
+  EXPECT_THROW((void)value.at("b"), Json::exception);
+  EXPECT_THROW((void)value.at("a").get<std::string>(), Json::exception);
+  EXPECT_THROW((void)value.at(std::size_t{0}), Json::exception);
+  EXPECT_EQ(value.at("a").get<double>(), 1);
+}
+
+}  // namespace
+}  // namespace soms::test
