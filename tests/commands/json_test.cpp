@@ -1,4 +1,4 @@
-#include "apps/support/json.h"
+#include "apps/output/json.h"
 
 #include "tests/support/support.h"
 

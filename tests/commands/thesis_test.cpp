@@ -378,8 +378,8 @@ TEST_F(Thesis, DrawsChosenFramesBySomsView) {
   const std::string said = read_text(folder.path() / "said");
   EXPECT_EQ(said.find("render"), 0U);
   for (const std::string& words :
-       {knot() + " --mover " + knot(), std::string("--thesis --rule soms --levels 15 --leaf 1"),
-        std::string("--traversal e-node --descent both"), std::string("--test right --frame 48"),
+       {knot() + " --mover " + knot(), std::string("--thesis --tree rule=soms,levels=15,leaf=1,"),
+        std::string("traversal=e-node,descent=both "), std::string("--test right --frame 48"),
         std::string("--trace")}) {
     EXPECT_NE(said.find(words), std::string::npos) << words << "\n" << said;
   }
@@ -395,7 +395,7 @@ TEST_F(Thesis, OpensAWindowBySomsView) {
       0);
   const std::string said = read_text(folder.path() / "said");
   EXPECT_EQ(said.find("view " + knot() + " --mover " + ball()), 0U) << said;
-  for (const char* const words : {"--mover-scale 0.5", "--levels 4", "--test top --run"}) {
+  for (const char* const words : {"--mover-scale 0.5", "levels=4", "--test top --run"}) {
     EXPECT_NE(said.find(words), std::string::npos) << words << "\n" << said;
   }
   // Models that are made are written for it.

@@ -131,8 +131,8 @@ TEST(OverlapVerb, GivesTheSameLinesForAnyThreadsRuleAndTraversal) {
   }
   const RunResult idle = soms_run({"overlap", box(), box(), "--tree", "descent=cross"});
   EXPECT_EQ(idle.status, 2);
-  EXPECT_NE(idle.err.find("--descent has no effect: only E-Node has a descent; leave it out, or "
-                          "also give --traversal e-node or e-node-front"),
+  EXPECT_NE(idle.err.find("--tree descent has no effect: only E-Node has a descent; leave it "
+                          "out, or also give --tree traversal=e-node or e-node-front"),
             std::string::npos)
       << idle.err;
 }

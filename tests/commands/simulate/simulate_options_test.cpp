@@ -62,7 +62,8 @@ TEST_F(SimulateOptions, RefusesADescentOfNothing) {
   const RunResult idle =
       simulate({town(), "--frames", "1", "--count", "1", "--tree", "descent=both"});
   EXPECT_EQ(idle.status, 2);
-  EXPECT_NE(idle.err.find("--descent has no effect: only E-Node has a descent"), std::string::npos)
+  EXPECT_NE(idle.err.find("--tree descent has no effect: only E-Node has a descent"),
+            std::string::npos)
       << idle.err;
 }
 
@@ -75,10 +76,11 @@ TEST_F(SimulateOptions, R119OptionsThatChangeNothingAreRefused) {
     EXPECT_NE(result.err.find(what), std::string::npos) << result.err;
   };
   says({"--tree", "empty-side=stop"},
-       "--empty-side has no effect: the rules fast, quality and quick leave");
+       "--tree empty-side has no effect: the rules fast, quality and quick leave");
   says({"--tree", "rule=soms", "--tree", "root-level=0"},
-       "--root-level has no effect: levels are not limited; leave it out, or also give --levels N");
-  says({"--tree", "traversal=larger", "--tree", "descent=both"}, "--descent has no effect");
+       "--tree root-level has no effect: levels are not limited; leave it out, or also give --tree "
+       "levels=N");
+  says({"--tree", "traversal=larger", "--tree", "descent=both"}, "--tree descent has no effect");
   says({"--route", beside("a.csv"), "--route", beside("a.csv"), "--count", "1"},
        "--count 1 leaves 1 of 2 --route without a mover; give --count 2 or more");
   says({"--mover", town(), "--count", "0"}, "--count 0 leaves 1 of 1 --mover without a mover");
