@@ -207,7 +207,7 @@ std::string Parser::lines_of(std::string_view group) const {
 }
 
 std::string Parser::help() const {
-  std::string text = Built(*this, true).app().help();
+  std::string text = with_keys(Built(*this, true).app().help());
   for (std::size_t at = text.find("\n\n\n"); at != std::string::npos; at = text.find("\n\n\n")) {
     text.erase(at, 1);
   }

@@ -14,7 +14,7 @@ TEST(Completion, CompletesVerbsAndOptionsInBash) {
         .out;
   };
   EXPECT_EQ(complete("soms ove", 1), "overlap\n");
-  EXPECT_EQ(complete("soms overlap --tra", 2), "--traversal\n");
+  EXPECT_EQ(complete("soms overlap --tre", 2), "--tree\n");
   EXPECT_EQ(complete("soms generate --tri", 2), "--triangles\n");
   EXPECT_EQ(complete("soms generate ci", 2), "city\n");
   EXPECT_EQ(complete("soms generate --seed 7 kn", 4), "knot\n");

@@ -12,11 +12,11 @@
 namespace soms::test {
 namespace {
 
-using command::Json;
-using Other = nlohmann::ordered_json;
+using CommandJson = command::Json;
+using OtherJson = nlohmann::ordered_json;
 
-std::string text_of(const Other& value) {
-  return value.dump(-1, ' ', false, Other::error_handler_t::replace);
+std::string text_of(const OtherJson& value) {
+  return value.dump(-1, ' ', false, OtherJson::error_handler_t::replace);
 }
 
 /// The same value in both, by members and by braces.
@@ -36,8 +36,8 @@ TEST(Json, IsWrittenAsNlohmannWritesIt) {
        {0.0, -0.0, 1.0, 0.1, 1e-5, 1e15, 1e16, 123456789.125, 5e-324, 1.7976931348623157e308,
         std::nextafter(0.3, 1.0), std::numeric_limits<double>::infinity(), std::nan("")}) {
     for (const std::string text : {"", "plain", "\"\\\n\x01", "\xc3\xa9", "\xff\xc3", "\xe2\x82"}) {
-      EXPECT_EQ(command::json_text(made_of<Json>(number, text)),
-                text_of(made_of<Other>(number, text)));
+      EXPECT_EQ(command::json_text(made_of<CommandJson>(number, text)),
+                text_of(made_of<OtherJson>(number, text)));
     }
   }
   EXPECT_EQ(command::json_text("\x7f\xc2\x85"), "\"\\u007f\\u0085\"");
@@ -49,13 +49,13 @@ TEST(Json, IsReadAsNlohmannReadsIt) {
         "18446744073709551615", " \"x\" "}) {
     const command::ParsedJson parsed = command::parse_json(text, 8);
     EXPECT_EQ(parsed.fault, 0U) << text;
-    EXPECT_EQ(command::json_text(parsed.value), text_of(Other::parse(text)));
+    EXPECT_EQ(command::json_text(parsed.value), text_of(OtherJson::parse(text)));
   }
   for (const std::string text : {"", "[1,", "{\"a\" 1}", "[1] 2", "nul", "[\"\x01\"]"}) {
     std::size_t byte = 0;
     try {
-      EXPECT_TRUE(Other::parse(text).is_discarded()) << text;
-    } catch (const Other::parse_error& error) {
+      EXPECT_TRUE(OtherJson::parse(text).is_discarded()) << text;
+    } catch (const OtherJson::parse_error& error) {
       byte = error.byte;
     }
     EXPECT_EQ(command::parse_json(text, 8).fault, std::max<std::size_t>(byte, 1)) << text;
@@ -70,10 +70,10 @@ TEST(Json, IsRefusedWhereItIsTooDeep) {
 }
 
 TEST(Json, OfAnotherTypeIsAnError) {
-  const Json value{{"a", 1}};
-  EXPECT_THROW((void)value.at("b"), Json::exception);
-  EXPECT_THROW((void)value.at("a").get<std::string>(), Json::exception);
-  EXPECT_THROW((void)value.at(std::size_t{0}), Json::exception);
+  const CommandJson value{{"a", 1}};
+  EXPECT_THROW((void)value.at("b"), CommandJson::exception);
+  EXPECT_THROW((void)value.at("a").get<std::string>(), CommandJson::exception);
+  EXPECT_THROW((void)value.at(std::size_t{0}), CommandJson::exception);
   EXPECT_EQ(value.at("a").get<double>(), 1);
 }
 

@@ -39,6 +39,7 @@ TEST(Man, HasAPageForEveryVerbWithEveryOptionOfItsHelp) {
   const RunResult made = soms_run({"man", "--output", folder.path().string()});
   ASSERT_EQ(made.status, 0) << made.err;
   const std::vector<std::string> files = files_in(folder.path());
+  std::size_t all = 0;
   for (const std::string& verb : verbs_in(soms_run({"--help"}).out)) {
     if (made.err.find("soms-" + verb + ".1 is not written") != std::string::npos) {
       continue;
@@ -47,11 +48,12 @@ TEST(Man, HasAPageForEveryVerbWithEveryOptionOfItsHelp) {
     const std::string page = with_dashes(read_text(folder.path() / ("soms-" + verb + ".1")));
     EXPECT_EQ(page, with_dashes(soms_run({"man", verb}).out));
     const std::vector<std::string> options = options_in(soms_run({verb, "--help"}).out);
-    EXPECT_GE(options.size(), 7U) << verb;
+    all += options.size();
     for (const std::string& option : options) {
       EXPECT_NE(page.find("\\fB" + option + "\\fR"), std::string::npos) << verb << " " << option;
     }
   }
+  EXPECT_GE(all, 150U);
 }
 
 TEST(Man, TellsOfTheCommandWhatItsHelpTells) {

@@ -75,10 +75,11 @@ TEST(Program, NamesOptionsThatDoNotGoTogether) {
     EXPECT_EQ(result.status, 2) << result.err;
     EXPECT_NE(result.err.find(what), std::string::npos) << result.err;
   };
-  says({"info", box, "--tree", "empty-side=chain"}, "--empty-side chain without --levels");
+  says({"info", box, "--tree", "empty-side=chain"},
+       "--tree empty-side=chain without --tree levels");
   says({"overlap", box, box, "--tree", "traversal=e-node-front", "--tree", "descent=cross"},
-       "--traversal e-node-front does not work with --descent cross; use --descent both or "
-       "--descent larger");
+       "--tree traversal=e-node-front does not work with --tree descent=cross; use --tree "
+       "descent=both or --tree descent=larger");
   says({"man", "overlap", "--output", "/tmp"}, "--output writes all pages");
   says({"info", "-", "-"}, "standard input is given twice");
   says({"info", ""}, "the name of a model is empty");
@@ -97,21 +98,22 @@ TEST(Program, R119OptionsThatWouldBeIgnoredAreRefused) {
   };
   says({"info", box, "--tree", "rule=fast", "--tree", "midpoint=centroid", "--tree",
         "empty-side=stop"},
-       "--midpoint has no effect: the rules fast, quality and quick have builders of their own; "
-       "leave it out, or give another --rule");
+       "--tree midpoint has no effect: the rules fast, quality and quick have builders of their "
+       "own; "
+       "leave it out, or give another --tree rule");
   // Its default, too: whoever gives it means it to matter.
   says({"info", box, "--tree", "rule=quality", "--tree", "midpoint=aabb"},
-       "--midpoint has no effect");
-  says({"overlap", box, box, "--tree", "axis-from=outer"}, "--axis-from has no effect");
+       "--tree midpoint has no effect");
+  says({"overlap", box, box, "--tree", "axis-from=outer"}, "--tree axis-from has no effect");
   says({"overlap", box, box, "--tree", "rule=sah", "--tree", "c-vertex=0"},
-       "--c-vertex has no effect: only the midpoint thesis has a corner C; leave it out, or "
-       "also give --midpoint thesis");
+       "--tree c-vertex has no effect: only the midpoint thesis has a corner C; leave it out, or "
+       "also give --tree midpoint=thesis");
   says({"info", box, "--tree", "root-level=0"},
-       "--root-level has no effect: levels are not limited");
+       "--tree root-level has no effect: levels are not limited");
   says({"info", box, "--no-trees", "--tree", "leaf=4"},
-       "--leaf has no effect: --no-trees builds no trees");
+       "--tree leaf has no effect: --no-trees builds no trees");
   says({"overlap", box, box, "--tree", "traversal=a-first", "--tree", "descent=both"},
-       "--descent has no effect");
+       "--tree descent has no effect");
   says({"overlap", box, box, "--any", "--no-pairs"}, "--no-pairs has no effect");
   says({"overlap", box, box, "--any", "--limit", "3"}, "--limit");
   says({"man", "overlap", "--json"}, "--json has no effect");
@@ -125,9 +127,9 @@ TEST(Program, R119OptionsThatSomeRulesIgnoreAreNoted) {
       soms_run({"info", box, "--tree", "midpoint=thesis", "--tree", "c-vertex=0"});
   EXPECT_EQ(result.status, 0);
   EXPECT_EQ(result.err,
-            "rule fast does not use --midpoint, --c-vertex\n"
-            "rule quality does not use --midpoint, --c-vertex\n"
-            "rule quick does not use --midpoint, --c-vertex\n");
+            "rule fast does not use --tree midpoint, --tree c-vertex\n"
+            "rule quality does not use --tree midpoint, --tree c-vertex\n"
+            "rule quick does not use --tree midpoint, --tree c-vertex\n");
 }
 
 TEST(Program, TakesAnEmptyNameOfAnOutputForAnError) {
@@ -294,7 +296,7 @@ TEST(Program, TakesSizesInEitherCase) {
 TEST(Program, ListsTheWordsOfAChoice) {
   const RunResult rule = soms_run({"overlap", "a", "b", "--tree", "rule=shah"});
   EXPECT_EQ(rule.status, 2);
-  EXPECT_NE(rule.err.find("--rule shah; did you mean sah? choose one of object-median"),
+  EXPECT_NE(rule.err.find("--tree rule shah; did you mean sah? choose one of object-median"),
             std::string::npos)
       << rule.err;
   for (const auto& [given, meant] :

@@ -91,12 +91,12 @@ TEST(Viewer, ShowsTheWorldOfASimulation) {
   EXPECT_EQ(with_viewer(viewer, "$soms simulate --view --count 5").out,
             "view --count 5 --seed 1 --threads 0\n");
   EXPECT_EQ(with_viewer(viewer,
-                        "$soms simulate --view --count 5 --rule soms --leaf 1 --levels 15 "
-                        "--midpoint thesis --traversal e-node --descent both")
+                        "$soms simulate --view --count 5 --tree rule=soms,leaf=1,levels=15 "
+                        "--tree midpoint=thesis --traversal e-node --descent both")
                 .out,
-            "view --rule soms --levels 15 --leaf 1 --midpoint thesis --traversal e-node "
-            "--descent both --count 5 --seed 1 --threads 0\n");
-  EXPECT_EQ(with_viewer(viewer, "$soms simulate --view --descent both").status, 2);
+            "view --tree rule=soms,levels=15,leaf=1,midpoint=thesis,traversal=e-node,"
+            "descent=both --count 5 --seed 1 --threads 0\n");
+  EXPECT_EQ(with_viewer(viewer, "$soms simulate --view --tree descent=both").status, 2);
   for (const char* other :
        {"--json", "--verify", "--map a.svg", "--events a.csv", "--contacts a.csv", "--record a.rec",
         "--picture a.png", "--picture-frame 3", "--fail-if contact"}) {

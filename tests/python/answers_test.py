@@ -123,7 +123,7 @@ class Pickles(unittest.TestCase):
                     self.assertEqual(repr(again), repr(answer))
                     self.assertEqual(pickle.dumps(again, protocol), pickle.dumps(answer, protocol))
                 self.assertEqual(copy.deepcopy(answer), answer)
-        text = "".join(path.read_text(encoding="utf-8") for path in SOURCES.glob("*.cpp"))
+        text = "".join(path.read_text(encoding="utf-8") for path in SOURCES.rglob("*.cpp"))
         bound = set(re.findall(r"AnswerClass<\w+> \w+\(\s*module, \"(\w+)\"", text))
         self.assertGreater(len(bound), 45)
         self.assertEqual(bound, seen)

@@ -1,5 +1,6 @@
 // The orientation tests frame by frame: figures 5.6 to 5.8, and the sides that the thesis has not.
 #include "apps/draw/chart.h"
+#include "apps/draw/look.h"
 #include "thesis/experiments/experiments.h"
 #include "thesis/pictures/side_view.h"
 #include "thesis/run/steps.h"
@@ -252,14 +253,15 @@ void draw_frame(Svg& svg, const SideView& view, const RuleTrip& ride, std::size_
   constexpr std::string_view kMoving =
       "class=\"f4\" fill=\"#e69f00\" fill-opacity=\"0.45\" stroke=\"#5c5f63\" "
       "stroke-width=\"0.25\"";
-  constexpr std::string_view kContact =
-      "fill=\"#d5001c\" fill-opacity=\"0.8\" stroke=\"#d5001c\" stroke-width=\"0.6\"";
+  const std::string contact =
+      fmt::format("fill=\"{0}\" fill-opacity=\"0.8\" stroke=\"{0}\" stroke-width=\"0.6\"",
+                  look::hex(look::kContact.light));
   svg.path(view.facing(mesh, {}), kStill);
   svg.path(view.facing(ride.trip.b.mesh(), offset), kMoving);
   const std::vector<TriangleId> still_ids(still.begin(), still.end());
   const std::vector<TriangleId> moving_ids(moving.begin(), moving.end());
-  svg.path(view.triangles(mesh, still_ids, {}), kContact);
-  svg.path(view.triangles(ride.trip.b.mesh(), moving_ids, offset), kContact);
+  svg.path(view.triangles(mesh, still_ids, {}), contact);
+  svg.path(view.triangles(ride.trip.b.mesh(), moving_ids, offset), contact);
 }
 
 Figure picture(const std::string& id, const RuleTrip& ride, Approach from) {

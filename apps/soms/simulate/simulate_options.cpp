@@ -30,18 +30,17 @@ const char* const kFooter =
     "  soms generate car -o car.ply\n"
     "  soms simulate town.ply --mover car.ply --count 50 --frames 60 --events events.csv";
 
-/// The options of trees and traversals that were given, with their values.
+/// The keys of trees and traversals that were given, with their values.
 std::vector<std::string> words_of_trees(const Parser& parser) {
-  const std::string group = parser.option("--rule")->group();
-  std::vector<std::string> words;
+  const Option* const list = parser.option("--tree");
+  std::string keys;
   for (const Option* const option : parser.options()) {
-    if (option->list() != nullptr && option->group() == group && option->count() > 0) {
-      words.insert(words.end(),
-                   {option->list()->name(),
-                    fmt::format("{}={}", option->name().substr(2), option->results().front())});
+    if (option->list() == list && option->count() > 0) {
+      keys += fmt::format("{}{}={}", keys.empty() ? "" : ",", option->name().substr(2),
+                          option->results().front());
     }
   }
-  return words;
+  return keys.empty() ? std::vector<std::string>() : std::vector<std::string>{"--tree", keys};
 }
 
 }  // namespace

@@ -179,10 +179,10 @@ TEST_F(Render, CountsTheLevelAndTheLeavesAboveIt) {
             std::string::npos)
       << result.out;
   const test::RunResult below = render({ball_, "-o", picture_, "--level", "99"});
-  EXPECT_NE(below.err.find(", or --leaf below 8"), std::string::npos) << below.err;
+  EXPECT_NE(below.err.find(", or --tree leaf below 8"), std::string::npos) << below.err;
   const test::RunResult single =
       render({ball_, "-o", picture_, "--level", "99", "--tree", "leaf=1"});
-  EXPECT_EQ(single.err.find("--leaf"), std::string::npos) << single.err;
+  EXPECT_EQ(single.err.find("leaf below"), std::string::npos) << single.err;
 }
 
 TEST_F(Render, ANamedTraversalHasItsOwnDescent) {
@@ -251,19 +251,19 @@ TEST_F(Render, R119OptionsThatThePictureIgnoresAreRefused) {
   };
 
   const std::vector<Case> cases{
-      {{"--tree", "rule=sah"}, "--rule has no effect without --level or --trace"},
+      {{"--tree", "rule=sah"}, "--tree rule has no effect without --level or --trace"},
       {{"--thesis"}, "--thesis has no effect without --level or --trace"},
-      {{"--tree", "leaf=4"}, "--leaf has no effect without --level or --trace"},
-      {{"--tree", "traversal=larger"}, "--traversal has no effect without --trace"},
-      {{"--level", "2", "--tree", "descent=both"}, "--descent has no effect without --trace"},
+      {{"--tree", "leaf=4"}, "--tree leaf has no effect without --level or --trace"},
+      {{"--tree", "traversal=larger"}, "--tree traversal has no effect without --trace"},
+      {{"--level", "2", "--tree", "descent=both"}, "--tree descent has no effect without --trace"},
       {{"--level", "2", "--tree", "rule=fast", "--tree", "midpoint=centroid"},
-       "--midpoint has no effect"},
+       "--tree midpoint has no effect"},
       {{"--level", "2", "--tree", "c-vertex=1"},
-       "--c-vertex has no effect: only the midpoint thesis"},
+       "--tree c-vertex has no effect: only the midpoint thesis"},
       {{"--mover", ball_, "--trace", "--tree", "traversal=larger", "--tree", "descent=both"},
-       "--descent has no effect: only E-Node has a descent"},
+       "--tree descent has no effect: only E-Node has a descent"},
       {{"--mover", ball_, "--trace", "--tree", "traversal=e-node-front", "--no-prune"},
-       "--no-prune: --traversal e-node-front needs pruning"},
+       "--no-prune: --tree traversal=e-node-front needs pruning"},
       {{"--mover", ball_, "--pose", "3 0 0", "--frame", "7"},
        "--frame 7 has no effect: --pose draws the mover at every pose, in one picture; leave it "
        "out, or give the poses as --route"},
