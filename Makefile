@@ -8,7 +8,7 @@ STRICT = -D CMAKE_COMPILE_WARNING_AS_ERROR=$(WERROR)
 # What ninja says before each file: "[12 of 67 files, 41 s] ".
 export NINJA_STATUS ?= [%f of %t files, %e s] $()
 
-.PHONY: help run build view thesis install python test headers large check wheel asan asan-library asan-python tsan tidy arm64 wasm-configured wasm live wasm-test determinism memcheck endurance packages bare fuzz faults bench format clean
+.PHONY: help run build view thesis install python test long headers large check wheel asan asan-library asan-python tsan tidy arm64 wasm-configured wasm live wasm-test determinism memcheck endurance packages bare fuzz faults bench format clean
 
 help:
 	@echo "make run     install what is missing, build, and run the embedded city (ARGS='--frames 60')"
@@ -18,7 +18,8 @@ help:
 	@echo "             page, tables and PDF go to OUT=soms-thesis (ARGS=--quick: a few minutes)"
 	@echo "make install  install what is missing, build all of soms, and put it into PREFIX=/usr/local"
 	@echo "make python  install what is missing, and leave the wheel of the Python package in build/python"
-	@echo "make test    install what is missing, build, and run every test of the release build"
+	@echo "make test    install what is missing, build, and run the tests of the release build but those that take long"
+	@echo "make long    make test, then those"
 	@echo "             (WERROR=ON, here and below: warnings of the compiler are errors)"
 	@echo "make check   make test, then the suite under ASan+UBSan, the library under TSan, clang-tidy, ARM, WebAssembly,"
 	@echo "             packages, and the README's commands on a bare Debian"
@@ -83,8 +84,13 @@ test:
 	cmake --preset release -D SOMS_BUILD_TESTS=ON -D SOMS_BUILD_PYTHON=ON $(STRICT)
 	cmake --build --preset release -j $(JOBS)
 	@tools/install_web_ifc.sh build/release
-	@echo "Not part of this: the npm package, as building it takes minutes (make wasm-test)"
-	ctest --preset release -j $(JOBS)
+	@echo "Not part of this: tests that take long (make long), and the npm package (make wasm-test)"
+	ctest --preset release -j $(JOBS) -E '$(LONG)'
+
+# The tests that tests/long.txt names, after `make test`.
+LONG = $(shell grep -v '^\#' tests/long.txt | paste -sd '|')
+long: test
+	ctest --preset release -j $(JOBS) -R '$(LONG)'
 
 # The suite once more, every access and every arithmetic step watched.
 asan:
@@ -215,7 +221,7 @@ wheel: test python
 	ctest --preset release -R R99TheWheel
 
 check: WERROR = ON
-check: test headers large wheel asan asan-python tsan tidy arm64 wasm-test determinism memcheck endurance packages bare
+check: test long headers large wheel asan asan-python tsan tidy arm64 wasm-test determinism memcheck endurance packages bare
 
 # Peers that cannot be installed are left out. A quick run: ARGS=--quick; soms-bench --help tells more.
 bench:
