@@ -174,9 +174,6 @@ ParsedWords Parser::parse(const std::vector<std::string>& words) {
   ParsedWords parsed;
   parsed.keys = expanded.keys();
   parsed.remarks = expanded.remarks();
-  if (!parsed.keys.empty()) {
-    return parsed;
-  }
   Built built(*this, false);
   try {
     const std::vector<std::string>& all = expanded.words();
@@ -187,6 +184,9 @@ ParsedWords Parser::parse(const std::vector<std::string>& words) {
     throw mismatch(error, name_ + " --help");
   } catch (const CLI::ParseError& error) {
     parsed.fault = error.what();
+  }
+  if (expanded.fault() && !parsed.wants_help) {
+    throw *expanded.fault();
   }
   built.keep_results();
   parsed.rest = built.app().remaining();

@@ -7,11 +7,20 @@
 #include <array>
 #include <fstream>
 #include <string>
-#include <thread>
 
 namespace soms::command {
 
 namespace {
+
+/// Lines of /proc/stat for one processor each: all of the machine, whichever this program may use.
+int processors_of_machine() {
+  std::ifstream stat("/proc/stat");
+  int count = 0;
+  for (std::string line; std::getline(stat, line);) {
+    count += line.starts_with("cpu") && line.size() > 3 && line[3] != ' ' ? 1 : 0;
+  }
+  return std::max(1, count);
+}
 
 /// Seconds that all processors were busy since the machine started. \source proc(5), /proc/stat.
 std::optional<double> busy_seconds() {
@@ -54,8 +63,7 @@ std::optional<double> MachineUse::share_of_others() const {
     return std::nullopt;
   }
   const double others = *busy - *busy_ - (own_seconds() - own_);
-  const double processors = std::max(1U, std::thread::hardware_concurrency());
-  return std::clamp(others / (seconds * processors), 0.0, 1.0);
+  return std::clamp(others / (seconds * processors_of_machine()), 0.0, 1.0);
 }
 
 }  // namespace soms::command

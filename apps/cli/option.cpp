@@ -39,6 +39,12 @@ Option* Option::description(std::string meaning) {
   return this;
 }
 
+Option* Option::purpose(const std::string& meaning) {
+  const std::size_t list = description_.rfind(": ");
+  description_ = meaning + (list == std::string::npos ? "" : description_.substr(list));
+  return this;
+}
+
 Option* Option::required() {
   required_ = true;
   return this;

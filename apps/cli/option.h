@@ -37,6 +37,8 @@ class Option {
   Option* option_text(std::string text);
   /// What --help says of it.
   Option* description(std::string meaning);
+  /// The same but for the words of which its value is one, which stay.
+  Option* purpose(const std::string& meaning);
   /// The command line must have it.
   Option* required();
   /// It cannot stand beside `other`.

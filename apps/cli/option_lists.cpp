@@ -2,6 +2,7 @@
 
 #include "soms/base/error.h"
 
+#include "apps/cli/parse.h"
 #include "apps/cli/suggest.h"
 
 #include <fmt/format.h>
@@ -29,19 +30,27 @@ bool is_part_of_name(char c) {
   return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
 }
 
-/// The word that begins here, as a value that an option can have: "N", or one of its words.
-std::string_view value_at(const Option& option, std::string_view text) {
-  std::size_t end = 0;
-  while (end < text.size() &&
-         (is_part_of_name(text[end]) || (text[end] >= 'A' && text[end] <= 'Z'))) {
-    ++end;
-  }
-  const std::string_view word = text.substr(0, end);
-  const std::string listed =
-      "|" + option.description().substr(option.description().rfind(' ') + 1) + "|";
+/// True if a value of the option begins here, and no more than that: "N", or one of its words.
+bool begins_with_value(const Option& option, std::string_view text) {
+  const std::string_view word = text.substr(0, text.find_first_of(" ;,.)"));
+  const std::string_view rest = text.substr(word.size());
+  const std::vector<std::string> words = listed_words(option.description());
   const bool fits =
-      word == option.option_text() || listed.find(fmt::format("|{}|", word)) != std::string::npos;
-  return fits ? word : std::string_view();
+      word == option.option_text() || std::find(words.begin(), words.end(), word) != words.end();
+  return fits && (!rest.starts_with(',') || rest.starts_with(", "));
+}
+
+/// True if `name`, which stands here, is a part of another name, or of one of a file.
+bool is_part(std::string_view text, std::size_t at, std::size_t end) {
+  const bool begins = at == 0 || std::string_view(" \n(\"'`").find(text[at - 1]) != text.npos;
+  const bool ends =
+      end == text.size() || !(is_part_of_name(text[end]) || text[end] == '/' || text[end] == '.');
+  return !begins || !ends;
+}
+
+/// "--leaf 4", and nothing else: a fault of the value.
+bool is_word_alone(std::string_view text) {
+  return !text.empty() && text.find_first_of(" ,;") == text.npos;
 }
 
 }  // namespace
@@ -52,6 +61,11 @@ Parser::Expanded::Expanded(const Parser& parser, const std::vector<std::string>&
     if (words[i] == "--") {
       words_.insert(words_.end(), words.begin() + static_cast<std::ptrdiff_t>(i), words.end());
       return;
+    }
+    if (takes_next(words[i]) && i + 1 < words.size()) {
+      add_word(words[i]);
+      words_.push_back(words[++i]);
+      continue;
     }
     const std::string name = words[i].substr(0, words[i].find('='));
     const auto list =
@@ -66,6 +80,16 @@ Parser::Expanded::Expanded(const Parser& parser, const std::vector<std::string>&
       add_list(**list, std::string_view(words[i]).substr(name.size() + 1));
     }
   }
+}
+
+/// True of an option whose value is the next word, whatever that looks like; lists are none.
+bool Parser::Expanded::takes_next(const std::string& word) const {
+  return std::any_of(parser_.options_.begin(), parser_.options_.end(), [&](const auto& option) {
+    const std::vector<std::string> names = option->dashed_names();
+    return (option->takes_ == Takes::one || option->takes_ == Takes::one_each_time) &&
+           parser_.keys_of(option.get()).empty() &&
+           std::find(names.begin(), names.end(), word) != names.end();
+  });
 }
 
 void Parser::Expanded::add_list(const Option& list, std::string_view text) {
@@ -94,16 +118,22 @@ void Parser::Expanded::add_key(const Option& list, std::string_view item) {
       known.push_back(key_name(*one));
     }
     const std::string near = nearest_words(name, known);
-    throw Error(ErrorKind::usage,
-                fmt::format("{}: unknown key {}", list.name(), name.empty() ? "\"\"" : name),
-                near.empty() ? "use " + key_names(keys) : fmt::format("did you mean {}?", near));
+    refuse(Error(ErrorKind::usage,
+                 fmt::format("{}: unknown key {}", list.name(), name.empty() ? "\"\"" : name),
+                 near.empty() ? "use " + key_names(keys) : fmt::format("did you mean {}?", near)));
+  } else if (name.size() == item.size()) {
+    refuse(Error(ErrorKind::usage, fmt::format("{}: {} has no value", list.name(), name),
+                 fmt::format("write {} {}=VALUE ({} help lists the values)", list.name(), name,
+                             list.name())));
+  } else {
+    words_.push_back("--" + std::string(item));
   }
-  if (name.size() == item.size()) {
-    throw Error(ErrorKind::usage, fmt::format("{}: {} has no value", list.name(), name),
-                fmt::format("write {} {}=VALUE ({} help lists the values)", list.name(), name,
-                            list.name()));
+}
+
+void Parser::Expanded::refuse(Error fault) {
+  if (!fault_) {
+    fault_ = std::move(fault);
   }
-  words_.push_back("--" + std::string(item));
 }
 
 void Parser::Expanded::add_word(const std::string& word) {
@@ -141,12 +171,13 @@ std::string Parser::with_keys(std::string text) const {
     const std::string with = fmt::format("{} {}", option->list_->name(), name.substr(2));
     for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at)) {
       const std::size_t end = at + name.size();
-      if (end < text.size() && is_part_of_name(text[end])) {
+      if (is_part(text, at, end)) {
         at = end;
         continue;
       }
+      const std::string_view rest = std::string_view(text).substr(std::min(end + 1, text.size()));
       const bool has_value = end < text.size() && text[end] == ' ' &&
-                             !value_at(*option, std::string_view(text).substr(end + 1)).empty();
+                             ((at == 0 && is_word_alone(rest)) || begins_with_value(*option, rest));
       text.replace(at, name.size() + (has_value ? 1 : 0), has_value ? with + "=" : with);
       at += with.size();
     }

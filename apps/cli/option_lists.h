@@ -2,8 +2,11 @@
 /// Lists of keys with values among the words of a command line.
 #pragma once
 
+#include "soms/base/error.h"
+
 #include "apps/cli/parser.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,7 +16,6 @@ namespace soms::command {
 /// Takes the lists of a parser apart.
 class Parser::Expanded {
  public:
-  /// \errors ErrorKind::usage for an unknown key, and for one without a value.
   Expanded(const Parser& parser, const std::vector<std::string>& words);
 
   /// The words; each key as an option of its own.
@@ -22,18 +24,24 @@ class Parser::Expanded {
   /// About keys that are given as options.
   [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
 
+  /// About an unknown key, or one without a value: the first of them.
+  [[nodiscard]] const std::optional<Error>& fault() const { return fault_; }
+
   /// What `LIST help` asks for; empty if nothing does.
   [[nodiscard]] const std::string& keys() const { return keys_; }
 
  private:
+  [[nodiscard]] bool takes_next(const std::string& word) const;
   void add_list(const Option& list, std::string_view text);
   void add_key(const Option& list, std::string_view item);
   void add_word(const std::string& word);
+  void refuse(Error fault);
   [[nodiscard]] std::string meanings_of(const Option& list) const;
 
   const Parser& parser_;
   std::vector<std::string> words_;
   std::vector<std::string> remarks_;
+  std::optional<Error> fault_;
   std::string keys_;
 };
 

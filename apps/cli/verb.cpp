@@ -13,11 +13,14 @@ ParsedVerb::ParsedVerb(std::string_view program, const Verb& verb)
   add_shared_options(parser_, shared_);
 }
 
-std::vector<OptionWords> ParsedVerb::options() const {
+namespace {
+
+std::vector<OptionWords> words_of(const Parser& parser) {
   std::vector<OptionWords> options;
-  for (const Option* option : parser_.options()) {
+  for (const Option* option : parser.options()) {
     OptionWords words{option->dashed_names(), {}, option->has_value()};
-    if (option->option_text() == kChoiceText) {
+    if (option->option_text() == kChoiceText &&
+        option->description().find('|') != std::string::npos) {
       words.values = listed_words(option->description());
     }
     if (!option->is_argument() && option->list() == nullptr) {
@@ -25,6 +28,20 @@ std::vector<OptionWords> ParsedVerb::options() const {
     }
   }
   return options;
+}
+
+}  // namespace
+
+std::vector<OptionWords> shared_option_words() {
+  Parser parser("", "");
+  Shared values;
+  add_help_option(parser);
+  add_shared_options(parser, values);
+  return words_of(parser);
+}
+
+std::vector<OptionWords> ParsedVerb::options() const {
+  return words_of(parser_);
 }
 
 std::vector<std::string> ParsedVerb::option_names() const {

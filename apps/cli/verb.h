@@ -33,6 +33,9 @@ struct OptionWords {
   bool has_value = false;
 };
 
+/// The shared options as a shell completes them.
+[[nodiscard]] std::vector<OptionWords> shared_option_words();
+
 /// A verb's parser with the values that it fills. The shared options are added after the verb's
 /// own.
 class ParsedVerb {

@@ -296,7 +296,7 @@ TEST(Program, TakesSizesInEitherCase) {
 TEST(Program, ListsTheWordsOfAChoice) {
   const RunResult rule = soms_run({"overlap", "a", "b", "--tree", "rule=shah"});
   EXPECT_EQ(rule.status, 2);
-  EXPECT_NE(rule.err.find("--tree rule shah; did you mean sah? choose one of object-median"),
+  EXPECT_NE(rule.err.find("--tree rule=shah; did you mean sah? choose one of object-median"),
             std::string::npos)
       << rule.err;
   for (const auto& [given, meant] :

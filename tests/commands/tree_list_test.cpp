@@ -58,12 +58,34 @@ TEST_F(TreeList, RefusesWhatIsNoKeyOrHasNoValue) {
   says("", "unknown key \"\"");
   says("rule=soms,", "unknown key \"\"");
   says("leaf", "--tree: leaf has no value; write --tree leaf=VALUE");
-  says("leaf=x", "--tree leaf");
-  says("rule=somes", "--tree rule");
+  says("leaf=x", "--tree leaf=x;");
+  says("rule=somes", "--tree rule=somes; did you mean soms?");
   says("leaf=1,leaf=2", "--tree leaf is given more than once");
   says("empty-side=chain,rule=soms", "--tree empty-side=chain without --tree levels never ends");
   says("midpoint=thesis", "--tree midpoint has no effect");
   EXPECT_NE(overlap({"--tree"}).err.find("--tree needs a value"), std::string::npos);
+}
+
+TEST_F(TreeList, IsNoListWhereItIsTheValueOfAnotherOption) {
+  const TemporaryFolder folder;
+  for (const char* const word : {"--tree", "--tree=help", "--rule"}) {
+    const RunResult result = shell("cd '" + folder.path().string() + "' && $soms overlap '" +
+                                   knot() + "' '" + ball() + "' --csv " + word + " rule=soms");
+    EXPECT_EQ(result.status, 2) << word;
+    EXPECT_NE(result.err.find("unexpected argument rule=soms"), std::string::npos) << result.err;
+  }
+  EXPECT_EQ(files_in(folder.path()), std::vector<std::string>());
+}
+
+TEST_F(TreeList, MessagesLeaveNamesOfFilesAlone) {
+  for (const char* const name : {"d--rule/x.off", "x--rule", "--rule.off"}) {
+    const RunResult result = soms_run({"overlap", "--", name, ball()});
+    EXPECT_NE(result.err.find(name), std::string::npos) << result.err;
+  }
+}
+
+TEST_F(TreeList, HelpWinsOverAFault) {
+  EXPECT_EQ(soms_run({"overlap", "--tree", "foo=1", "--help"}).status, 0);
 }
 
 TEST_F(TreeList, HelpListsTheKeys) {

@@ -198,7 +198,8 @@ TEST(Viewer, CompletesTheOptionsThatItHas) {
   const std::string viewer = write_program(
       folder.path() / "viewer", "printf 'Usage\\n  -o,--output FILE  x\\n  --level N  y\\n'");
   const std::string script = with_viewer(viewer, "$soms completion bash").out;
-  EXPECT_NE(script.find("\"render -\"*) words=\"--output -o --level\""), std::string::npos)
+  EXPECT_NE(script.find("\"render -\"*) words=\"--output -o --level --help -h --json "),
+            std::string::npos)
       << script;
   EXPECT_NE(with_viewer("/nowhere", "$soms completion bash").out.find("\"view -\"*) words=\"\""),
             std::string::npos);

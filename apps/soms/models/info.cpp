@@ -302,7 +302,7 @@ Action add_info(Parser& parser, Shared&) {
   add_allow_empty(parser, options->model);
   add_strict(parser, options->model.strict);
   add_tree_list(parser, options->build);
-  parser.option("--rule")->description("splitting rule (every one)");
+  parser.option("--rule")->purpose("splitting rule (every one)");
   parser.footer(
       "Builds a tree with every splitting rule, or only with that of --tree "
       "rule=NAME.\n\nExample:\n"

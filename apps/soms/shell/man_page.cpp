@@ -202,6 +202,10 @@ Sections sections_of(const std::vector<Lines>& blocks) {
   Sections sections;
   for (const Lines& block : blocks) {
     const bool indented = block.front().starts_with(' ');
+    if (block.front().starts_with("Shared options (")) {
+      sections.options += paragraph(block);
+      continue;
+    }
     if (indented && !sections.example.empty()) {
       sections.example += as_written(block);
     } else if (block.size() > 1 && is_heading(block[0]) && block[1].starts_with(' ')) {

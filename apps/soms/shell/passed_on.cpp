@@ -64,7 +64,7 @@ std::vector<OptionWords> passed_options(const Verb& verb) {
   std::string label;
   std::string meaning;
   const auto end_option = [&] {
-    if (label == kChoiceText) {
+    if (label == kChoiceText && meaning.find('|') != std::string::npos) {
       options.back().values = listed_words(meaning);
     }
     meaning.clear();
@@ -86,6 +86,11 @@ std::vector<OptionWords> passed_options(const Verb& verb) {
       meaning += line.substr(text);
     } else {
       end_option();  // another heading, an empty line, or one of blanks
+    }
+  }
+  if (!options.empty()) {
+    for (OptionWords& shared : shared_option_words()) {  // which the help only names
+      options.push_back(std::move(shared));
     }
   }
   return options;

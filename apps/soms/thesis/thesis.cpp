@@ -94,8 +94,8 @@ void add_trees(Parser& parser, ThesisOptions& options) {
       ->excludes(levels)
       ->group(group);
   // Their words name the defaults of other verbs.
-  parser.option("--midpoint")->description("point that represents a triangle (thesis)");
-  parser.option("--empty-side")->description("action when one side is empty (stop)");
+  parser.option("--midpoint")->purpose("point that represents a triangle (thesis)");
+  parser.option("--empty-side")->purpose("action when one side is empty (stop)");
   add_traversal_options(parser, options.traversal);
 }
 

@@ -53,6 +53,7 @@ Json model_json(const std::string& name, const std::string& title, const Shape& 
           {"title", title},
           {"triangles", shape.mesh().triangles.size()},
           {"nodes", shape.tree()->nodes.size()},
+          {"levels", levels.last},
           {"level", last.level},
           {"level_boxes", last.boxes},
           {"leaves_above", last.leaves_above}};

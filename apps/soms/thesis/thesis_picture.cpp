@@ -85,7 +85,7 @@ class ViewedModels {
   static void add_reading(Words& words, const ThesisFile& file, std::size_t up,
                           const std::string& scale_option, const std::string& up_option) {
     constexpr const char* kAxes[] = {"", "x", "y", "z"};
-    if (file.scale != 1) {
+    if (file.scale_is_given) {
       words.insert(words.end(), {scale_option, fmt::format("{}", file.scale)});
     }
     const char* const own = up == 1 ? "y" : "z";
@@ -182,7 +182,7 @@ int ThesisPictures::draw(const std::vector<ThesisResult>& results, const Console
       const fs::path picture =
           fs::path(options_.picture) /
           fmt::format("{}_{}_{}.png", result.what.trip.moving, result.what.trip.test, frame);
-      Words words{"render", "--quiet", "--trace", "--title", title_of(result, frame)};
+      Words words{"render", "--quiet", "--trace", "--title=" + title_of(result, frame)};
       words.insert(words.end(), files.begin(), files.end());
       words.insert(words.end(), trees.begin(), trees.end());
       add_frame(words, result.what, frame);

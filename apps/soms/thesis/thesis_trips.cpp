@@ -69,7 +69,10 @@ Upright read_upright(const std::string& path, const ModelOptions& options,
                      const std::string& scale_option, const std::string& up_option,
                      const Console& console) {
   Upright model{read_model(path, options, console),
-                {.path = path, .scale = options.scale, .up = options.up},
+                {.path = path,
+                 .scale = options.scale,
+                 .scale_is_given = options.scale_is_given,
+                 .up = options.up},
                 {}};
   model.frame = named_frame(model.mesh, options, scale_option, up_option);
   model.frame.frame.up = UpAxis::z;

@@ -21,6 +21,7 @@ struct ThesisOptions;
 struct ThesisFile {
   std::string path = {};        ///< empty: a model of the thesis, which may have none
   double scale = 1;             ///< of its coordinates
+  bool scale_is_given = false;  ///< 1, too, is the user's word about the unit
   UpAxis up = UpAxis::unknown;  ///< axis of the file that was turned to z; unknown: none was
 };
 
