@@ -5,12 +5,14 @@
 
 #include "soms/base/box.h"
 
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <initializer_list>
 #include <iterator>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -89,7 +91,7 @@ class Json {
            std::holds_alternative<std::int64_t>(value_);
   }
 
-  /// \errors Json::exception for another type.
+  /// \errors Json::exception for another type, and for a number that a whole one cannot hold.
   template <class T>
   [[nodiscard]] T get() const {
     if constexpr (std::same_as<T, std::string>) {
@@ -98,7 +100,7 @@ class Json {
       return truth();
     } else {
       static_assert(std::integral<T> || std::floating_point<T>);
-      return std::visit([](auto number) { return static_cast<T>(number); }, number());
+      return std::visit([](auto number) { return as<T>(number); }, number());
     }
   }
 
@@ -157,6 +159,22 @@ class Json {
  private:
   using Number = std::variant<std::int64_t, std::uint64_t, double>;
   friend class JsonText;
+
+  template <class T, class Given>
+  [[nodiscard]] static T as(Given number) {
+    if constexpr (std::integral<T> && std::floating_point<Given>) {
+      const auto least = static_cast<double>(std::numeric_limits<T>::min());
+      const double beyond = std::ldexp(1.0, std::numeric_limits<T>::digits);
+      if (!(number >= least && number < beyond) || number != std::trunc(number)) {
+        throw exception();
+      }
+    } else if constexpr (std::integral<T>) {
+      if (!std::in_range<T>(number)) {
+        throw exception();
+      }
+    }
+    return static_cast<T>(number);
+  }
 
   explicit Json(Number number) noexcept;
   [[nodiscard]] Number number() const;

@@ -77,5 +77,18 @@ TEST(Json, OfAnotherTypeIsAnError) {
   EXPECT_EQ(value.at("a").get<double>(), 1);
 }
 
+TEST(Json, WholeNumbersAreNotMadeOfOthers) {
+  const auto read = [](const char* text) { return command::parse_json(text, 8).value; };
+  for (const char* const text : {"0.5", "1e300", "-1e300", "18446744073709551616", "-1"}) {
+    EXPECT_THROW((void)read(text).get<std::uint64_t>(), CommandJson::exception) << text;
+  }
+  EXPECT_EQ(read("1e3").get<std::uint64_t>(), 1000U);
+  EXPECT_EQ(read("18446744073709551615").get<std::uint64_t>(), ~std::uint64_t{0});
+  EXPECT_THROW((void)read("2147483648").get<int>(), CommandJson::exception);
+  EXPECT_EQ(read("-2147483648").get<int>(), std::numeric_limits<int>::min());
+  EXPECT_EQ(read("-9223372036854775808").get<std::int64_t>(),
+            std::numeric_limits<std::int64_t>::min());
+}
+
 }  // namespace
 }  // namespace soms::test

@@ -128,7 +128,7 @@ std::optional<DecidedClashes> block_of(std::string_view line, const ClashModels&
     return std::nullopt;
   }
   const Json block = parse_json(line.substr(at + 1), kDeepestBlock).value;
-  if (!block.is_object()) {
+  if (!block.is_object() || !block.contains("clashes") || !block["clashes"].is_array()) {
     return std::nullopt;
   }
   try {
