@@ -94,7 +94,7 @@ bool Parser::Expanded::takes_next(const std::string& word) const {
 
 void Parser::Expanded::add_list(const Option& list, std::string_view text) {
   if (text == "help") {
-    keys_ = meanings_of(list);
+    keys_ = parser_.keys();
     return;
   }
   for (;;) {
@@ -148,9 +148,15 @@ void Parser::Expanded::add_word(const std::string& word) {
   }
 }
 
-std::string Parser::Expanded::meanings_of(const Option& list) const {
-  std::string text = fmt::format("Keys of {}:\n", list.name());
-  for (const Option* const key : parser_.keys_of(&list)) {
+std::string Parser::keys() const {
+  const auto list = std::find_if(options_.begin(), options_.end(), [&](const auto& option) {
+    return !keys_of(option.get()).empty();
+  });
+  if (list == options_.end()) {
+    return {};
+  }
+  std::string text = fmt::format("Keys of {}:\n", (*list)->name());
+  for (const Option* const key : keys_of(list->get())) {
     std::string meaning = key->description();
     for (std::size_t at = meaning.find('\n'); at != std::string::npos;
          at = meaning.find('\n', at)) {
@@ -159,7 +165,7 @@ std::string Parser::Expanded::meanings_of(const Option& list) const {
     }
     text += fmt::format("  {:<25}{}\n", key_name(*key) + "=" + key->option_text(), meaning);
   }
-  return parser_.with_keys(text);
+  return with_keys(text);
 }
 
 std::string Parser::with_keys(std::string text) const {

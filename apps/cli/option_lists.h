@@ -36,7 +36,6 @@ class Parser::Expanded {
   void add_key(const Option& list, std::string_view item);
   void add_word(const std::string& word);
   void refuse(Error fault);
-  [[nodiscard]] std::string meanings_of(const Option& list) const;
 
   const Parser& parser_;
   std::vector<std::string> words_;

@@ -93,6 +93,9 @@ class Parser {
   /// The text of --help: without the shared options, which it only names.
   [[nodiscard]] std::string help() const;
 
+  /// "Keys of --tree:" and their meanings; empty if no option is a list.
+  [[nodiscard]] std::string keys() const;
+
   /// Names and meanings of the options under a heading, a line each.
   [[nodiscard]] std::string lines_of(std::string_view group) const;
 

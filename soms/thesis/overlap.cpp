@@ -17,9 +17,7 @@ std::vector<CountedOverlap> answers_of(const OverlapBatch& batch) {
   std::vector<CountedOverlap> answers;
   answers.reserve(batch.size());
   for (std::size_t k = 0; k < batch.size(); ++k) {
-    const auto pairs = batch.pairs_of(k);
-    answers.push_back(
-        {{batch.any[k] != 0, {pairs.begin(), pairs.end()}, batch.coverage[k], batch.costs[k]}, {}});
+    answers.push_back({batch.at(k), {}});
   }
   return answers;
 }

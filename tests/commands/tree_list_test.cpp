@@ -98,6 +98,13 @@ TEST_F(TreeList, HelpListsTheKeys) {
   EXPECT_EQ(soms_run({"closest", "--tree", "help"}).out.find("traversal="), std::string::npos);
 }
 
+TEST_F(TreeList, ManPagesListTheKeys) {
+  const std::string page = soms_run({"man", "overlap"}).out;
+  EXPECT_NE(page.find(".SH KEYS OF \\-\\-TREE\n"), std::string::npos) << page;
+  EXPECT_NE(page.find("rule=NAME"), std::string::npos);
+  EXPECT_EQ(soms_run({"man", "convert"}).out.find("KEYS OF"), std::string::npos);
+}
+
 TEST(HelpOfQueries, HasAtMostTwentyOptions) {
   const std::regex option("\n  -[^\n]*");
   for (const char* const verb : {"overlap", "closest", "distance", "within", "contains", "ray"}) {

@@ -28,9 +28,9 @@ namespace soms::command {
 namespace {
 
 /// Which triangles overlap, pose by pose.
-class OverlapRun : public PoseRun {
+class OverlapPoses : public PoseRun {
  public:
-  OverlapRun(const OverlapVerbOptions& options, OverlapOutput& output, Console& console)
+  OverlapPoses(const OverlapVerbOptions& options, OverlapOutput& output, Console& console)
       : PoseRun(options,
                 {.verb = "overlap",
                  .fail_if_found = !options.fail_if.empty(),
@@ -54,15 +54,26 @@ class OverlapRun : public PoseRun {
   void reserve(std::size_t rows) override { answers_.assign(rows, {}); }
 
   void ask(std::size_t k, const Body& a, const Body& b, const Parallel& parallel) override {
-    answers_[k] = thesis::overlap(a, b, traversal_, query_, parallel);
+    if (names_traversal()) {
+      answers_[k] = thesis::overlap(a, b, traversal_, query_, parallel);
+    } else {
+      answers_[k].answer = soms::overlap(a, b, query_, parallel);
+    }
   }
 
   void ask(std::size_t begin, const Shape& a, std::span<const Pose> poses, const Body& b,
            const Parallel& parallel) override {
-    std::vector<thesis::CountedOverlap> answers =
-        thesis::overlap(a, poses, b, traversal_, query_, parallel);
-    std::move(answers.begin(), answers.end(),
-              answers_.begin() + static_cast<std::ptrdiff_t>(begin));
+    if (names_traversal()) {
+      std::vector<thesis::CountedOverlap> answers =
+          thesis::overlap(a, poses, b, traversal_, query_, parallel);
+      std::move(answers.begin(), answers.end(),
+                answers_.begin() + static_cast<std::ptrdiff_t>(begin));
+      return;
+    }
+    const OverlapBatch batch = soms::overlap(a, poses, b, query_, parallel);
+    for (std::size_t k = 0; k < batch.size(); ++k) {
+      answers_[begin + k].answer = batch.at(k);
+    }
   }
 
   [[nodiscard]] std::uint64_t held() const override {
@@ -98,6 +109,8 @@ class OverlapRun : public PoseRun {
   void print_totals() override { command::print_totals(report_, totals(), console()); }
 
   void finish_outputs() override { output_.finish(totals()); }
+
+  [[nodiscard]] bool names_traversal() const { return traversal_.traversal != Traversal::fast; }
 
   OverlapOptions query_;
   TraversalOptions traversal_;
@@ -221,7 +234,7 @@ int run_overlap(const OverlapVerbOptions& options, Console& console) {
   check_extension("--csv", options.csv, {".csv"});
   check_extension("--binary", options.binary, {".npz"});
   OverlapOutput output(options);
-  return OverlapRun(options, output, console).run();
+  return OverlapPoses(options, output, console).run();
 }
 
 }  // namespace soms::command

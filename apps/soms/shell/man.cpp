@@ -26,10 +26,16 @@ std::string page_of_command() {
   return roff(page);
 }
 
+/// The help, and the keys of its list, if it has one.
+std::string help_with_keys(const Verb& verb) {
+  const ParsedVerb parsed("soms", verb);
+  const std::string keys = parsed.parser().keys();
+  return keys.empty() ? parsed.help() : parsed.help() + "\n" + keys;
+}
+
 /// Empty for a verb of another program that is missing.
 std::string page_of(const Verb& verb) {
-  const std::string help =
-      verb.pass_on != nullptr ? passed_help(verb) : ParsedVerb("soms", verb).help();
+  const std::string help = verb.pass_on != nullptr ? passed_help(verb) : help_with_keys(verb);
   return help.empty() ? help
                       : roff({.name = fmt::format("soms-{}", verb.name),
                               .version = SOMS_VERSION,
