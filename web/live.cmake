@@ -3,7 +3,7 @@
 
 # What overlap and distance do without.
 set(other_queries "/(parity|ray|reference|solid|winding)/|/print|/query/(closest|contains|contains_parts|near_triangles|ray|\
-signed_closest|solid|winding|within)\\.cpp|/detail/(closed_surface|closed_unions|connected_parts|exact_ray|odd_edges|part_groups|point_goal|point_query|\
+signed_closest|solid|winding|within)\\.cpp|/detail/(exact/|parts/)?(closed_surface|closed_unions|connected_parts|exact_ray|odd_edges|part_groups|point_goal|point_query|\
 point_traversal|ray_plane)\\.cpp|/(bodies_of|closedness|defects|refit|statistics)\\.cpp")
 soms_web_library(soms_tiny TINY base geometry tree query)
 add_executable(soms_live bridge/answer.cpp bridge/crossings.cpp bridge/failure.cpp bridge/fast_alone.cpp bridge/meshes.cpp bridge/pairs.cpp
