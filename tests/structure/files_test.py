@@ -16,7 +16,17 @@ def listed(cmake):
     return set(re.findall(r"[\w./-]+\.(?:h|cpp)\b", text))
 
 
+def unknown_small_files(root):
+    """Files that web/CMakeLists.txt names, to be compiled for size, and that are not there."""
+    text = (root / "web/CMakeLists.txt").read_text(encoding="utf-8")
+    sources = [f"/{f.relative_to(root)}" for f in (root / "soms").rglob("*.cpp")]
+    for name in re.search(r"set\(small_files ([^)]*)\)", text).group(1).split():
+        if not any(source.endswith(f"/{name}.cpp") for source in sources):
+            yield f"web/CMakeLists.txt names {name}.cpp, which is not there"
+
+
 def faults(root):
+    yield from unknown_small_files(root)
     for cmake in sorted([*root.glob("soms/*/files.cmake"), *root.glob("apps/**/files.cmake"),
                          *root.glob("thesis/**/files.cmake"), root / "python/files.cmake"]):
         room = cmake.parent
