@@ -41,7 +41,7 @@ class HelpText : public CLI::Formatter {
   }
 };
 
-/// The library's words for an option with too many values, or with none, in ours.
+/// CLI11's error about an option with too many values, or with none, as an error of ours.
 Error mismatch(const CLI::ArgumentMismatch& error, const std::string& help) {
   const std::string_view text = error.what();
   const std::string option(text.substr(0, text.find(':')));
@@ -191,19 +191,6 @@ ParsedWords Parser::parse(const std::vector<std::string>& words) {
   built.keep_results();
   parsed.rest = built.app().remaining();
   return parsed;
-}
-
-std::string Parser::lines_of(std::string_view group) const {
-  std::string lines;
-  for (const auto& option : options_) {
-    if (option->group_ == group) {
-      const std::string names =
-          option->names_ + (option->option_text_.empty() ? "" : " ") + option->option_text_;
-      lines += "  " + names + std::string(names.size() < 26 ? 26 - names.size() : 1, ' ') +
-               option->description_ + "\n";
-    }
-  }
-  return lines;
 }
 
 std::string Parser::help() const {

@@ -1,10 +1,10 @@
 #include "apps/cli/machine_use.h"
 
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <ctime>
 #include <fstream>
 #include <string>
 
@@ -38,14 +38,9 @@ std::optional<double> busy_seconds() {
   return busy / static_cast<double>(::sysconf(_SC_CLK_TCK));
 }
 
+/// Processor time of this process, with all its threads.
 double own_seconds() {
-  rusage usage{};
-  ::getrusage(RUSAGE_SELF, &usage);
-  double seconds = 0;
-  for (const timeval& time : {usage.ru_utime, usage.ru_stime}) {
-    seconds += static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-  }
-  return seconds;
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
 }  // namespace

@@ -114,6 +114,19 @@ std::vector<const Option*> Parser::keys_of(const Option* list) const {
   return keys;
 }
 
+std::string Parser::lines_of(std::string_view group) const {
+  std::string lines;
+  for (const auto& option : options_) {
+    if (option->group_ == group) {
+      const std::string names =
+          option->names_ + (option->option_text_.empty() ? "" : " ") + option->option_text_;
+      lines += "  " + names + std::string(names.size() < 26 ? 26 - names.size() : 1, ' ') +
+               option->description_ + "\n";
+    }
+  }
+  return lines;
+}
+
 void Parser::remove_option(const Option* option) {
   std::erase_if(options_, [&](const auto& own) { return own.get() == option; });
 }

@@ -1,5 +1,5 @@
 /// \file
-/// JSON as a value and as text. Light to include: only json.cpp sees nlohmann/json, which reads
+/// JSON as a value and as text. Light to include: only json_text.cpp sees nlohmann/json, which reads
 /// text and writes numbers (docs/decisions/0086).
 #pragma once
 

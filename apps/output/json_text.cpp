@@ -1,4 +1,4 @@
-// The one source of the programs that sees nlohmann/json.
+// The one source of what programs share that sees nlohmann/json.
 #include "apps/output/json.h"
 
 #include <fmt/format.h>

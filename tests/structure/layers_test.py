@@ -81,6 +81,9 @@ ABOVE = {
     "python": {"apps/report"},
     "web": set(),
 }
+# Headers that take seconds to compile, and the sources above the library that alone see them (docs/decisions/0086).
+ALONE = {"CLI/": {"apps/cli/cli11.cpp"},
+         "nlohmann/": {"apps/output/json_text.cpp", "apps/report/script_text.cpp", "thesis/run/manifest.cpp"}}
 ANYBODY = {"apps/draw/look.h"}  # colors alone, which all pages and pictures share
 VIEW_ROOMS = ["drawing", "scene", "control", "window", "verbs"]  # the lowest first
 FOREIGN = re.compile(r"^(GL/|GLFW|epoxy|imgui|CLI/)")
@@ -143,6 +146,9 @@ def breaches_above(root):
                 yield f"{inside} includes {name}"
             elif room and not room.startswith("apps/view") and re.match(r"^(GL/|GLFW|epoxy|EGL|imgui|glm/)", name):
                 yield f"{inside} includes {name}"
+            for costly, sources in ALONE.items():
+                if name.startswith(costly) and inside not in sources:
+                    yield f"{inside} includes {name}, which only {' and '.join(sorted(sources))} may"
             if inside in ANYBODY and name.startswith(("soms/", "apps/")):
                 yield f"{inside} includes {name}, and everybody sees it"
             other = room_above(name)
