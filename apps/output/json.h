@@ -1,6 +1,6 @@
 /// \file
-/// JSON as a value and as text. Light to include: only json_text.cpp sees nlohmann/json, which reads
-/// text and writes numbers (docs/decisions/0086).
+/// JSON as a value and as text. Light to include: only json_text.cpp sees nlohmann/json, which
+/// reads text and writes numbers (docs/decisions/0086).
 #pragma once
 
 #include "soms/base/box.h"
