@@ -76,6 +76,7 @@
 #include "soms/scene/scene.h"
 #include "soms/scene/scene_query.h"
 #include "soms/scene/step_report.h"
+#include "soms/store/tree_file.h"
 #include "soms/tree/build.h"
 #include "soms/tree/print.h"
 #include "soms/tree/refit.h"

@@ -24,7 +24,7 @@ constexpr double kBelowGround = 0.05;
 constexpr double kStep = 2.5;
 
 /// Kinds of surface of all triangles; a part within a part overrides it.
-std::vector<Surface> surfaces_of(const Mesh& mesh) {
+std::vector<Surface> surfaces_of(const MeshView& mesh) {
   std::vector<Surface> surfaces(mesh.triangles.size(), Surface::building);
   for (const Part& part : mesh.parts) {
     const Surface surface = surface_named(part.name);
@@ -91,7 +91,7 @@ HeightGrid::HeightGrid(const Box& area, std::size_t cells) {
   tile_rows_ = count(extent.y, tile_);
 }
 
-void HeightGrid::add(const Mesh& mesh, const Parallel& parallel) {
+void HeightGrid::add(const MeshView& mesh, const Parallel& parallel) {
   constexpr std::size_t kCellsBetweenAsks = 1U << 20U;
   const std::vector<Surface> surfaces = surfaces_of(mesh);
   std::size_t cells = 0;

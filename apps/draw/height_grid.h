@@ -30,7 +30,7 @@ class HeightGrid {
   HeightGrid(const Box& area, std::size_t cells);
 
   /// \errors ErrorKind::cancelled.
-  void add(const Mesh& mesh, const Parallel& parallel = {});
+  void add(const MeshView& mesh, const Parallel& parallel = {});
 
   /// Estimates the ground below every cell from the lowest vertices around it. Call it once, after
   /// the last `add`. \errors ErrorKind::cancelled.

@@ -5,6 +5,8 @@ set(SOMS_MODEL_FILES
   georeference.h
   models.cpp
   models.h
+  shapes.cpp
+  shapes.h
   stated_options.cpp
   stated_options.h
   up_guess.cpp

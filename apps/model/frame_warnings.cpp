@@ -261,7 +261,7 @@ void append_georeferences(std::vector<FrameWarning>& all, std::vector<NamedFrame
 
 }  // namespace
 
-NamedFrame named_frame(const Mesh& mesh, const ModelOptions& options,
+NamedFrame named_frame(const MeshView& mesh, const ModelOptions& options,
                        const std::string& scale_option, const std::string& up_option) {
   NamedFrame model{.file = printable(mesh.source),
                    .frame = frame_of(mesh),

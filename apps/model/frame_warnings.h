@@ -28,7 +28,7 @@ struct NamedFrame {
 };
 
 /// The frame of a model as it was read by `options`.
-[[nodiscard]] NamedFrame named_frame(const Mesh& mesh, const ModelOptions& options,
+[[nodiscard]] NamedFrame named_frame(const MeshView& mesh, const ModelOptions& options,
                                      const std::string& scale_option, const std::string& up_option);
 
 /// One reason why "no overlap" may not mean "free".

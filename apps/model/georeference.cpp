@@ -25,10 +25,10 @@ Json map_conversion_json(const MapConversion& map) {
 
 }  // namespace
 
-Georeference georeference_of(std::span<const Mesh* const> meshes) {
+Georeference georeference_of(std::span<const MeshView> meshes) {
   const auto found = std::find_if(meshes.begin(), meshes.end(),
-                                  [](const Mesh* mesh) { return !mesh->georeference.empty(); });
-  return found == meshes.end() ? Georeference{} : (*found)->georeference;
+                                  [](const MeshView& mesh) { return !mesh.georeference.empty(); });
+  return found == meshes.end() ? Georeference{} : found->georeference;
 }
 
 Json georeference_json(const Georeference& georeference) {

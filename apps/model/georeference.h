@@ -15,7 +15,7 @@ namespace soms::command {
 
 /// That of the first mesh that has one: the coordinates of an answer are those of its models, and a
 /// warning says where these differ.
-[[nodiscard]] Georeference georeference_of(std::span<const Mesh* const> meshes);
+[[nodiscard]] Georeference georeference_of(std::span<const MeshView> meshes);
 
 /// `{"crs":"EPSG:25833","vertical_datum":null,"map_conversion":{"eastings":...}}`; null where
 /// nothing is stated.

@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 #include "soms/io/crs.h"
 #include "soms/io/read_mesh.h"
+#include "soms/store/tree_file.h"
 #include "soms/thesis/traversals.h"
 #include "soms/tree/rule/rules.h"
 
@@ -329,6 +330,27 @@ void state_georeference(Mesh& mesh, const ModelOptions& options) {
 
 }  // namespace
 
+void check_statements(const MeshView& mesh, const ModelOptions& options, const std::string& path,
+                      const Console& console) {
+  if (options.lod || options.surfaces) {
+    throw Error(ErrorKind::usage, printable(path) + ": a tree file has no levels of detail",
+                "leave --lod and --surfaces out; soms build takes them");
+  }
+  if (mesh.triangles.empty() && !options.allow_empty) {
+    throw Error(ErrorKind::empty_mesh, printable(path) + ": no triangles",
+                options.offers_empty ? "give --allow-empty to accept that" : "give another model");
+  }
+  if (options.strict && !mesh.notes.empty()) {
+    throw Error(ErrorKind::bad_file, printable(path) + ": " + printable(mesh.notes.front()),
+                "correct the model, and build the file again: soms build --strict");
+  }
+  if (!options.lists_notes) {
+    for (const std::string& note : notes_of({&mesh, 1})) {
+      console.note(note);
+    }
+  }
+}
+
 Mesh read_model(const std::string& path, const ModelOptions& options, const Console& console) {
   if (path.empty()) {
     throw Error(ErrorKind::usage, "the name of a model is empty", "give the name of a file");
@@ -338,17 +360,24 @@ Mesh read_model(const std::string& path, const ModelOptions& options, const Cons
                          .strict = options.strict,
                          .lod = options.lod,
                          .surfaces = options.surfaces};
+  const bool is_tree = is_tree_file(path);
   Mesh mesh = console.run("reading " + printable(path), [&](const Parallel& parallel) {
     try {
+      if (is_tree) {
+        return Mesh(open_shape(path, {}, parallel).mesh());
+      }
       return path == "-" ? read_standard_input(read, parallel) : read_mesh(path, read, parallel);
     } catch (const Error& error) {
       throw in_words_of_options(error, path, options, console.shared());
     }
   });
+  if (is_tree) {
+    check_statements(mesh, options, path, console);
+  }
   note_axis(mesh, options, path);
   note_georeference(mesh, options, path);
-  if (!options.lists_notes) {
-    const Mesh* const one = &mesh;
+  if (!options.lists_notes && !is_tree) {
+    const MeshView one = mesh;
     for (const std::string& note : notes_of({&one, 1})) {
       console.note(note);
     }
@@ -360,11 +389,11 @@ Mesh read_model(const std::string& path, const ModelOptions& options, const Cons
   return mesh;
 }
 
-std::vector<std::string> notes_of(std::span<const Mesh* const> meshes) {
+std::vector<std::string> notes_of(std::span<const MeshView> meshes) {
   std::vector<std::string> notes;
-  for (const Mesh* mesh : meshes) {
-    for (const std::string& note : mesh->notes) {
-      const std::string line = mesh->source + ": " + note;
+  for (const MeshView& mesh : meshes) {
+    for (const std::string& note : mesh.notes) {
+      const std::string line = mesh.source + ": " + note;
       if (std::find(notes.begin(), notes.end(), line) == notes.end()) {
         notes.push_back(line);
       }
@@ -379,11 +408,11 @@ Shape build_shape(Mesh mesh, const ShapeOptions& options, const Console& console
       doing, [&](const Parallel& parallel) { return Shape(std::move(mesh), options, parallel); });
 }
 
-std::string part_name(const Mesh& mesh, TriangleId i) {
+std::string part_name(const MeshView& mesh, TriangleId i) {
   return part_named(mesh, part_of(mesh, i));
 }
 
-std::string part_named(const Mesh& mesh, std::uint32_t part) {
+std::string part_named(const MeshView& mesh, std::uint32_t part) {
   return part == Part::kNoParent ? std::string() : mesh.parts[part].name;
 }
 

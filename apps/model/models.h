@@ -82,8 +82,13 @@ void check_traversal(const Parser& parser, const TraversalOptions& options);
 [[nodiscard]] Mesh read_model(const std::string& path, const ModelOptions& options,
                               const Console& console);
 
+/// What `read_model` says of a mesh that was not read: the limits of a verb, and notes.
+/// \errors ErrorKind::empty_mesh, usage; with --strict bad_file for a note.
+void check_statements(const MeshView& mesh, const ModelOptions& options, const std::string& path,
+                      const Console& console);
+
 /// What reading left out of the meshes or did not apply, "FILE: NOTE", each once.
-[[nodiscard]] std::vector<std::string> notes_of(std::span<const Mesh* const> meshes);
+[[nodiscard]] std::vector<std::string> notes_of(std::span<const MeshView> meshes);
 
 /// Builds a shape with a progress bar.
 /// \errors As `Shape`; ErrorKind::timed_out.
@@ -91,9 +96,9 @@ void check_traversal(const Parser& parser, const TraversalOptions& options);
 
 /// The part that triangle `i` belongs to, as the file calls it; empty where it names none.
 /// \cost O(p) for p parts; PartsOf with `part_named` is for many triangles.
-[[nodiscard]] std::string part_name(const Mesh& mesh, TriangleId i);
+[[nodiscard]] std::string part_name(const MeshView& mesh, TriangleId i);
 
 /// The name of a part as the file calls it; empty where it has none, and for Part::kNoParent.
-[[nodiscard]] std::string part_named(const Mesh& mesh, std::uint32_t part);
+[[nodiscard]] std::string part_named(const MeshView& mesh, std::uint32_t part);
 
 }  // namespace soms::command

@@ -33,7 +33,7 @@ double plan_area(const Box& box, std::size_t axis) {
   return extent[(axis + 1) % 3] * extent[(axis + 2) % 3];
 }
 
-Ends ends_along(const Mesh& mesh, const Box& whole, std::size_t axis) {
+Ends ends_along(const MeshView& mesh, const Box& whole, std::size_t axis) {
   constexpr double kEnd = 0.05;  // of the extent
   const double plan = plan_area(whole, axis);
   if (!(plan > 0)) {
@@ -61,7 +61,7 @@ Ends ends_along(const Mesh& mesh, const Box& whole, std::size_t axis) {
 
 }  // namespace
 
-bool looks_y_up(const Mesh& mesh) {
+bool looks_y_up(const MeshView& mesh) {
   constexpr double kClearly = 0.1;
   const Box whole = bounds(mesh);
   if (mesh.triangles.empty()) {

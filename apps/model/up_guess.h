@@ -11,6 +11,6 @@ namespace soms::command {
 /// that the corners within 5 % of either end span. Unsure models, and those that lie flat on z, do
 /// not look so. A guess is good enough to draw by; answers must not depend on it. \cost
 /// O(triangles).
-[[nodiscard]] bool looks_y_up(const Mesh& mesh);
+[[nodiscard]] bool looks_y_up(const MeshView& mesh);
 
 }  // namespace soms::command

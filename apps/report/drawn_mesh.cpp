@@ -120,7 +120,7 @@ class Near {
 /// Draws one mesh.
 class Drawer {
  public:
-  Drawer(const Mesh& mesh, double scale) : mesh_(mesh) {
+  Drawer(const MeshView& mesh, double scale) : mesh_(mesh) {
     const Box box = bounds(mesh);
     drawn_.scale = scale;
     drawn_.all = mesh.triangles.size();
@@ -325,7 +325,7 @@ class Drawer {
     }
   }
 
-  const Mesh& mesh_;
+  MeshView mesh_;
   DrawnMesh drawn_;
   Vec3 extent_;
   std::vector<Corner> corners_;
@@ -337,7 +337,8 @@ class Drawer {
 
 }  // namespace
 
-DrawnMesh drawn(const Mesh& mesh, double scale, const DrawLimits& limits, const Detail& detail) {
+DrawnMesh drawn(const MeshView& mesh, double scale, const DrawLimits& limits,
+                const Detail& detail) {
   return Drawer(mesh, scale).draw(limits, detail);
 }
 

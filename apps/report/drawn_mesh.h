@@ -40,7 +40,7 @@ struct DrawnMesh {
 /// out. Triangles near `detail` stay as they are as long as they take at most half of the limit.
 /// The same bytes for the same input. `scale` is a power of two.
 /// \pre `mesh` is checked.
-[[nodiscard]] DrawnMesh drawn(const Mesh& mesh, double scale, const DrawLimits& limits,
+[[nodiscard]] DrawnMesh drawn(const MeshView& mesh, double scale, const DrawLimits& limits,
                               const Detail& detail = {});
 
 }  // namespace soms::report

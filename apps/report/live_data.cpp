@@ -27,13 +27,13 @@ bool is_float(double value) {
   return double{narrow} == value;
 }
 
-bool all_floats(const Mesh& mesh) {
+bool all_floats(const MeshView& mesh) {
   return std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [](const Vec3& at) {
     return is_float(at.x) && is_float(at.y) && is_float(at.z);
   });
 }
 
-void put_exact(Base64Writer& data, const Mesh& mesh, bool floats) {
+void put_exact(Base64Writer& data, const MeshView& mesh, bool floats) {
   constexpr std::uint64_t kNew = ~std::uint64_t{0};
   std::vector<std::uint64_t> number(mesh.vertices.size(), kNew);
   std::uint64_t count = 0;
@@ -71,7 +71,7 @@ std::vector<ExactMesh> models_within(const Scene& scene, std::span<const std::ui
   }
   std::uint64_t bytes = 0;
   for (std::size_t k = 0; k < scene.models.size(); ++k) {
-    const Mesh& mesh = used[k] ? *scene.models[k].mesh : kNone;
+    const MeshView& mesh = used[k] ? scene.models[k].mesh : kNone;
     // At least a byte a corner: large models need not be counted.
     if (bytes + 3 * mesh.triangles.size() > room) {
       return {};
@@ -84,7 +84,7 @@ std::vector<ExactMesh> models_within(const Scene& scene, std::span<const std::ui
 
 }  // namespace
 
-ExactMesh::ExactMesh(const Mesh& mesh) : mesh_(mesh), floats_(all_floats(mesh)) {
+ExactMesh::ExactMesh(const MeshView& mesh) : mesh_(mesh), floats_(all_floats(mesh)) {
 }
 
 std::uint64_t ExactMesh::bytes() const {

@@ -20,7 +20,7 @@ namespace soms::report {
 /// doubles. Vertices that no triangle has are left out.
 class ExactMesh {
  public:
-  explicit ExactMesh(const Mesh& mesh);
+  explicit ExactMesh(const MeshView& mesh);
 
   [[nodiscard]] bool has_floats() const { return floats_; }
 
@@ -31,7 +31,7 @@ class ExactMesh {
   void write(std::ostream& out, const std::string& id) const;
 
  private:
-  const Mesh& mesh_;
+  MeshView mesh_;
   bool floats_;
 };
 

@@ -51,7 +51,7 @@ PartsData::PartsData(std::span<const PagePart> parts, const SceneLimits& limits)
 void PartsData::set_frame() {
   Box box;
   for (const PagePart& part : parts_) {
-    box.grow(bounds(*part.mesh));
+    box.grow(bounds(part.mesh));
   }
   if (box.empty()) {
     return;
@@ -70,7 +70,7 @@ void PartsData::draw(const SceneLimits& limits) {
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     const std::size_t which = parts_[k].is_listed ? 0 : 1;
     chosen[which].push_back(k);
-    wanted[which].push_back(parts_[k].mesh->triangles.size());
+    wanted[which].push_back(parts_[k].mesh.triangles.size());
     shown_.triangles_in_all += wanted[which].back();
   }
   shown_.parts_in_all = parts_.size();
@@ -88,7 +88,7 @@ void PartsData::draw(const SceneLimits& limits) {
 }
 
 void PartsData::add(std::size_t part, std::uint64_t share, std::uint64_t bytes) {
-  const Mesh& mesh = *parts_[part].mesh;
+  const MeshView& mesh = parts_[part].mesh;
   const Box box = bounds(mesh);
   if (mesh.triangles.empty() || (share == 0 && !parts_[part].is_listed)) {
     return;

@@ -14,7 +14,7 @@ namespace soms::report {
 
 /// A part that a page may draw.
 struct PagePart {
-  const Mesh* mesh = nullptr;
+  MeshView mesh;
   bool is_listed = false;  ///< a row names it: it is drawn, whatever that takes
   Detail detail = {};      ///< where all its triangles are kept
 };

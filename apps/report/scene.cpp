@@ -103,7 +103,7 @@ std::vector<std::uint64_t> shared_out(const Scene& scene, std::span<const std::u
   }
   std::vector<std::uint64_t> wanted;
   for (std::size_t k = 0; k < times.size(); ++k) {
-    const std::uint64_t all = scene.models[k].mesh->triangles.size();
+    const std::uint64_t all = scene.models[k].mesh.triangles.size();
     const std::uint64_t most =
         std::max(kFewTriangles, limits.drawn_at_once / std::max<std::uint64_t>(1, times[k]));
     wanted.push_back(times[k] == 0 ? 0 : std::min(all, most));

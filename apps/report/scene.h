@@ -17,7 +17,7 @@ namespace soms::report {
 
 /// A mesh that may be drawn at many places. The page holds it once.
 struct SceneModel {
-  const Mesh* mesh = nullptr;
+  MeshView mesh;
   std::string name;
 };
 

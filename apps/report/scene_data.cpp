@@ -58,7 +58,7 @@ class SceneWriter {
       moving_ += scene.bodies[bodies_[k]].moves ? 1U : 0U;
     }
     for (const SceneModel& model : scene.models) {
-      bounds_.push_back(soms::bounds(*model.mesh));
+      bounds_.push_back(soms::bounds(model.mesh));
     }
     steps_ = scene.steps.kept;
     if (steps_.empty()) {
@@ -145,7 +145,7 @@ class SceneWriter {
   }
 
   [[nodiscard]] Triangle triangle(std::uint32_t body, TriangleId i, const Pose& pose) const {
-    return moved(scene_.models[scene_.bodies[body].model].mesh->triangle(i), pose);
+    return moved(scene_.models[scene_.bodies[body].model].mesh.triangle(i), pose);
   }
 
   template <typename Shown>

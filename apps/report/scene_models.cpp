@@ -31,7 +31,7 @@ SceneModels::SceneModels(const Scene& scene, std::span<const std::uint32_t> bodi
         .bytes = static_cast<std::uint64_t>(static_cast<double>(limits.mesh_bytes) *
                                             static_cast<double>(shares[k]) /
                                             static_cast<double>(std::max<std::uint64_t>(1, all)))};
-    const Mesh& mesh = *scene.models[k].mesh;
+    const MeshView& mesh = scene.models[k].mesh;
     meshes_.push_back(drawn(mesh, scale, room, detail(k)));
     coarse_.push_back(meshes_[k].triangles() > kCoarseTriangles
                           ? drawn(mesh, scale, {.triangles = kCoarseTriangles})

@@ -32,7 +32,7 @@ Sight sight_of(const SceneContact& contact, const Scene& scene, std::span<const 
     return sight;
   }
   const auto triangle = [&](std::uint32_t body, TriangleId i, const Pose& pose) {
-    return moved(scene.models[scene.bodies[body].model].mesh->triangle(i), pose);
+    return moved(scene.models[scene.bodies[body].model].mesh.triangle(i), pose);
   };
   const auto& [i, j] = contact.pairs.front();
   const Triangle a = triangle(contact.a, i, pose_a);

@@ -14,7 +14,7 @@
 
 namespace soms::command {
 
-std::string part_label(const Mesh& mesh, std::uint32_t part) {
+std::string part_label(const MeshView& mesh, std::uint32_t part) {
   if (part == Part::kNoParent) {
     return short_name(mesh.source);
   }
@@ -22,7 +22,7 @@ std::string part_label(const Mesh& mesh, std::uint32_t part) {
   return name.empty() ? fmt::format("part {}", part) : name;
 }
 
-std::string part_path_label(const Mesh& mesh, std::uint32_t part, std::size_t most) {
+std::string part_path_label(const MeshView& mesh, std::uint32_t part, std::size_t most) {
   if (part == Part::kNoParent) {
     return {};
   }
@@ -40,11 +40,11 @@ std::string part_path_label(const Mesh& mesh, std::uint32_t part, std::size_t mo
   return fmt::format("{}", fmt::join(names, "/"));
 }
 
-std::string part_in_text(const Mesh& mesh, std::uint32_t part) {
+std::string part_in_text(const MeshView& mesh, std::uint32_t part) {
   return printable(part == Part::kNoParent ? part_label(mesh, part) : part_path_label(mesh, part));
 }
 
-Json part_as_json(const Mesh& mesh, std::uint32_t part) {
+Json part_as_json(const MeshView& mesh, std::uint32_t part) {
   if (part == Part::kNoParent) {
     return {{"id", nullptr}, {"name", nullptr}, {"path", Json::array()}};
   }
@@ -59,7 +59,7 @@ std::string joined_label(const std::vector<std::string>& labels) {
   return named == labels.size() ? text : fmt::format("{} + {} more", text, labels.size() - named);
 }
 
-std::string body_label(const Mesh& mesh, std::uint32_t part,
+std::string body_label(const MeshView& mesh, std::uint32_t part,
                        std::span<const std::uint32_t> joined) {
   const auto label = [&](std::uint32_t number) {
     return number == Part::kNoParent ? part_label(mesh, number) : part_path_label(mesh, number);
@@ -71,7 +71,7 @@ std::string body_label(const Mesh& mesh, std::uint32_t part,
   return joined_label(labels);
 }
 
-Json body_as_json(const Mesh& mesh, std::uint32_t part, std::span<const std::uint32_t> joined) {
+Json body_as_json(const MeshView& mesh, std::uint32_t part, std::span<const std::uint32_t> joined) {
   Json json = part_as_json(mesh, part);
   for (const std::uint32_t other : joined) {
     json["joined"].push_back(part_as_json(mesh, other));
@@ -79,17 +79,17 @@ Json body_as_json(const Mesh& mesh, std::uint32_t part, std::span<const std::uin
   return json;
 }
 
-std::string triangle_label(const Mesh& mesh, TriangleId i) {
+std::string triangle_label(const MeshView& mesh, TriangleId i) {
   const std::string part = part_name(mesh, i);
   return part.empty() ? fmt::format("{}", i) : fmt::format("{} ({})", i, printable(part));
 }
 
-std::string part_csv_fields(const Mesh& mesh, std::uint32_t part) {
+std::string part_csv_fields(const MeshView& mesh, std::uint32_t part) {
   return part == Part::kNoParent ? std::string(",")
                                  : fmt::format("{},{}", part, csv_field(mesh.parts[part].name));
 }
 
-std::string triangle_csv_fields(const Mesh& mesh, const PartsOf& parts,
+std::string triangle_csv_fields(const MeshView& mesh, const PartsOf& parts,
                                 std::optional<TriangleId> triangle) {
   return triangle ? fmt::format("{},{}", *triangle, part_csv_fields(mesh, parts(*triangle)))
                   : std::string(",,");

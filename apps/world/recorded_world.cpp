@@ -17,7 +17,7 @@ namespace soms::command {
 
 namespace {
 
-RecordedMesh with_mesh(RecordedMesh origin, const Mesh& mesh) {
+RecordedMesh with_mesh(RecordedMesh origin, const MeshView& mesh) {
   origin.triangles = mesh.triangles.size();
   origin.hash = corner_hash(mesh);
   return origin;

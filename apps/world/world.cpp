@@ -42,7 +42,7 @@ struct Upright {
 };
 
 /// What soms makes itself: in meters, z up.
-NamedFrame built_in_frame(const std::string& name, const Mesh& mesh) {
+NamedFrame built_in_frame(const std::string& name, const MeshView& mesh) {
   return {.file = name,
           .frame = frame_of(mesh),
           .scale_option = "--mover-scale",
@@ -350,13 +350,13 @@ World load_world(const WorldOptions& options, Console& console) {
   std::vector<NamedFrame> mover_frames;
   world.models = load_models(options, mover_frames, console);
   const std::optional<City> city = load_city(world, options, city_frames, console);
-  std::vector<const Mesh*> meshes;
+  std::vector<MeshView> meshes;
   for (const Body& body : world.city) {
-    meshes.push_back(&body.shape.mesh());
+    meshes.push_back(body.shape.mesh());
   }
   world.georeference = georeference_of(meshes);
   for (const Model& model : world.models) {
-    meshes.push_back(&model.shape.mesh());
+    meshes.push_back(model.shape.mesh());
   }
   world.notes = notes_of(meshes);
   if (options.count.value_or(1) != 0 && !options.mover_model.scale_is_given) {

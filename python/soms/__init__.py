@@ -36,6 +36,7 @@ from soms._enums import (
     StepScope as StepScope,
     TriangleFeature as TriangleFeature,
     Undecided as Undecided,
+    TreeCheck as TreeCheck,
     UpAxis as UpAxis,
 )
 from soms._error import Error as Error
@@ -128,6 +129,7 @@ from soms._soms import (
     nearest_triangles as nearest_triangles,
     overlap as overlap,
     penetration as penetration,
+    open_shape as open_shape,
     read_mesh as read_mesh,
     read_poses as read_poses,
     read_robot as read_robot,

@@ -180,6 +180,15 @@ class Undecided(enum.IntEnum):
     open = 2
 
 
+class TreeCheck(enum.IntEnum):
+    """How closely a tree file is looked at before it is used."""
+
+    trusted = 0
+    safe = 1
+    sound = 2
+    full = 3
+
+
 class UpAxis(enum.IntEnum):
     """The up axis that a file states."""
 

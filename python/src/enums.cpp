@@ -24,6 +24,7 @@
 #include "soms/scene/scene_query.h"
 #include "soms/scene/step_report.h"
 #include "soms/tree/build_options.h"
+#include "soms/tree/file/shape_bytes.h"
 #include "soms/tree/print.h"
 #include "soms/tree/shape.h"
 
@@ -82,6 +83,7 @@ void load_enums() {
   load<CrossingKind>(enums, "CrossingKind");
   load<JointType>(enums, "JointType");
   load<Layout>(enums, "Layout");
+  load<TreeCheck>(enums, "TreeCheck");
   load<MeshFormat>(enums, "MeshFormat");
   load<OverlapMode>(enums, "OverlapMode");
   load<Partition>(enums, "Partition");

@@ -232,12 +232,12 @@ void PageScene::add_rows(report::Scene& scene) const {
 
 report::Scene PageScene::scene() const {
   report::Scene scene;
-  std::map<const Mesh*, std::size_t> models;
+  std::map<const MeshView*, std::size_t> models;
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
-    const Mesh* const mesh = &bodies_[k].shape.mesh();
+    const MeshView* const mesh = &bodies_[k].shape.mesh();
     const auto [model, is_new] = models.try_emplace(mesh, scene.models.size());
     if (is_new) {
-      scene.models.push_back({mesh, names_[k]});
+      scene.models.push_back({*mesh, names_[k]});
     }
     scene.bodies.push_back({.model = model->second, .name = names_[k], .moves = moves_[k]});
   }

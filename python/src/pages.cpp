@@ -68,7 +68,7 @@ report::Table table_of_gaps(const report::Scene& scene) {
 std::vector<report::Fact> facts_of(const report::Scene& scene, bool has_answer) {
   std::uint64_t triangles = 0;
   for (const report::SceneBody& body : scene.bodies) {
-    triangles += scene.models[body.model].mesh->triangles.size();
+    triangles += scene.models[body.model].mesh.triangles.size();
   }
   std::vector<report::Fact> facts{{"bodies", counted(scene.bodies.size(), "body", "bodies") + ", " +
                                                  counted(triangles, "triangle", "triangles")}};

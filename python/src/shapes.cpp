@@ -1,5 +1,6 @@
 #include "soms/query/body.h"
 #include "soms/query/print.h"
+#include "soms/store/tree_file.h"
 #include "soms/tree/layout/wide_tree.h"
 #include "soms/tree/print.h"
 #include "soms/tree/refit.h"
@@ -8,12 +9,21 @@
 #include "python/src/answer.h"
 #include "python/src/bind.h"
 #include "python/src/call.h"
+#include "python/src/enums.h"
 #include "python/src/notebook.h"
+#include "python/src/paths.h"
 #include "python/src/poses.h"
 #include "python/src/scene/bodies.h"
 #include "python/src/text.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
 
 namespace soms::python {
 
@@ -30,7 +40,21 @@ triangles of a leaf, levels of the tree (0: without limit). threads: 0 for all p
 progress: called with the share done, 0 to 1.
 
 Raises Error of kind usage. Half a second a million triangles; pickling keeps the mesh alone and
-builds again.)";
+builds again, but a shape that open_shape opened is pickled as its path and hash.)";
+
+constexpr const char* kOpenDoc =
+    R"(open_shape(file, *, check='sound', load=False, threads=1) -> Shape
+
+Opens a tree file, which Shape.save or `soms build` wrote: nothing is read, parsed or built. The
+file is mapped, and processes share its memory. Answers are those of the shape that was saved.
+
+file: a path, or bytes, which are copied. check: a name of TreeCheck: 'trusted' looks at the head
+alone; 'safe' makes sure that queries end and touch no other memory; 'sound' finds all damage;
+'full' compares every box with the triangles, so that answers are exact whoever wrote the file.
+load: copy the file into memory of the process; queries are up to a fifth faster.
+
+Raises Error of kind cannot_open, bad_file (names section and record), unsupported (another version
+of the format: build it again).)";
 
 constexpr const char* kBodyDoc = R"(Body(shape, pose=None, name='')
 
@@ -56,7 +80,71 @@ Layout layout_of(const Shape& shape) {
   return shape.layout().compact() != nullptr ? Layout::compact : Layout::wide;
 }
 
+void save_shape(const Shape& shape, const py::object& place) {
+  const std::filesystem::path path = path_of(place);
+  run(Work::many, 1, py::none(), [&](const Parallel&) {
+    save(path, shape);
+    return true;
+  });
+}
+
+Shape opened_shape(const py::object& file, const py::object& check, bool load, int threads) {
+  const OpenOptions options{.check = enum_of<TreeCheck>(check, "check"), .load = load};
+  if (PyObject_CheckBuffer(file.ptr()) != 0) {
+    const std::vector<std::byte> bytes = bytes_of(file);
+    return run(Work::many, threads, py::none(), [&](const Parallel& parallel) {
+      return open_shape(bytes, "bytes", options, parallel);
+    });
+  }
+  const std::filesystem::path path = path_of(file);
+  return run(Work::many, threads, py::none(),
+             [&](const Parallel& parallel) { return open_shape(path, options, parallel); });
+}
+
+/// Shapes of tree files that were unpickled last: the tasks of one process name the same few.
+class OpenedFiles {
+ public:
+  /// \errors ErrorKind::bad_file where the file is another one since it was pickled.
+  [[nodiscard]] Shape get(const std::filesystem::path& path, std::uint64_t hash) {
+    const std::lock_guard lock(mutex_);
+    const auto known = std::find_if(shapes_.begin(), shapes_.end(), [&](const Shape& shape) {
+      return shape.tree_file()->hash == hash && shape.tree_file()->path == path.string();
+    });
+    if (known != shapes_.end()) {
+      return *known;
+    }
+    Shape shape = open_shape(path);
+    if (shape.tree_file()->hash != hash) {
+      throw Error(ErrorKind::bad_file,
+                  path.string() + ": not the tree file that the shape was opened from",
+                  "open it again, and pickle that shape");
+    }
+    if (shapes_.size() == kMost) {
+      shapes_.erase(shapes_.begin());
+    }
+    shapes_.push_back(shape);
+    return shape;
+  }
+
+ private:
+  static constexpr std::size_t kMost = 4;
+
+  std::mutex mutex_;
+  std::vector<Shape> shapes_;
+};
+
+Shape shape_of_file(const Text& path, std::uint64_t hash) {
+  static OpenedFiles files;
+  return run(Work::many, 1, py::none(),
+             [&](const Parallel&) { return files.get(path.bytes, hash); });
+}
+
+/// Of a shape from a file its path and hash; of others the mesh and how the tree is built.
 py::tuple shape_state(const Shape& shape) {
+  if (const TreeFileName* const file = shape.tree_file();
+      file != nullptr && is_tree_file(std::filesystem::path(file->path))) {
+    return py::make_tuple(Text{std::filesystem::absolute(file->path).string()}, file->hash);
+  }
   const BuildOptions& options = shape.build_options();
   return py::make_tuple(std::const_pointer_cast<Mesh>(shape.shared_mesh()),
                         member(options.rule).attr("name"), member(layout_of(shape)).attr("name"),
@@ -99,13 +187,28 @@ void bind_shape(py::module_& module) {
   shape.def("refit", &refitted, py::arg("vertices"), py::kw_only(), py::arg("threads") = 1,
             "refit(vertices, *, threads=1) -> Shape\n\nThe same triangles with moved vertices, "
             "(n, 3): half the time of a build. This shape stays.");
+  shape.def("save", &save_shape, py::arg("path"),
+            "save(path)\n\nWrites a tree file (.somst), which open_shape opens; it appears whole "
+            "or not at all.\n\nRaises Error of kind cannot_write.");
+  shape.def_property_readonly(
+      "tree_file",
+      [](const Shape& s) -> py::object {
+        const TreeFileName* const file = s.tree_file();
+        return file == nullptr ? py::object(py::none()) : py::cast(Text{file->path});
+      },
+      "Path of the tree file that it was opened from, or None.");
   shape.def("__len__", [](const Shape& s) { return s.mesh().triangles.size(); });
   shape.def(
       "__eq__", [](const Shape& a, const Shape& b) { return a == b; }, py::is_operator());
+  module.def("open_shape", &opened_shape, py::arg("file"), py::kw_only(),
+             py::arg("check") = "sound", py::arg("load") = false, py::arg("threads") = 1, kOpenDoc);
   shape.attr("__hash__") = py::none();
   def_notebook_page(shape);
   shape.def("__repr__", &printed<Shape>);
   shape.def(py::pickle(&shape_state, [](const py::tuple& s) {
+    if (s.size() == 2) {
+      return shape_of_file(s[0].cast<Text>(), s[1].cast<std::uint64_t>());
+    }
     return make_shape(s[0], shape_options(s[1], s[2], s[3].cast<int>(), s[4].cast<int>()), 1,
                       py::none());
   }));

@@ -3,6 +3,7 @@ set(SOMS_HEADERS
   assert.h
   box.h
   bracket.h
+  byte_fields.h
   common_box.h
   crc32.h
   decimal.h
@@ -10,6 +11,7 @@ set(SOMS_HEADERS
   hash.h
   idle_option.h
   lanes.h
+  lanes_hash.h
   limits.h
   parallel.h
   portable.h
@@ -28,6 +30,7 @@ set(SOMS_SOURCES
   detail/decimal.cpp
   error.cpp
   idle_option.cpp
+  lanes_hash.cpp
   parallel.cpp
   pose.cpp
   print.cpp

@@ -26,7 +26,7 @@ constexpr std::size_t kEdgePlaces = 5;
 constexpr std::size_t kPartsOfAChunk = 16;
 
 /// Some triangles of a mesh, with the vertices that they use in the order of the mesh.
-Mesh mesh_of(const Mesh& mesh, const std::vector<TriangleId>& triangles) {
+Mesh mesh_of(const MeshView& mesh, const std::vector<TriangleId>& triangles) {
   Mesh part;
   part.source = mesh.source;
   std::vector<std::uint32_t> used;
@@ -60,7 +60,7 @@ struct Piece {
   bool may_close = true;  ///< false for a group that may be closed in several ways
 
   /// Gives it the mesh and the surface of its triangles.
-  void cut_out_of(const Mesh& whole) {
+  void cut_out_of(const MeshView& whole) {
     mesh = mesh_of(whole, part.triangles);
     surface =
         std::make_shared<const detail::ClosedSurface>(detail::closed_surface(mesh, Parallel()));
@@ -68,7 +68,7 @@ struct Piece {
 };
 
 /// The triangles of each part, by the order of Mesh::parts.
-std::vector<Piece> divided(const Mesh& mesh) {
+std::vector<Piece> divided(const MeshView& mesh) {
   const PartsOf part_of(mesh);
   // One place more, for the triangles of no part.
   std::vector<std::vector<TriangleId>> triangles(mesh.parts.size() + 1);
@@ -127,7 +127,7 @@ Piece united(const PartGroup& group, const Find& piece_of) {
 
 /// Puts pieces that are one body together, in the place of the first. Returns what others, which
 /// stay as they are, are together.
-std::vector<Piece> join(const Mesh& mesh, OpenParts open_parts, std::vector<Piece>& pieces) {
+std::vector<Piece> join(const MeshView& mesh, OpenParts open_parts, std::vector<Piece>& pieces) {
   std::vector<detail::OpenPart> open;
   for (const Piece& piece : pieces) {
     if (std::vector<detail::Segment> edges = open_edges(piece); !edges.empty()) {
@@ -175,7 +175,7 @@ std::vector<PartComponent> components_of(const Body& body, const detail::ClosedS
   return components;
 }
 
-PartBody finished(const Mesh& mesh, const Pose& pose, Piece piece) {
+PartBody finished(const MeshView& mesh, const Pose& pose, Piece piece) {
   if (!piece.surface) {
     piece.cut_out_of(mesh);
   }
@@ -184,7 +184,7 @@ PartBody finished(const Mesh& mesh, const Pose& pose, Piece piece) {
   if (part.part != Part::kNoParent) {
     part.body.name = mesh.parts[part.part].name;
   }
-  const Mesh& own = part.body.shape.mesh();
+  const MeshView& own = part.body.shape.mesh();
   part.components = components_of(part.body, *piece.surface);
   part.odd_edges = piece.surface->odd_count();
   if (piece.may_close && piece.surface->is_closed(own, pose)) {
@@ -226,7 +226,7 @@ Box PartBody::box() const {
   return box;
 }
 
-std::vector<PartBody> part_bodies(const Mesh& mesh, const Pose& pose, const Parallel& parallel,
+std::vector<PartBody> part_bodies(const MeshView& mesh, const Pose& pose, const Parallel& parallel,
                                   OpenParts open) {
   std::vector<Piece> pieces = divided(mesh);
   const Parallel silent{.threads = parallel.threads, .stop = parallel.stop};

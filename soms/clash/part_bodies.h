@@ -96,7 +96,7 @@ enum class OpenParts : unsigned char {
 /// \pre     `check(mesh)` passes.
 /// \errors  As `ClosedBody` for the pose; ErrorKind::cancelled.
 /// \cost    O(n log n) for n triangles; a shape for each body, and for each group of open parts.
-[[nodiscard]] std::vector<PartBody> part_bodies(const Mesh& mesh, const Pose& pose = {},
+[[nodiscard]] std::vector<PartBody> part_bodies(const MeshView& mesh, const Pose& pose = {},
                                                 const Parallel& parallel = {},
                                                 OpenParts open = OpenParts::alone);
 

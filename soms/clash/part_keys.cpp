@@ -20,7 +20,7 @@ namespace {
 constexpr char kBetween = '\x1f';
 
 /// What the file calls a part: its id or, behind a mark, its path.
-std::string given_name(const Mesh& mesh, std::uint32_t part) {
+std::string given_name(const MeshView& mesh, std::uint32_t part) {
   if (part == Part::kNoParent) {
     return {};
   }
@@ -59,7 +59,7 @@ std::uint64_t triangle_key(const Triangle& t) {
 
 /// Of all triangles of a part, in whatever order.
 std::uint64_t shape_key(const PartBody& part) {
-  const Mesh& mesh = part.body.shape.mesh();
+  const MeshView& mesh = part.body.shape.mesh();
   std::uint64_t sum = 0;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     sum += triangle_key(mesh.triangle(static_cast<TriangleId>(i)));
@@ -73,7 +73,7 @@ std::vector<std::uint64_t> part_keys(std::span<const MeshPart> parts) {
   std::vector<std::string> names;
   std::unordered_map<std::string, std::size_t> uses;
   for (const MeshPart& part : parts) {
-    names.push_back(given_name(*part.mesh, part.part->part));
+    names.push_back(given_name(part.mesh, part.part->part));
     ++uses[names.back()];
   }
   std::map<std::pair<std::string, std::uint64_t>, std::uint64_t> alike;

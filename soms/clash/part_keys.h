@@ -7,7 +7,7 @@
 /// const std::vector<soms::PartBody> parts = soms::part_bodies(car);
 /// std::vector<soms::MeshPart> named;
 /// for (const soms::PartBody& part : parts) {
-///   named.push_back({&car, &part});
+///   named.push_back({car, &part});
 /// }
 /// const std::vector<std::uint64_t> keys = soms::part_keys(named);
 /// std::cout << std::boolalpha << keys.size() << " keys; the same in either order: "
@@ -30,7 +30,7 @@ namespace soms {
 
 /// A part and the mesh that it is a part of.
 struct MeshPart {
-  const Mesh* mesh = nullptr;
+  MeshView mesh;
   const PartBody* part = nullptr;
 };
 
@@ -39,7 +39,7 @@ struct MeshPart {
 /// of its triangles count, too, if the file has them. So keys stay where parts and triangles come
 /// in another order, and where a part that is named alone moves or changes its shape. Parts that
 /// are alike in all of this differ by their order.
-/// \pre   `mesh` and `part` are set.
+/// \pre   `part` is set.
 /// \cost  O(n log n) for n triangles.
 [[nodiscard]] std::vector<std::uint64_t> part_keys(std::span<const MeshPart> parts);
 

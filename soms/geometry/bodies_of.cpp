@@ -31,7 +31,7 @@ struct EdgeOfPart {
   }
 };
 
-std::vector<EdgeOfPart> sorted_edges(const Mesh& mesh, const std::vector<std::uint32_t>& joined,
+std::vector<EdgeOfPart> sorted_edges(const MeshView& mesh, const std::vector<std::uint32_t>& joined,
                                      const std::vector<std::uint32_t>& part_of,
                                      const Parallel& parallel) {
   std::vector<EdgeOfPart> edges;
@@ -51,7 +51,7 @@ std::vector<EdgeOfPart> sorted_edges(const Mesh& mesh, const std::vector<std::ui
 }
 
 /// The edges that an odd number of a part's triangles use, for each part that has a triangle.
-std::vector<OpenPart> odd_edges_by_part(const Mesh& mesh, const std::vector<EdgeOfPart>& edges,
+std::vector<OpenPart> odd_edges_by_part(const MeshView& mesh, const std::vector<EdgeOfPart>& edges,
                                         const std::vector<std::uint32_t>& used_parts) {
   std::vector<OpenPart> parts;
   parts.reserve(used_parts.size());
@@ -78,7 +78,7 @@ std::vector<OpenPart> odd_edges_by_part(const Mesh& mesh, const std::vector<Edge
 
 }  // namespace
 
-std::vector<PartGroup> bodies_of(const Mesh& mesh, const Parallel& parallel) {
+std::vector<PartGroup> bodies_of(const MeshView& mesh, const Parallel& parallel) {
   const PlainArithmetic plain;
   const PartsOf parts_of(mesh);
   std::vector<std::uint32_t> part_of(mesh.triangles.size());

@@ -18,7 +18,7 @@ using detail::OddEdge;
 using detail::Work;
 
 /// What the odd edges of a part say of it.
-void judge(const Mesh& mesh, std::span<const OddEdge> edges, const Pose& pose,
+void judge(const MeshView& mesh, std::span<const OddEdge> edges, const Pose& pose,
            PartClosedness& part) {
   for (const OddEdge& edge : edges) {
     part.odd_edges += edge.among_all ? 1U : 0U;
@@ -29,7 +29,7 @@ void judge(const Mesh& mesh, std::span<const OddEdge> edges, const Pose& pose,
 
 /// A mesh whose vertices are joined, and what is known of its triangles.
 struct Joined {
-  const Mesh& mesh;
+  MeshView mesh;
   std::vector<std::uint32_t> vertices;
   std::vector<bool> degenerate;
 };
@@ -64,7 +64,7 @@ Connected connect(const Joined& joined, Work& work) {
 }
 
 /// Decides for each connected part.
-void judge(const Mesh& mesh, std::vector<OddEdge> odd, const Pose& pose, Connected& connected) {
+void judge(const MeshView& mesh, std::vector<OddEdge> odd, const Pose& pose, Connected& connected) {
   const auto part = [&](const OddEdge& edge) { return connected.part_of[edge.ends[0]]; };
   std::stable_sort(odd.begin(), odd.end(),
                    [&](const OddEdge& a, const OddEdge& b) { return part(a) < part(b); });
@@ -79,7 +79,7 @@ void judge(const Mesh& mesh, std::vector<OddEdge> odd, const Pose& pose, Connect
   }
 }
 
-std::uint64_t connecting_work(const Mesh& mesh) {
+std::uint64_t connecting_work(const MeshView& mesh) {
   return detail::connected_parts_work(mesh) + mesh.triangles.size();
 }
 
@@ -102,7 +102,7 @@ std::vector<PartClosedness> named_parts(const Joined& joined, const PartClosedne
 
 }  // namespace
 
-Closedness closedness(const Mesh& mesh, const ClosednessOptions& options,
+Closedness closedness(const MeshView& mesh, const ClosednessOptions& options,
                       const Parallel& parallel) {
   const PlainArithmetic plain;
   check(options.pose);
@@ -134,7 +134,7 @@ Closedness closedness(const Mesh& mesh, const ClosednessOptions& options,
   return answer;
 }
 
-Mesh closed_parts(const Mesh& mesh, const Pose& pose, const Parallel& parallel) {
+Mesh closed_parts(const MeshView& mesh, const Pose& pose, const Parallel& parallel) {
   const PlainArithmetic plain;
   check(pose);
   check_range(pose, bounds(mesh));
@@ -146,9 +146,10 @@ Mesh closed_parts(const Mesh& mesh, const Pose& pose, const Parallel& parallel) 
       detail::odd_edges(mesh, joined.vertices, joined.degenerate, work);
   Connected connected = connect(joined, work);
   judge(mesh, odd, pose, connected);
-  Mesh left = mesh;
-  left.triangles.clear();
-  left.faces.clear();
+  MeshView others = mesh;
+  others.triangles = {};
+  others.faces = {};
+  Mesh left(others);
   std::vector<std::uint32_t> place{0};  // of each triangle, and of the end, among those left
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto& t = mesh.triangles[i];

@@ -64,7 +64,7 @@ struct ClosednessOptions {
 ///          most 25 bytes a triangle and 20 a vertex, up to 300 an odd edge and 48 a connected
 ///          part; with `parts`, 36 a triangle of the largest part.
 /// \threads `parallel` gives progress and cancellation; the work is one thread's.
-[[nodiscard]] Closedness closedness(const Mesh& mesh, const ClosednessOptions& options = {},
+[[nodiscard]] Closedness closedness(const MeshView& mesh, const ClosednessOptions& options = {},
                                     const Parallel& parallel = {});
 
 /// The mesh without the triangles of connected parts that are open: what is left is closed, and may
@@ -72,7 +72,7 @@ struct ClosednessOptions {
 /// `pose` is where closedness is decided, as in ClosednessOptions.
 /// \errors  As `closedness`.
 /// \cost    As `closedness`.
-[[nodiscard]] Mesh closed_parts(const Mesh& mesh, const Pose& pose = {},
+[[nodiscard]] Mesh closed_parts(const MeshView& mesh, const Pose& pose = {},
                                 const Parallel& parallel = {});
 
 }  // namespace soms

@@ -45,8 +45,8 @@ class Names {
   const std::vector<std::uint32_t>* joined_;
 };
 
-void count_vertices(const Mesh& mesh, const std::vector<std::uint32_t>& joined, std::size_t most,
-                    Work& work, Defects& defects) {
+void count_vertices(const MeshView& mesh, const std::vector<std::uint32_t>& joined,
+                    std::size_t most, Work& work, Defects& defects) {
   work.run(mesh.vertices.size(), [&](std::size_t i) {
     const auto v = static_cast<std::uint32_t>(i);
     if (joined[i] == detail::kUnused) {
@@ -60,7 +60,7 @@ void count_vertices(const Mesh& mesh, const std::vector<std::uint32_t>& joined, 
 }
 
 /// Finds the triangles without area, by number.
-std::vector<bool> count_degenerate(const Mesh& mesh, const Names& names, std::size_t most,
+std::vector<bool> count_degenerate(const MeshView& mesh, const Names& names, std::size_t most,
                                    Work& work, Defects& defects) {
   std::vector<bool> degenerate(mesh.triangles.size());
   work.run(mesh.triangles.size(), [&](std::size_t i) {
@@ -102,7 +102,7 @@ bool turned(const CornerNames& t) {
   return (t[0] > t[1]) != (t[1] > t[2]) ? t[0] < t[2] : t[0] > t[2];
 }
 
-void count_duplicates(const Mesh& mesh, const Names& names, const std::vector<bool>& degenerate,
+void count_duplicates(const MeshView& mesh, const Names& names, const std::vector<bool>& degenerate,
                       std::size_t most, Work& work, Defects& defects) {
   auto keys = detail::sort_into_buckets<CornerKey>(
       mesh.vertices.size(), mesh.triangles.size(), work, [&](std::size_t i, const auto& put) {
@@ -179,8 +179,8 @@ EdgePlace place_of(const CornerNames& t, std::uint32_t low, std::span<const Use>
 }
 
 /// Counts the edges of all proper triangles; `places` may be null.
-EdgeCounts count_edges(const Mesh& mesh, const Names& names, const std::vector<bool>& degenerate,
-                       EdgePlaces* places, Work& work) {
+EdgeCounts count_edges(const MeshView& mesh, const Names& names,
+                       const std::vector<bool>& degenerate, EdgePlaces* places, Work& work) {
   auto edges = detail::sort_into_buckets<Use>(
       mesh.vertices.size(), mesh.triangles.size(), work, [&](std::size_t i, const auto& put) {
         if (!degenerate[i]) {
@@ -219,7 +219,7 @@ EdgeCounts count_edges(const Mesh& mesh, const Names& names, const std::vector<b
 }
 
 /// Counts the edges of a run of triangles by sorting them alone.
-EdgeCounts count_part(const Mesh& mesh, const Part& part, const Names& names,
+EdgeCounts count_part(const MeshView& mesh, const Part& part, const Names& names,
                       const std::vector<bool>& degenerate) {
   std::vector<std::uint64_t> edges;  // lesser end, greater end, way
   edges.reserve(3 * std::size_t{part.count});
@@ -246,7 +246,7 @@ EdgeCounts count_part(const Mesh& mesh, const Part& part, const Names& names,
   return counts;
 }
 
-std::vector<EdgeCounts> count_parts(const Mesh& mesh, const Names& names,
+std::vector<EdgeCounts> count_parts(const MeshView& mesh, const Names& names,
                                     const std::vector<bool>& degenerate, const EdgeCounts& whole,
                                     Work& work) {
   std::vector<EdgeCounts> counts;
@@ -261,7 +261,7 @@ std::vector<EdgeCounts> count_parts(const Mesh& mesh, const Names& names,
 
 }  // namespace
 
-Defects find_defects(const Mesh& mesh, const DefectOptions& options, const Parallel& parallel) {
+Defects find_defects(const MeshView& mesh, const DefectOptions& options, const Parallel& parallel) {
   const PlainArithmetic plain;
   Defects defects;
   const std::uint64_t vertices = mesh.vertices.size();

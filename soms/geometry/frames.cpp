@@ -75,7 +75,7 @@ GeoreferenceWords georeference_words(const Georeference& a, const Georeference& 
 
 }  // namespace
 
-CoordinateFrame frame_of(const Mesh& mesh) {
+CoordinateFrame frame_of(const MeshView& mesh) {
   return {.unit = mesh.unit, .up = mesh.up, .georeference = mesh.georeference};
 }
 

@@ -26,7 +26,7 @@ struct CoordinateFrame {
 };
 
 /// What a mesh declares.
-[[nodiscard]] CoordinateFrame frame_of(const Mesh& mesh);
+[[nodiscard]] CoordinateFrame frame_of(const MeshView& mesh);
 
 /// Why "no overlap" may not mean "free": the numbers of the two bodies may not mean the same.
 enum class FrameDoubt {

@@ -14,11 +14,11 @@ namespace soms {
 
 namespace {
 
-std::string place(const Mesh& mesh, const std::string& what) {
+std::string place(const MeshView& mesh, const std::string& what) {
   return (mesh.source.empty() ? std::string("mesh") : mesh.source) + ", " + what;
 }
 
-void check_tables(const Mesh& mesh) {
+void check_tables(const MeshView& mesh) {
   if (!mesh.faces.empty() && mesh.faces.size() != mesh.triangles.size()) {
     throw Error(ErrorKind::bad_file,
                 place(mesh, "the face map does not have one entry per triangle"),
@@ -40,7 +40,7 @@ void check_tables(const Mesh& mesh) {
   }
 }
 
-void check_corner(const Mesh& mesh, std::size_t triangle, const Vec3& v) {
+void check_corner(const MeshView& mesh, std::size_t triangle, const Vec3& v) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!std::isfinite(v[axis])) {
       throw Error(ErrorKind::not_finite,
@@ -59,7 +59,7 @@ void check_corner(const Mesh& mesh, std::size_t triangle, const Vec3& v) {
 
 /// True if every index is in range and every vertex, used or not, may be a corner: two passes in
 /// order, while corners lie anywhere.
-bool surely_fit(const Mesh& mesh) {
+bool surely_fit(const MeshView& mesh) {
   std::uint32_t most = 0;
   for (const auto& t : mesh.triangles) {
     most = std::max({most, t[0], t[1], t[2]});
@@ -77,9 +77,39 @@ bool surely_fit(const Mesh& mesh) {
   return bad == 0;
 }
 
+template <class T>
+bool equal(std::span<const T> a, std::span<const T> b) {
+  return (a.data() == b.data() && a.size() == b.size()) ||
+         std::equal(a.begin(), a.end(), b.begin(), b.end());
+}
+
+const Mesh kNoMesh;
+
 }  // namespace
 
-void check(const Mesh& mesh) {
+MeshView::MeshView() : MeshView(kNoMesh) {
+}
+
+MeshView::operator Mesh() const {
+  return {.vertices = {vertices.begin(), vertices.end()},
+          .triangles = {triangles.begin(), triangles.end()},
+          .parts = parts,
+          .faces = {faces.begin(), faces.end()},
+          .unit = unit,
+          .up = up,
+          .georeference = georeference,
+          .source = source,
+          .notes = notes};
+}
+
+bool MeshView::operator==(const MeshView& other) const {
+  return equal(vertices, other.vertices) && equal(triangles, other.triangles) &&
+         parts == other.parts && equal(faces, other.faces) && unit == other.unit &&
+         up == other.up && georeference == other.georeference && source == other.source &&
+         notes == other.notes;
+}
+
+void check(const MeshView& mesh) {
   const PlainArithmetic plain;
   check_counts(mesh.vertices.size(), mesh.triangles.size(),
                mesh.source.empty() ? "mesh" : mesh.source);
@@ -101,7 +131,7 @@ void check(const Mesh& mesh) {
   }
 }
 
-Box bounds(const Mesh& mesh) {
+Box bounds(const MeshView& mesh) {
   const PlainArithmetic plain;
   Box box;
   for (const auto& t : mesh.triangles) {
@@ -112,7 +142,7 @@ Box bounds(const Mesh& mesh) {
   return box;
 }
 
-std::uint32_t part_of(const Mesh& mesh, TriangleId i) {
+std::uint32_t part_of(const MeshView& mesh, TriangleId i) {
   std::uint32_t best = Part::kNoParent;
   for (std::uint32_t p = 0; p < mesh.parts.size(); ++p) {
     const Part& part = mesh.parts[p];
@@ -124,8 +154,8 @@ std::uint32_t part_of(const Mesh& mesh, TriangleId i) {
   return first_run(mesh, best);
 }
 
-void append(Mesh& mesh, const Mesh& other) {
-  if (&mesh == &other) {
+void append(Mesh& mesh, const MeshView& other) {
+  if (other.vertices.data() == mesh.vertices.data() && !mesh.vertices.empty()) {
     append(mesh, Mesh(other));
     return;
   }
@@ -136,7 +166,7 @@ void append(Mesh& mesh, const Mesh& other) {
     throw Error(ErrorKind::out_of_range, place(other, "too many triangles when joined"),
                 "join fewer models: at most 2^31 - 1 triangles and vertices together");
   }
-  const auto whole = [](const Mesh& m) {
+  const auto whole = [](const MeshView& m) {
     return Part{m.source, Part::kNoParent, 0, static_cast<std::uint32_t>(m.triangles.size())};
   };
   if (mesh.parts.empty() && triangles > 0) {
@@ -174,7 +204,7 @@ void append(Mesh& mesh, const Mesh& other) {
   }
 }
 
-std::uint64_t corner_hash(const Mesh& mesh) {
+std::uint64_t corner_hash(const MeshView& mesh) {
   Fnv1a hash;
   for (const auto& t : mesh.triangles) {
     for (const std::uint32_t v : t) {

@@ -8,6 +8,8 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -69,21 +71,82 @@ struct Mesh {
   }
 };
 
+/// A mesh whose arrays belong to something else, which must outlive the view: a `Mesh`, a `Shape`,
+/// or a mapped tree file. Names mean what they mean in `Mesh`. What only reads a mesh takes a view,
+/// and a `Mesh` converts to one.
+struct MeshView {
+  std::span<const Vec3> vertices;
+  std::span<const std::array<std::uint32_t, 3>> triangles;
+  const std::vector<Part>& parts;
+  std::span<const std::uint32_t> faces;
+  double unit = 0;
+  UpAxis up = UpAxis::unknown;
+  const Georeference& georeference;
+  const std::string& source;
+  const std::vector<std::string>& notes;
+
+  /// No triangles.
+  MeshView();
+
+  // NOLINTNEXTLINE(google-explicit-constructor): a mesh is what a view shows
+  MeshView(const Mesh& mesh)
+      : vertices(mesh.vertices),
+        triangles(mesh.triangles),
+        parts(mesh.parts),
+        faces(mesh.faces),
+        unit(mesh.unit),
+        up(mesh.up),
+        georeference(mesh.georeference),
+        source(mesh.source),
+        notes(mesh.notes) {}
+
+  /// A mesh's other fields beside vertices, triangles and faces that lie elsewhere.
+  MeshView(const Mesh& others, std::span<const Vec3> vertices_,
+           std::span<const std::array<std::uint32_t, 3>> triangles_,
+           std::span<const std::uint32_t> faces_)
+      : MeshView(others) {
+    vertices = vertices_;
+    triangles = triangles_;
+    faces = faces_;
+  }
+
+  MeshView(const MeshView&) = default;
+
+  MeshView& operator=(const MeshView& other) {
+    if (this != &other) {
+      std::construct_at(this, other);  // as members are references
+    }
+    return *this;
+  }
+
+  /// Equal arrays and equal statements. \cost Constant for views of the same arrays, else linear.
+  [[nodiscard]] bool operator==(const MeshView& other) const;
+
+  /// A copy of all that the view shows. \cost Linear.
+  [[nodiscard]] explicit operator Mesh() const;
+
+  /// Corners of triangle `i`, unmoved.
+  [[nodiscard]] Triangle triangle(TriangleId i) const {
+    const auto& t = triangles[i];
+    return {vertices[t[0]], vertices[t[1]], vertices[t[2]]};
+  }
+};
+
 /// Throws unless the mesh is fit for trees and queries: indices in range, counts below 2^31, every
 /// corner of every triangle finite and of magnitude at most 2^300, parts and faces consistent.
 /// \errors ErrorKind::not_finite, out_of_range, bad_file; names the first such triangle.
-void check(const Mesh& mesh);
+void check(const MeshView& mesh);
 
 /// Bounds of the corners of all triangles (unused vertices do not count).
-[[nodiscard]] Box bounds(const Mesh& mesh);
+[[nodiscard]] Box bounds(const MeshView& mesh);
 
 /// Part that triangle `i` belongs to: the innermost by position, or Part::kNoParent without parts.
 /// For an object of several runs it is the first, whichever run holds the triangle.
-[[nodiscard]] std::uint32_t part_of(const Mesh& mesh, TriangleId i);
+[[nodiscard]] std::uint32_t part_of(const MeshView& mesh, TriangleId i);
 
 /// The first run of the object that `part` is a run of: itself, if it continues none.
 /// Part::kNoParent gives Part::kNoParent.
-[[nodiscard]] inline std::uint32_t first_run(const Mesh& mesh, std::uint32_t part) {
+[[nodiscard]] inline std::uint32_t first_run(const MeshView& mesh, std::uint32_t part) {
   return part == Part::kNoParent || mesh.parts[part].continues == Part::kNoParent
              ? part
              : mesh.parts[part].continues;
@@ -93,10 +156,10 @@ void check(const Mesh& mesh);
 /// source. Triangle i of `other` becomes triangle `mesh.triangles.size() + i`. Unit, up axis and
 /// georeference stay those of `mesh`.
 /// \errors ErrorKind::out_of_range when the sum exceeds `kMaxPrimitives`.
-void append(Mesh& mesh, const Mesh& other);
+void append(Mesh& mesh, const MeshView& other);
 
 /// FNV-1a 64 over all corner coordinates, triangle by triangle, as little-endian doubles.
-[[nodiscard]] std::uint64_t corner_hash(const Mesh& mesh);
+[[nodiscard]] std::uint64_t corner_hash(const MeshView& mesh);
 
 /// A mesh with every vertex multiplied by `scale`, and turned from `up` to z up as COLLADA does it.
 /// With y up, (x, y, z) becomes (x, -z, y); with x up, it becomes (-y, -z, x); `unknown` and `z` do

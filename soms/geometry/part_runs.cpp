@@ -7,7 +7,7 @@
 
 namespace soms {
 
-std::vector<PartRun> part_runs(const Mesh& mesh) {
+std::vector<PartRun> part_runs(const MeshView& mesh) {
   struct Event {
     std::size_t triangle = 0;
     std::uint32_t part = 0;

@@ -23,6 +23,6 @@ struct PartRun {
 /// part of a run is the innermost that holds its triangles, which may continue another; `first_run`
 /// of it is the `part_of` of each triangle.
 /// \cost O(p log p) for p parts.
-[[nodiscard]] std::vector<PartRun> part_runs(const Mesh& mesh);
+[[nodiscard]] std::vector<PartRun> part_runs(const MeshView& mesh);
 
 }  // namespace soms

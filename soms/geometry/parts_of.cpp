@@ -5,7 +5,7 @@
 
 namespace soms {
 
-PartsOf::PartsOf(const Mesh& mesh) : runs_(part_runs(mesh)) {
+PartsOf::PartsOf(const MeshView& mesh) : runs_(part_runs(mesh)) {
   for (PartRun& run : runs_) {
     run.part = first_run(mesh, run.part);
   }
@@ -18,7 +18,7 @@ std::uint32_t PartsOf::operator()(TriangleId triangle) const {
   return behind == runs_.begin() ? Part::kNoParent : std::prev(behind)->part;
 }
 
-std::vector<std::string> part_path(const Mesh& mesh, std::uint32_t part) {
+std::vector<std::string> part_path(const MeshView& mesh, std::uint32_t part) {
   std::vector<std::string> path;
   while (part != Part::kNoParent && path.size() < mesh.parts.size()) {
     path.push_back(mesh.parts[part].name);

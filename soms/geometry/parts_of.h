@@ -26,7 +26,7 @@ class PartsOf {
   PartsOf() = default;
 
   /// \cost As `part_runs`; 16 bytes a run.
-  explicit PartsOf(const Mesh& mesh);
+  explicit PartsOf(const MeshView& mesh);
 
   /// The part's index in `Mesh::parts`; Part::kNoParent where no part holds the triangle.
   /// \cost O(log p) for p parts.
@@ -41,6 +41,6 @@ class PartsOf {
 /// Names of the parts around `part`, the outermost first, and its own name last; unnamed ones are
 /// empty. Ends at a part that encloses itself, which no file that soms reads has.
 /// \pre `part` < mesh.parts.size(), and parents exist, as `check` makes sure.
-[[nodiscard]] std::vector<std::string> part_path(const Mesh& mesh, std::uint32_t part);
+[[nodiscard]] std::vector<std::string> part_path(const MeshView& mesh, std::uint32_t part);
 
 }  // namespace soms

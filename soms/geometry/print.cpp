@@ -18,6 +18,10 @@
 namespace soms {
 
 std::ostream& operator<<(std::ostream& out, const Mesh& value) {
+  return out << MeshView(value);
+}
+
+std::ostream& operator<<(std::ostream& out, const MeshView& value) {
   return out << PrintedFields("Mesh")
                     .item(printed_count(value.triangles.size(), "triangle", "triangles"))
                     .item(printed_count(value.vertices.size(), "vertex", "vertices"))

@@ -25,6 +25,7 @@ struct EdgePlace;
 struct Georeference;
 struct MapConversion;
 struct Mesh;
+struct MeshView;
 struct Part;
 struct PartClosedness;
 struct PartGroup;
@@ -36,6 +37,7 @@ struct VertexCopy;
 
 /// One line, as in soms/base/print.h. Lists are counted, not listed.
 std::ostream& operator<<(std::ostream& out, const Mesh& value);
+std::ostream& operator<<(std::ostream& out, const MeshView& value);
 std::ostream& operator<<(std::ostream& out, const Attribute& value);
 std::ostream& operator<<(std::ostream& out, const Part& value);
 std::ostream& operator<<(std::ostream& out, const PartGroup& value);

@@ -20,7 +20,7 @@ namespace soms {
 namespace {
 
 /// STL and 3DS have no place for vertices that no triangle uses.
-std::vector<bool> written_vertices(const Mesh& mesh, MeshFormat format) {
+std::vector<bool> written_vertices(const MeshView& mesh, MeshFormat format) {
   const bool all = format != MeshFormat::stl && format != MeshFormat::three_ds;
   std::vector<bool> written(mesh.vertices.size(), all);
   if (!all) {
@@ -47,7 +47,7 @@ MeshFormat format_for(const std::filesystem::path& path) {
               "use " + writable_extensions());
 }
 
-void write_mesh(const std::filesystem::path& path, const Mesh& mesh, MeshFormat format,
+void write_mesh(const std::filesystem::path& path, const MeshView& mesh, MeshFormat format,
                 const Parallel& parallel) {
   const PlainArithmetic plain;
   detail::OutputFile file(path);
@@ -56,7 +56,7 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh, MeshFormat 
   file.commit();
 }
 
-void write_mesh(std::ostream& out, const std::string& name, const Mesh& mesh, MeshFormat format,
+void write_mesh(std::ostream& out, const std::string& name, const MeshView& mesh, MeshFormat format,
                 const Parallel& parallel) {
   const PlainArithmetic plain;
   const auto check_stream = [&] {
@@ -75,7 +75,7 @@ void write_mesh(std::ostream& out, const std::string& name, const Mesh& mesh, Me
   check_stream();
 }
 
-Rounding rounding(const Mesh& mesh, MeshFormat format) {
+Rounding rounding(const MeshView& mesh, MeshFormat format) {
   const PlainArithmetic plain;
   Rounding result;
   if (entry(format).doubles) {
@@ -98,11 +98,11 @@ Rounding rounding(const Mesh& mesh, MeshFormat format) {
   return result;
 }
 
-std::uint64_t count_rounded(const Mesh& mesh, MeshFormat format) {
+std::uint64_t count_rounded(const MeshView& mesh, MeshFormat format) {
   return rounding(mesh, format).count;
 }
 
-std::uint64_t count_renamed(const Mesh& mesh, MeshFormat format) {
+std::uint64_t count_renamed(const MeshView& mesh, MeshFormat format) {
   return format == MeshFormat::three_ds ? detail::renamed_in_three_ds(mesh)
          : format == MeshFormat::obj    ? detail::obj_groups(mesh).renamed
                                         : 0;

@@ -29,11 +29,11 @@ enum class MeshFormat { ply, ply_ascii, obj, stl, stl_ascii, off, three_ds, glb 
 /// out_of_range (a
 ///          coordinate that a float cannot hold, more than the 4 GiB that 3DS and GLB have room
 ///          for), cancelled.
-void write_mesh(const std::filesystem::path& path, const Mesh& mesh, MeshFormat format,
+void write_mesh(const std::filesystem::path& path, const MeshView& mesh, MeshFormat format,
                 const Parallel& parallel = {});
 
 /// The same to a stream; `name` is used in messages.
-void write_mesh(std::ostream& out, const std::string& name, const Mesh& mesh, MeshFormat format,
+void write_mesh(std::ostream& out, const std::string& name, const MeshView& mesh, MeshFormat format,
                 const Parallel& parallel = {});
 
 /// What a format that holds floats does to a mesh.
@@ -45,15 +45,15 @@ struct Rounding {
 };
 
 /// Vertices that a format does not write are left out. \pre `check(mesh)` passes. \cost One pass.
-[[nodiscard]] Rounding rounding(const Mesh& mesh, MeshFormat format);
+[[nodiscard]] Rounding rounding(const MeshView& mesh, MeshFormat format);
 
 /// Vertices that are not read back equal from this format, because it holds floats.
 /// \cost One pass.
-[[nodiscard]] std::uint64_t count_rounded(const Mesh& mesh, MeshFormat format);
+[[nodiscard]] std::uint64_t count_rounded(const MeshView& mesh, MeshFormat format);
 
 /// Parts whose names this format changes: 3DS holds ten characters of ASCII, different for each
 /// object, and OBJ holds groups of different names. \pre `check(mesh)` passes. \errors
 /// ErrorKind::out_of_range as `write_mesh`. \cost One pass.
-[[nodiscard]] std::uint64_t count_renamed(const Mesh& mesh, MeshFormat format);
+[[nodiscard]] std::uint64_t count_renamed(const MeshView& mesh, MeshFormat format);
 
 }  // namespace soms

@@ -32,7 +32,7 @@ std::string in_text(const Vec3& p) {
 
 /// "triangle 4 from (0, 0, 1) to (1, 0, 1)", for the first few.
 std::string places_of(const Body& body, const std::vector<OddEdge>& odd) {
-  const Mesh& mesh = body.shape.mesh();
+  const MeshView& mesh = body.shape.mesh();
   std::string text;
   std::size_t named = 0;
   for (const OddEdge& edge : odd) {
@@ -91,7 +91,7 @@ ClosedBody ClosedBody::at(const Pose& pose) const {
 }
 
 void ClosedBody::check_closed() const {
-  const Mesh& mesh = body_.shape.mesh();
+  const MeshView& mesh = body_.shape.mesh();
   const std::vector<OddEdge>& odd = surface_->odd;
   if (surface_->is_closed(mesh, body_.pose)) {
     return;

@@ -24,7 +24,7 @@ namespace {
 using detail::PointCrossings;
 
 /// A number for each triangle's part: that of Mesh::parts, or of its connected part.
-std::vector<std::uint32_t> numbers_of(const Mesh& mesh, Partition partition,
+std::vector<std::uint32_t> numbers_of(const MeshView& mesh, Partition partition,
                                       const Parallel& parallel) {
   std::vector<std::uint32_t> number(mesh.triangles.size());
   if (partition == Partition::named) {
@@ -44,10 +44,10 @@ std::vector<std::uint32_t> numbers_of(const Mesh& mesh, Partition partition,
 }
 
 /// The mesh with the triangles of a part next to each other, and a part for each.
-Mesh sorted_by_part(const Mesh& mesh, const std::vector<TriangleId>& order,
+Mesh sorted_by_part(const MeshView& mesh, const std::vector<TriangleId>& order,
                     const std::vector<std::uint32_t>& number) {
   Mesh sorted;
-  sorted.vertices = mesh.vertices;
+  sorted.vertices.assign(mesh.vertices.begin(), mesh.vertices.end());
   for (const TriangleId id : order) {
     if (sorted.parts.empty() || number[id] != number[order[sorted.triangles.size() - 1]]) {
       sorted.parts.emplace_back().first = static_cast<std::uint32_t>(sorted.triangles.size());
@@ -92,7 +92,7 @@ std::vector<PartSide> sides_of(const PartedBody& body, const PointCrossings& met
 PartedBody::Found PartedBody::divide(const Body& body, Partition partition,
                                      const std::vector<std::uint32_t>& number,
                                      const Parallel& parallel) {
-  const Mesh& mesh = body.shape.mesh();
+  const MeshView& mesh = body.shape.mesh();
   std::vector<TriangleId> order(mesh.triangles.size());
   std::iota(order.begin(), order.end(), TriangleId{0});
   std::stable_sort(order.begin(), order.end(),
@@ -121,7 +121,7 @@ PartedBody::Found PartedBody::divide(const Body& body, Partition partition,
 
 PartedBody::Found PartedBody::find(const Body& body, Partition partition,
                                    const Parallel& parallel) {
-  const Mesh& mesh = body.shape.mesh();
+  const MeshView& mesh = body.shape.mesh();
   std::vector<std::uint32_t> number = numbers_of(mesh, partition, parallel);
   Found found = divide(body, partition, number, parallel);
   if (partition == Partition::connected || found.open < 2) {

@@ -46,13 +46,13 @@ struct OneMesh {
 };
 
 std::string name_of(std::span<const Mesh> meshes, const RobotMeshPart& part) {
-  const Mesh& mesh = meshes[part.mesh];
+  const MeshView& mesh = meshes[part.mesh];
   return part.part == Part::kNoParent ? mesh.source : mesh.parts[part.part].name;
 }
 
 /// Finds out what of a body is connected, and what of an open one is closed.
 void look_into(RobotBody& body, const Parallel& parallel) {
-  const Mesh& mesh = body.part.body.shape.mesh();
+  const MeshView& mesh = body.part.body.shape.mesh();
   detail::ClosedSurface surface = detail::closed_surface(mesh, {.stop = parallel.stop});
   body.connected = std::move(surface.first);
   body.connected_of = std::move(surface.part_of);

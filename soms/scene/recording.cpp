@@ -16,11 +16,7 @@ namespace soms {
 namespace {
 
 using detail::put;
-
-void put_text(std::string& bytes, const std::string& text) {
-  put(bytes, static_cast<std::uint32_t>(text.size()));
-  bytes += text;
-}
+using detail::put_text;
 
 void put_mesh(std::string& bytes, const RecordedMesh& mesh) {
   put_text(bytes, mesh.name);

@@ -36,7 +36,7 @@ Vec3 greatest_corner(const Pose& pose, const Box& box, std::size_t k) {
 
 }  // namespace
 
-PosedBoxes::PosedBoxes(const Mesh& mesh, const Tree& tree) : mesh_(&mesh), tree_(&tree) {
+PosedBoxes::PosedBoxes(const MeshView& mesh, const Tree& tree) : mesh_(mesh), tree_(&tree) {
 }
 
 void PosedBoxes::move(const Pose& pose, BoxUpdate update) {
@@ -44,10 +44,10 @@ void PosedBoxes::move(const Pose& pose, BoxUpdate update) {
   if (pose_ == pose && update_ == update) {
     return;
   }
-  vertices_.resize(mesh_->vertices.size());
+  vertices_.resize(mesh_.vertices.size());
   boxes_.resize(tree_->nodes.size());
   for (std::size_t i = 0; i < vertices_.size(); ++i) {
-    vertices_[i] = pose.apply(mesh_->vertices[i]);
+    vertices_[i] = pose.apply(mesh_.vertices[i]);
   }
   if (update == BoxUpdate::rebox) {
     rebox(pose);

@@ -29,7 +29,7 @@ namespace soms {
 class PosedBoxes {
  public:
   /// Mesh and tree must outlive the object.
-  PosedBoxes(const Mesh& mesh, const Tree& tree);
+  PosedBoxes(const MeshView& mesh, const Tree& tree);
 
   /// Moves to a pose; nothing happens when pose and way are those of the last call.
   ///
@@ -45,7 +45,7 @@ class PosedBoxes {
 
   /// Moved corners of triangle `i`.
   [[nodiscard]] Triangle triangle(TriangleId i) const {
-    const auto& t = mesh_->triangles[i];
+    const auto& t = mesh_.triangles[i];
     return {vertices_[t[0]], vertices_[t[1]], vertices_[t[2]]};
   }
 
@@ -56,7 +56,7 @@ class PosedBoxes {
   void refit();
   void rebox(const Pose& pose);
 
-  const Mesh* mesh_;
+  MeshView mesh_;
   const Tree* tree_;
   std::vector<Vec3> vertices_;
   std::vector<Box> boxes_;

@@ -24,7 +24,7 @@ class WideTree;
 ///          passes, and every node has a TreeId. Other options follow the rule wherever it leads,
 ///          which may take O(n * depth) time.
 /// \source  thesis, chapter 4; Ericson 2005, section 6.2.1.
-[[nodiscard]] Tree build(const Mesh& mesh, const BuildOptions& options = {},
+[[nodiscard]] Tree build(const MeshView& mesh, const BuildOptions& options = {},
                          const Parallel& parallel = {});
 
 /// The tree by a rule of your own: as `build`, with `rule` in place of that of `options.rule`,
@@ -36,12 +36,12 @@ class WideTree;
 /// \pre     `check(mesh)` passes. `rule` depends on its arguments alone, returns an axis below 3,
 ///          throws nothing, and may be called by several threads at once.
 /// \errors  As `build`; ErrorKind::usage without a rule.
-[[nodiscard]] Tree build_by(const Mesh& mesh, RuleFunction rule, BuildOptions options = {},
+[[nodiscard]] Tree build_by(const MeshView& mesh, RuleFunction rule, BuildOptions options = {},
                             const Parallel& parallel = {});
 
 /// The layout of the same tree, which is never put together: `WideTree(build(mesh, options), mesh)`
 /// byte for byte, sooner and with less memory in between.
-[[nodiscard]] WideTree build_wide(const Mesh& mesh, const BuildOptions& options = {},
+[[nodiscard]] WideTree build_wide(const MeshView& mesh, const BuildOptions& options = {},
                                   const Parallel& parallel = {});
 
 }  // namespace soms

@@ -16,7 +16,7 @@ std::string node_name(const Tree& tree, const Node& node) {
   return "node " + std::to_string(&node - tree.nodes.data());
 }
 
-std::string fault_of_run(const Tree& tree, const Mesh& mesh, const Node& node) {
+std::string fault_of_run(const Tree& tree, const MeshView& mesh, const Node& node) {
   if (std::uint64_t{node.first} + node.count > tree.primitives.size()) {
     return node_name(tree, node) + " has a run beyond the primitives";
   }
@@ -54,7 +54,7 @@ std::string fault_of_children(const Tree& tree, const Node& node, const Node& le
 }
 
 /// Traverses the tree depth-first; `tree.nodes` must be met in exactly this order.
-std::string fault_of_nodes(const Tree& tree, const Mesh& mesh) {
+std::string fault_of_nodes(const Tree& tree, const MeshView& mesh) {
   std::vector<std::uint32_t> pending{0};
   std::size_t next = 0;
   while (!pending.empty()) {
@@ -91,7 +91,7 @@ std::string fault_of_nodes(const Tree& tree, const Mesh& mesh) {
 
 }  // namespace
 
-std::string find_fault(const Tree& tree, const Mesh& mesh) {
+std::string find_fault(const Tree& tree, const MeshView& mesh) {
   const PlainArithmetic plain;
   const std::size_t count = mesh.triangles.size();
   if (tree.primitives.size() != count) {

@@ -12,6 +12,6 @@ namespace soms {
 /// Empty if `tree` is a valid tree of `mesh`, else one sentence naming the first fault: every
 /// triangle in exactly one leaf, children's runs make up their parent's, each box exactly the
 /// bounds of its triangles, ids and depths consistent, depth-first order.
-[[nodiscard]] std::string find_fault(const Tree& tree, const Mesh& mesh);
+[[nodiscard]] std::string find_fault(const Tree& tree, const MeshView& mesh);
 
 }  // namespace soms

@@ -2,12 +2,14 @@ set(SOMS_HEADERS
   build.h
   build_options.h
   check.h
+  file/shape_bytes.h
   layout/ground_plan.h
   layout/min_max_grid.h
   layout/compact_node.h
   layout/node_axes.h
   layout/pages.h
   layout/start_nodes.h
+  layout/stored.h
   layout/wide_tree.h
   option_names.h
   print.h
@@ -31,6 +33,10 @@ set(SOMS_SOURCES
   build/detail/top_down.cpp
   build_options.cpp
   check.cpp
+  file/detail/check_arrays.cpp
+  file/detail/head.cpp
+  file/detail/statements.cpp
+  file/shape_bytes.cpp
   layout/min_max_grid.cpp
   layout/compact.cpp
   layout/compact_node.cpp

@@ -3,6 +3,7 @@
 #include "soms/base/print.h"
 #include "soms/base/print_fields.h"
 #include "soms/geometry/print.h"
+#include "soms/tree/file/shape_bytes.h"
 #include "soms/tree/layout/wide_tree.h"
 #include "soms/tree/shape.h"
 #include "soms/tree/statistics.h"
@@ -105,6 +106,19 @@ std::ostream& operator<<(std::ostream& out, const ShapeOptions& value) {
 
 std::ostream& operator<<(std::ostream& out, Layout value) {
   return out << printed_name("Layout", static_cast<int>(value), {"wide", "compact"});
+}
+
+std::ostream& operator<<(std::ostream& out, TreeCheck value) {
+  return out << printed_name("TreeCheck", static_cast<int>(value),
+                             {"trusted", "safe", "sound", "full"});
+}
+
+std::ostream& operator<<(std::ostream& out, const OpenOptions& value) {
+  return out << PrintedFields("OpenOptions").add("check", value.check).add("load", value.load);
+}
+
+std::ostream& operator<<(std::ostream& out, const TreeFileName& value) {
+  return out << PrintedFields("TreeFileName").item(quoted_text(value.path)).add("hash", value.hash);
 }
 
 }  // namespace soms

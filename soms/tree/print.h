@@ -11,11 +11,14 @@ enum class AxisFrom;
 enum class EmptySide;
 enum class Layout;
 enum class Rule;
+enum class TreeCheck;
 struct BuildOptions;
 struct ExpectedVisits;
 struct Node;
+struct OpenOptions;
 struct ShapeOptions;
 struct Tree;
+struct TreeFileName;
 struct TreeStatistics;
 struct Visits;
 
@@ -32,5 +35,8 @@ std::ostream& operator<<(std::ostream& out, EmptySide value);
 std::ostream& operator<<(std::ostream& out, const Shape& value);
 std::ostream& operator<<(std::ostream& out, const ShapeOptions& value);
 std::ostream& operator<<(std::ostream& out, Layout value);
+std::ostream& operator<<(std::ostream& out, TreeCheck value);
+std::ostream& operator<<(std::ostream& out, const OpenOptions& value);
+std::ostream& operator<<(std::ostream& out, const TreeFileName& value);
 
 }  // namespace soms

@@ -2,10 +2,12 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
+#include "soms/tree/detail/held_mesh.h"
 #include "soms/tree/layout/detail/fetch_corners.h"
 #include "soms/tree/layout/detail/parts.h"
 #include "soms/tree/layout/wide_tree.h"
 
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <utility>
@@ -29,7 +31,7 @@ void expect_as_many(std::size_t now, std::size_t before, const std::string& what
 
 /// Boxes of `nodes`, the first of which is number `first` of the tree; the last node comes first.
 void bound_part(std::span<Node> nodes, std::uint32_t first, std::span<const TriangleId> primitives,
-                const Mesh& mesh) {
+                const MeshView& mesh) {
   const Node& root = nodes.front();
   layout::fetch_corners(mesh, primitives.subspan(root.first, root.count));
   for (std::size_t i = nodes.size(); i-- > 0;) {
@@ -48,7 +50,7 @@ void bound_part(std::span<Node> nodes, std::uint32_t first, std::span<const Tria
 
 }  // namespace
 
-Tree refit(const Tree& tree, const Mesh& mesh, const Parallel& parallel) {
+Tree refit(const Tree& tree, const MeshView& mesh, const Parallel& parallel) {
   const PlainArithmetic plain;
   expect_as_many(mesh.triangles.size(), tree.primitives.size(), "triangles");
   check(mesh);
@@ -81,25 +83,25 @@ Shape refit(const Shape& shape, std::shared_ptr<const Mesh> mesh, const Parallel
   }
   expect_as_many(mesh->vertices.size(), shape.mesh().vertices.size(), "vertices");
   expect_as_many(mesh->triangles.size(), shape.mesh().triangles.size(), "triangles");
-  if (mesh->triangles != shape.mesh().triangles) {
+  if (!std::ranges::equal(mesh->triangles, shape.mesh().triangles)) {
     throw Error(ErrorKind::usage, "refit: the triangles are not those of the shape",
                 "build a new shape");
   }
   check(*mesh);
   check_stop(parallel);
   Shape moved = shape;
-  moved.mesh_ = std::move(mesh);
-  moved.layout_ = std::make_shared<const WideTree>(shape.layout(), *moved.mesh_, parallel);
+  moved.mesh_ = detail::HeldMesh::of(std::move(mesh));
+  moved.layout_ = std::make_shared<const WideTree>(shape.layout(), moved.mesh(), parallel);
   if (shape.tree_) {
     moved.tree_ = std::make_shared<const Tree>(
-        refit(*shape.tree_, *moved.mesh_, Parallel{parallel.threads, parallel.stop, {}}));
+        refit(*shape.tree_, moved.mesh(), Parallel{parallel.threads, parallel.stop, {}}));
   }
   moved.bounds_ = moved.layout_->bounds();
   if (moved.sah_area_ratio_ == 0) {
     const double built = shape.layout().sah_area_ratio(shape.mesh(), parallel);
     moved.sah_area_ratio_ = built > 0 ? built : kNoArea;
   }
-  const double now = moved.layout_->sah_area_ratio(*moved.mesh_, parallel);
+  const double now = moved.layout_->sah_area_ratio(moved.mesh(), parallel);
   if (now > 0) {
     // What was built of a mesh without area knows nothing of where triangles lie.
     moved.sah_degradation_ = moved.sah_area_ratio_ > 0 ? now / moved.sah_area_ratio_ : kEndless;
@@ -111,14 +113,9 @@ Shape refit(const Shape& shape, std::shared_ptr<const Mesh> mesh, const Parallel
 
 Shape refit(const Shape& shape, std::vector<Vec3> vertices, const Parallel& parallel) {
   expect_as_many(vertices.size(), shape.mesh().vertices.size(), "vertices");
-  auto mesh = std::make_shared<Mesh>();
-  mesh->triangles = shape.mesh().triangles;
-  mesh->parts = shape.mesh().parts;
-  mesh->faces = shape.mesh().faces;
-  mesh->unit = shape.mesh().unit;
-  mesh->up = shape.mesh().up;
-  mesh->source = shape.mesh().source;
-  mesh->notes = shape.mesh().notes;
+  MeshView moved = shape.mesh();
+  moved.vertices = {};
+  auto mesh = std::make_shared<Mesh>(static_cast<Mesh>(moved));
   mesh->vertices = std::move(vertices);
   return refit(shape, std::shared_ptr<const Mesh>(std::move(mesh)), parallel);
 }

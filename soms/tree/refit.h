@@ -18,7 +18,7 @@ namespace soms {
 /// \pre     `tree` is whole for a mesh of these triangles.
 /// \errors  As `check(Mesh)`; ErrorKind::usage for another number of triangles; cancelled.
 /// \cost    O(n) time.
-[[nodiscard]] Tree refit(const Tree& tree, const Mesh& mesh, const Parallel& parallel = {});
+[[nodiscard]] Tree refit(const Tree& tree, const MeshView& mesh, const Parallel& parallel = {});
 
 /// A shape whose vertices were moved: its layout, and its tree where it was kept, are those of
 /// `shape` with new boxes. Queries answer exactly as on a shape that is rebuilt. The shape that

@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 #include "soms/tree/build.h"
 #include "soms/tree/build/detail/subtrees.h"
+#include "soms/tree/detail/held_mesh.h"
 #include "soms/tree/layout/wide_tree.h"
 
 #include <utility>
@@ -11,10 +12,9 @@ namespace soms {
 
 namespace {
 
-std::size_t bytes_of(const Mesh& mesh) {
-  return mesh.vertices.capacity() * sizeof(Vec3) +
-         mesh.triangles.capacity() * sizeof(mesh.triangles[0]) +
-         mesh.faces.capacity() * sizeof(mesh.faces[0]) + mesh.parts.capacity() * sizeof(Part);
+std::size_t bytes_of(const MeshView& mesh) {
+  return mesh.vertices.size_bytes() + mesh.triangles.size_bytes() + mesh.faces.size_bytes() +
+         mesh.parts.capacity() * sizeof(Part);
 }
 
 std::size_t bytes_of(const Tree& tree) {
@@ -30,7 +30,8 @@ bool equal(const std::shared_ptr<const T>& a, const std::shared_ptr<const T>& b)
 }  // namespace
 
 Shape::Shape()
-    : mesh_(std::make_shared<const Mesh>()), layout_(std::make_shared<const WideTree>()) {
+    : mesh_(detail::HeldMesh::of(std::make_shared<const Mesh>())),
+      layout_(std::make_shared<const WideTree>()) {
 }
 
 Shape::Shape(Mesh mesh, const ShapeOptions& options, const Parallel& parallel)
@@ -39,11 +40,12 @@ Shape::Shape(Mesh mesh, const ShapeOptions& options, const Parallel& parallel)
 
 Shape::Shape(std::shared_ptr<const Mesh> mesh, const ShapeOptions& options,
              const Parallel& parallel)
-    : mesh_(std::move(mesh)), build_options_(options.build) {
-  if (!mesh_) {
+    : build_options_(options.build) {
+  if (!mesh) {
     throw Error(ErrorKind::usage, "shape: no mesh", "give a mesh; it may be empty");
   }
-  check(*mesh_);
+  check(*mesh);
+  mesh_ = detail::HeldMesh::of(std::move(mesh));
   if (options.keep_tree) {
     tree_ = std::make_shared<const Tree>(
         build(*mesh_, options.build, detail::within(parallel, 0, 0.6)));
@@ -55,6 +57,29 @@ Shape::Shape(std::shared_ptr<const Mesh> mesh, const ShapeOptions& options,
     layout_ = std::make_shared<const WideTree>(layout_->compacted(parallel));
   }
   bounds_ = layout_->bounds();
+}
+
+std::shared_ptr<const Mesh> Shape::shared_mesh() const {
+  return static_cast<const detail::HeldMesh&>(*mesh_).shared();
+}
+
+const TreeFileName* Shape::tree_file() const {
+  return static_cast<const detail::HeldMesh&>(*mesh_).tree_file();
+}
+
+Shape detail::opened(ShapeParts parts) {
+  Shape shape;
+  shape.mesh_ = std::move(parts.mesh);
+  shape.layout_ = std::move(parts.layout);
+  shape.bounds_ = shape.layout_->bounds();
+  shape.build_options_ = parts.build_options;
+  shape.sah_area_ratio_ = parts.sah_area_ratio;
+  shape.sah_degradation_ = parts.sah_degradation;
+  return shape;
+}
+
+std::pair<double, double> detail::areas_of(const Shape& shape) {
+  return {shape.sah_area_ratio_, shape.sah_degradation_};
 }
 
 std::size_t Shape::memory() const {

@@ -7,11 +7,29 @@
 #include "soms/tree/build_options.h"
 #include "soms/tree/tree.h"
 
+#include <cstdint>
 #include <memory>
+#include <string>
+#include <utility>
 
 namespace soms {
 
 class WideTree;
+class Shape;
+
+namespace detail {
+struct ShapeParts;
+Shape opened(ShapeParts parts);
+std::pair<double, double> areas_of(const Shape& shape);
+}  // namespace detail
+
+/// A tree file that a shape was opened from (`soms/store/tree_file.h`).
+struct TreeFileName {
+  std::string path;        ///< as it was given, or the name of the bytes
+  std::uint64_t hash = 0;  ///< of its content
+
+  [[nodiscard]] bool operator==(const TreeFileName&) const = default;
+};
 
 /// How the tree that queries traverse is kept.
 enum class Layout {
@@ -41,9 +59,15 @@ class Shape {
   explicit Shape(std::shared_ptr<const Mesh> mesh, const ShapeOptions& options = {},
                  const Parallel& parallel = {});
 
-  [[nodiscard]] const Mesh& mesh() const { return *mesh_; }
+  /// The mesh, for as long as this shape or a copy of it lives.
+  [[nodiscard]] const MeshView& mesh() const { return *mesh_; }
 
-  [[nodiscard]] const std::shared_ptr<const Mesh>& shared_mesh() const { return mesh_; }
+  /// The mesh that the shape was built on. A shape that was opened from a tree file copies its mesh
+  /// at the first call, once for all of its copies.
+  [[nodiscard]] std::shared_ptr<const Mesh> shared_mesh() const;
+
+  /// The tree file that the shape was opened from, or nullptr where it was built.
+  [[nodiscard]] const TreeFileName* tree_file() const;
 
   /// Bounds of the mesh, unmoved; empty for an empty mesh.
   [[nodiscard]] const Box& bounds() const { return bounds_; }
@@ -70,8 +94,10 @@ class Shape {
  private:
   friend Shape refit(const Shape& shape, std::shared_ptr<const Mesh> mesh,
                      const Parallel& parallel);
+  friend Shape detail::opened(detail::ShapeParts parts);
+  friend std::pair<double, double> detail::areas_of(const Shape& shape);
 
-  std::shared_ptr<const Mesh> mesh_;
+  std::shared_ptr<const MeshView> mesh_;  ///< a detail::HeldMesh
   std::shared_ptr<const Tree> tree_;
   std::shared_ptr<const WideTree> layout_;
   Box bounds_;

@@ -290,7 +290,7 @@ TEST(OpenParts, HaveACapForEachOpening) {
   std::erase_if(box.triangles, on_side(0));
   std::erase_if(box.triangles, on_side(4));
   const PartBody open = part_of(box);
-  const Mesh& caps = open.caps.shape.mesh();
+  const MeshView& caps = open.caps.shape.mesh();
   ASSERT_EQ(caps.triangles.size(), 8U);
   for (TriangleId i = 0; i < 8; ++i) {
     const Triangle cap = caps.triangle(i);
@@ -299,7 +299,7 @@ TEST(OpenParts, HaveACapForEachOpening) {
     EXPECT_EQ(cap.b.x, cap.c.x);
   }
   // With its caps it is closed.
-  EXPECT_TRUE(joined_part({box, caps}).closed);
+  EXPECT_TRUE(joined_part({Mesh(box), Mesh(caps)}).closed);
 }
 
 // An open shell in the wall of a hollow box, around its cavity: closed, it crosses the wall.

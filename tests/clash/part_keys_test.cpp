@@ -17,7 +17,7 @@ std::vector<std::uint64_t> keys_of(const Mesh& mesh) {
   const std::vector<PartBody> parts = part_bodies(mesh);
   std::vector<MeshPart> named;
   for (const PartBody& part : parts) {
-    named.push_back({&mesh, &part});
+    named.push_back({mesh, &part});
   }
   return part_keys(named);
 }

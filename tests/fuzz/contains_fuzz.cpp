@@ -26,7 +26,7 @@ using fuzz::require;
 
 /// A point of a triangle, perhaps moved a step or more on an axis, or in line with a vertex.
 Vec3 point_of(Bytes& bytes, const Body& body, double unit) {
-  const Mesh& mesh = body.shape.mesh();
+  const MeshView& mesh = body.shape.mesh();
   const auto any = [&](std::size_t count) {
     return (std::size_t{bytes.byte()} << 8 | bytes.byte()) % count;
   };

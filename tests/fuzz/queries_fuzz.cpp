@@ -197,7 +197,7 @@ void check_batch(const Shape& mover, const std::vector<Pose>& poses, const Body&
 
 /// A corner of the mover, now and then an ulp off, is a point beside the other body.
 void check_point(const Body& mover, const Body& fixed, Bytes& bytes) {
-  const Mesh& mesh = mover.shape.mesh();
+  const MeshView& mesh = mover.shape.mesh();
   if (mesh.vertices.empty()) {
     return;
   }

@@ -62,7 +62,7 @@ Mesh soup(Bytes& bytes, double unit) {
 
 /// A moved vertex, the middle of two, or a place beside the body, perhaps far.
 Vec3 end_of_ray(Bytes& bytes, const Body& body, double unit) {
-  const Mesh& mesh = body.shape.mesh();
+  const MeshView& mesh = body.shape.mesh();
   const auto vertex = [&] {
     return body.pose.apply(
         mesh.vertices[bytes.below(static_cast<std::uint32_t>(mesh.vertices.size()))]);

@@ -25,7 +25,7 @@ using fuzz::require;
 
 /// A point of a triangle's plane, or one off it by any power of two.
 Vec3 winding_point(Bytes& bytes, const Body& body, double unit) {
-  const Mesh& mesh = body.shape.mesh();
+  const MeshView& mesh = body.shape.mesh();
   const auto& t = mesh.triangles[bytes.byte() % mesh.triangles.size()];
   const auto vertex = [&](std::size_t k) { return body.pose.apply(mesh.vertices[t[k]]); };
   Vec3 p = vertex(0) + (vertex(1) - vertex(0)) * (0.25 * bytes.below(7) - 0.25) +

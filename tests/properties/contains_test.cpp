@@ -32,7 +32,7 @@ constexpr double kFar = std::numeric_limits<double>::max();
 
 /// A point beside the surface or on it, in line with a vertex, in the box, or far away.
 Vec3 any_point(Rng& rng, const Body& body) {
-  const Mesh& mesh = body.shape.mesh();
+  const MeshView& mesh = body.shape.mesh();
   const auto vertex = [&] {
     return body.pose.apply(mesh.vertices[rng.below(mesh.vertices.size())]);
   };

@@ -60,7 +60,7 @@ double any_reach(Rng& rng, const Scales& scales) {
 }
 
 Ray ray_at(Rng& rng, const Body& body, const Scales& scales) {
-  const Mesh& mesh = body.shape.mesh();
+  const MeshView& mesh = body.shape.mesh();
   const Vec3 to = point_of_small(rng, mesh, body.pose);
   const Vec3 from = rng.below(4) == 0 ? point_of_small(rng, mesh, body.pose)
                                       : to + any_way(rng, any_reach(rng, scales));
@@ -133,7 +133,7 @@ TEST_F(RayScales, RaysAndSegmentsAnswerAsBruteForce) {
 /// Points of small triangles, beside them by about their size, a step beside them, or in line with
 /// a corner.
 std::vector<Vec3> points_at(Rng& rng, const Body& body, const Scales& scales, int count) {
-  const Mesh& mesh = body.shape.mesh();
+  const MeshView& mesh = body.shape.mesh();
   std::vector<Vec3> points;
   for (int i = 0; i < count; ++i) {
     Vec3 p = point_of_small(rng, mesh, body.pose);

@@ -64,7 +64,7 @@ Pose pose_for_rays(Rng& rng, const Mesh& mesh) {
 
 /// A point of the surface as near as doubles allow: of a corner, an edge or a face.
 Vec3 surface_point(Rng& rng, const Body& body) {
-  const Mesh& mesh = body.shape.mesh();
+  const MeshView& mesh = body.shape.mesh();
   const auto& t = mesh.triangles[rng.below(mesh.triangles.size())];
   const Vec3 a = body.pose.apply(mesh.vertices[t[0]]);
   const Vec3 b = body.pose.apply(mesh.vertices[t[1]]);

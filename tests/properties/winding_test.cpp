@@ -55,7 +55,7 @@ Pose winding_pose(Rng& rng, const Mesh& mesh) {
 
 /// Points on triangles, beside them and their edges by any step, in line with corners, and far.
 std::vector<Vec3> winding_points(Rng& rng, const Body& body, int count) {
-  const Mesh& mesh = body.shape.mesh();
+  const MeshView& mesh = body.shape.mesh();
   std::vector<Vec3> points;
   const auto corner = [&] {
     const auto& t = mesh.triangles[rng.below(mesh.triangles.size())];

@@ -69,12 +69,12 @@ TEST(DistanceThreads, PartsFindWhatQueriesOfPiecesFind) {
   const Distance whole = distance(spheres.turned(), spheres.outer);
   ASSERT_TRUE(whole.triangles);
   EXPECT_GT(whole.cost.node_tests, 64 * kAlone);  // a step has 64 of them at most
-  const Mesh& inner = spheres.inner.mesh();
+  const MeshView& inner = spheres.inner.mesh();
   Distance best;
   best.distance.lower = std::numeric_limits<double>::infinity();
   for (std::uint32_t first = 0; first < inner.triangles.size(); first += kPiece) {
     Mesh piece;
-    piece.vertices = inner.vertices;
+    piece.vertices.assign(inner.vertices.begin(), inner.vertices.end());
     const auto begin = inner.triangles.begin() + first;
     piece.triangles.assign(begin,
                            begin + std::min<std::ptrdiff_t>(kPiece, inner.triangles.end() - begin));

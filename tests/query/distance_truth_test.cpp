@@ -247,8 +247,9 @@ void run(const std::vector<test::TriangleDistanceRow>& rows) {
     for (const Setup& setup : by_kind.next(row.kind)) {
       SCOPED_TRACE(text(setup));
       const ShapeOptions options{.build = {.rule = setup.rule}, .layout = setup.layout};
-      ASSERT_NO_FATAL_FAILURE(expect_right_by(setup, truth, Body(Shape(a.shape.mesh(), options)),
-                                              Body(Shape(b.shape.mesh(), options)), {}));
+      ASSERT_NO_FATAL_FAILURE(expect_right_by(setup, truth,
+                                              Body(Shape(a.shape.shared_mesh(), options)),
+                                              Body(Shape(b.shape.shared_mesh(), options)), {}));
     }
     ++number;
   }
@@ -256,7 +257,7 @@ void run(const std::vector<test::TriangleDistanceRow>& rows) {
 }
 
 /// Within 4 ulp of the largest coordinate of the pair.
-void expect_near(const Vec3& nearest, const test::ClosestPointRow& row, const Mesh& mesh) {
+void expect_near(const Vec3& nearest, const test::ClosestPointRow& row, const MeshView& mesh) {
   const Triangle t = mesh.triangle(row.triangle);
   double size = 0;
   for (const Vec3& corner : {t.a, t.b, t.c, row.point}) {

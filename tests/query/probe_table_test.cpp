@@ -54,7 +54,7 @@ Body awkward_body(Rng& rng, int most, double scale, double far) {
     return two.a;
   }
   const Vec3 apex = test::point_in(rng, two.a.shape.bounds());
-  return Body(test::coned(two.a.shape.mesh(), apex), two.a.pose);
+  return Body(test::coned(Mesh(two.a.shape.mesh()), apex), two.a.pose);
 }
 
 void expect_twins(const Body& body, const Probes& probes) {
@@ -124,7 +124,8 @@ TEST_F(ProbeTable, IsTheSameForEveryRuleAndLayout) {
     for (const RuleEntry& rule : rules()) {
       for (const Layout layout : {Layout::wide, Layout::compact}) {
         const BuildOptions build{.rule = rule.rule, .per_leaf = layout == Layout::wide ? 1 : 4};
-        const Body other(Shape(body.shape.mesh(), {.build = build, .layout = layout}), body.pose);
+        const Body other(Shape(body.shape.shared_mesh(), {.build = build, .layout = layout}),
+                         body.pose);
         for_each_probe_row(body, probes, [&](const auto& row, const auto& kind) {
           const auto expected = row.ask_batch(body, kind, {}, {}).answers;
           const auto answers = row.ask_batch(other, kind, {}, {}).answers;

@@ -127,7 +127,7 @@ Two likely_to_meet_closed(Rng& rng, double size, double far) {
   Two two = test::likely_to_meet(rng, 5, 1, size, far);
   for (Body* body : {&two.a, &two.b}) {
     const Vec3 apex = test::point_in(rng, body->shape.bounds());
-    *body = Body(test::coned(body->shape.mesh(), apex), body->pose);
+    *body = Body(test::coned(Mesh(body->shape.mesh()), apex), body->pose);
   }
   return two;
 }
@@ -172,7 +172,7 @@ TEST_F(QueryTable, IsTheSameForEveryRuleAndLayout) {
       for (const Layout layout : {Layout::wide, Layout::compact}) {
         const auto built = [&](const Body& old, int per_leaf) {
           const BuildOptions build{.rule = rule.rule, .per_leaf = per_leaf};
-          return Body(Shape(old.shape.mesh(), {.build = build, .layout = layout}), old.pose);
+          return Body(Shape(old.shape.shared_mesh(), {.build = build, .layout = layout}), old.pose);
         };
         const Two other{built(two.a, 4), built(two.b, 1)};
         for_each_question(two, facts, [&](const QueryRow& row, const test::RowOptions& options) {

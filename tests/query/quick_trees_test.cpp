@@ -49,7 +49,7 @@ void expect_every_twin(const Body& body) {
   const test::Probes probes = test::probes_of(body, 2);
   ASSERT_NO_FATAL_FAILURE(expect_probe_twins(body, probes.points));
   ASSERT_NO_FATAL_FAILURE(expect_probe_twins(body, probes.rays));
-  const Mesh& mesh = body.shape.mesh();
+  const MeshView& mesh = body.shape.mesh();
   Body other = body;
   other.pose = test::moving({}, mesh.vertices.front(), mesh.vertices.back());
   ASSERT_EQ(test::first_fault(body, other), "");

@@ -190,7 +190,7 @@ TEST(Ray, IsCutByADeadlineAndSaysSo) {
 // Far origins and directions of any length lose nothing but t, which has fewer digits.
 TEST(Ray, FromAnywhereAndOfAnyLengthHitsTheSame) {
   const Body body(generate_sphere(2000));
-  const Mesh& mesh = body.shape.mesh();
+  const MeshView& mesh = body.shape.mesh();
   for (const int far : {0, 7, 20, 40, 60}) {
     for (const int length : {-900, -60, 0, 60, 900}) {
       for (TriangleId id = 0; id < mesh.triangles.size(); id += 97) {

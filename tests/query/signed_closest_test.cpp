@@ -41,7 +41,7 @@ TEST(SignedClosest, IsBelowZeroInsideAndZeroOnTheSurface) {
 TEST(SignedClosest, AgreesWithItsPartsAndItsTwin) {
   const ClosedBody body{Body(generate_knot(400)), {.threads = 1}};
   std::vector<Vec3> points;
-  const std::vector<Vec3>& vertices = body.body().shape.mesh().vertices;
+  const std::span<const Vec3> vertices = body.body().shape.mesh().vertices;
   test::for_each_case("query/signed-closest", 60, [&](Rng& rng) {
     const Vec3 off{rng.uniform(-0.1, 0.1), rng.uniform(-0.1, 0.1), rng.uniform(-0.1, 0.1)};
     points.push_back(vertices[rng.below(vertices.size())] + off);

@@ -91,7 +91,7 @@ class LiveScene : public ::testing::Test {
     for (Vec3& at : narrow_.vertices) {
       at = {rounded(at.x), rounded(at.y), rounded(at.z)};
     }
-    scene_.models = {{&wide_, "wide"}, {&narrow_, "narrow"}};
+    scene_.models = {{wide_, "wide"}, {narrow_, "narrow"}};
     scene_.bodies = {{0, "mover", true}, {1, "still", false}, {1, "mover 2", true}};
     scene_.steps.count = 3;
     scene_.pose = [](std::uint32_t body, std::uint64_t step) {

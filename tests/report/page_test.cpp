@@ -20,7 +20,7 @@ Page small_page(const Mesh& mesh, const std::string& words) {
   Page page{
       .title = words, .lead = words, .facts = {{words, words}}, .plots = {}, .notes = {words}};
   page.plots.push_back({.svg = "<?xml?>\n<svg><path d=\"M0 0\"/></svg>\n", .caption = words});
-  page.scene.models = {{&mesh, words}};
+  page.scene.models = {{mesh, words}};
   page.scene.bodies = {{0, words, true}, {0, words, false}};
   page.scene.parts = {{.name = words, .path = words + "/" + words}};
   page.scene.rows = {{.a = 0, .b = 1, .part_a = 0, .part_b = 0, .count = 1, .steps = 2, .end = 1}};

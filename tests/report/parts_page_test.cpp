@@ -24,7 +24,7 @@ class Balls {
       meshes.push_back(std::move(ball));
     }
     for (std::size_t k = 0; k < count; ++k) {
-      parts.push_back({&meshes[k], k < listed, {}});
+      parts.push_back({meshes[k], k < listed, {}});
     }
   }
 
@@ -74,7 +74,7 @@ TEST(PartsData, KeepsFarAndTinyScenes) {
   Mesh far;
   far.vertices = {{1e9, 2e9, 3e9}, {1e9 + 1e-4, 2e9, 3e9}, {1e9, 2e9 + 1e-4, 3e9}};
   far.triangles = {{0, 1, 2}};
-  const std::vector<PagePart> parts{{&far, true, {}}};
+  const std::vector<PagePart> parts{{far, true, {}}};
   const PartsData data(parts, {});
   EXPECT_EQ(data.shown().triangles, 1U);
   EXPECT_GT(data.scale(), 1);

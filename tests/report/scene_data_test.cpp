@@ -30,7 +30,7 @@ Mesh triangle_mesh(const Vec3& a, const Vec3& b, const Vec3& c) {
 class Field {
  public:
   Field() {
-    scene.models = {{&ground, "ground"}, {&needle, "needle"}};
+    scene.models = {{ground, "ground"}, {needle, "needle"}};
     scene.bodies = {{0, "field", false}, {1, "needle 1", true}};
     scene.parts = {{.name = "turf", .path = "garden/turf"}};
     scene.rows = {{.a = 1,
@@ -391,7 +391,7 @@ TEST(SceneData, TakesASceneOfNothing) {
   std::ostringstream out;
   const Mesh none;
   Scene scene;
-  scene.models = {{&none, "nothing"}};
+  scene.models = {{none, "nothing"}};
   scene.bodies = {{0, "nothing", false}};
   scene.pose = [](std::uint32_t, std::uint64_t) { return Pose(); };
   EXPECT_EQ(write_scene(out, scene).triangles, 0U);

@@ -76,7 +76,7 @@ TEST(SharedOut, GivesSmallModelsAllAndLargeOnesTheRest) {
   Mesh large;
   large.triangles.resize(1000);
   Scene scene = many_bodies(3, 0);
-  scene.models = {{&large, "large"}, {&small, "small"}, {&large, "large too"}};
+  scene.models = {{large, "large"}, {small, "small"}, {large, "large too"}};
   for (std::size_t k = 0; k < 3; ++k) {
     scene.bodies[k].model = k;
   }
@@ -89,7 +89,7 @@ TEST(SharedOut, GivesLessToAModelThatIsDrawnManyTimes) {
   Mesh mesh;
   mesh.triangles.resize(1000);
   Scene scene = many_bodies(0, 100);
-  scene.models = {{&mesh, "car"}, {&mesh, "unused"}};
+  scene.models = {{mesh, "car"}, {mesh, "unused"}};
   std::vector<std::uint32_t> bodies;
   for (std::uint32_t k = 0; k < 100; ++k) {
     bodies.push_back(k);

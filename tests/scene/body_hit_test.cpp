@@ -180,7 +180,7 @@ TEST(BodyHit, ABodyThatIsLeftOutTakesNoPart) {
     const BodyFilter others{.except = first.body};
     // Its triangle alone does not, either.
     const RayOptions beside{.skip = first.triangle};
-    Mesh mesh = bodies[*first.body].shape.mesh();
+    Mesh mesh(bodies[*first.body].shape.mesh());
     const Triangle corner = mesh.triangle(0);
     const BodyHit second = index.closest_hit(ray, {}, others);
     const BodyHit next = index.closest_hit(ray, beside, others);

@@ -68,7 +68,7 @@ Vec3 point_among(const std::vector<Body>& bodies, Rng& rng) {
     return anywhere(rng, rng.below(4) == 0 ? 1e9 : 30);
   }
   const Body& body = bodies[rng.below(bodies.size())];
-  const Mesh& mesh = body.shape.mesh();
+  const MeshView& mesh = body.shape.mesh();
   if (mesh.triangles.empty() || rng.below(4) == 0) {
     Vec3 near = body.pose.shift() + anywhere(rng, 4);
     return rng.below(2) == 0 ? near

@@ -11,7 +11,7 @@ namespace soms::test {
 
 namespace {
 
-RecordedMesh recorded(const Mesh& mesh, const std::string& name) {
+RecordedMesh recorded(const MeshView& mesh, const std::string& name) {
   RecordedMesh result;
   result.name = name;
   result.source = "models/" + name + ".ply";

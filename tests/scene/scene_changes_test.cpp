@@ -151,7 +151,7 @@ class Changing {
     if (rng_.below(2) == 0) {
       return shape();
     }
-    std::vector<Vec3> vertices = before.mesh().vertices;
+    std::vector<Vec3> vertices = before.shared_mesh()->vertices;
     for (Vec3& v : vertices) {
       v.x += static_cast<double>(rng_.below(3)) - 1;
     }

@@ -18,6 +18,7 @@ MAY_INCLUDE = {
     "kinematics": {"base", "geometry", "kinematics"},
     "robot": {"base", "geometry", "kinematics", "tree", "query", "scene", "clash", "robot"},
     "io": {"base", "geometry", "kinematics", "io"},
+    "store": {"base", "geometry", "tree", "io", "store"},
     "generate": {"base", "geometry", "generate"},
     "adapt": {"base", "geometry", "adapt"},
 }
@@ -52,6 +53,8 @@ LENT = {
     ("robot", "soms/query/detail/closed_surface.h"): "connected parts have boxes where a state moves them",
     ("robot", "soms/query/detail/moved_triangle.h"): "triangles of links are where queries see them",
     ("robot", "soms/scene/detail/moved_bounds.h"): "boxes of links hold the moved vertices, as those of a scene do",
+    ("store", "soms/io/detail/file.h"): "tree files are opened as models are",
+    ("store", "soms/io/detail/output.h"): "and written as they are",
     ("thesis", "soms/query/detail/collector.h"): "modes and limits mean the same by every traversal",
     ("thesis", "soms/query/detail/engine/limit.h"): "so do deadlines",
     ("thesis", "soms/query/detail/engine/batch.h"): "poses of batches are checked alike",

@@ -201,7 +201,7 @@ Mesh uneven_solids(Rng& rng, const Scales& scales) {
   return mesh;
 }
 
-Mesh uneven_beside(Rng& rng, const Scales& scales, const Mesh& other, bool solids) {
+Mesh uneven_beside(Rng& rng, const Scales& scales, const MeshView& other, bool solids) {
   Mesh mesh;
   const Vec3 place = point_of_small(rng, other, {});
   const bool is_point = rng.below(8) == 0;
@@ -252,7 +252,7 @@ Pose pose_at(Rng& rng, const Scales& scales) {
   return pose;
 }
 
-Vec3 point_of_small(Rng& rng, const Mesh& mesh, const Pose& pose) {
+Vec3 point_of_small(Rng& rng, const MeshView& mesh, const Pose& pose) {
   const std::size_t count = mesh.triangles.size();
   const std::size_t begin = rng.below(4) == 0 ? 0 : std::min<std::size_t>(3, count - 1);
   const auto& t = mesh.triangles[begin + rng.below(count - begin)];

@@ -35,7 +35,8 @@ struct Scales {
 /// A mesh to be beside another one of these scales, as it is and moved by nothing: heaps of small
 /// triangles, or tetrahedra, at small triangles of the other or a little off, and now and then some
 /// as large as the body; or a single point.
-[[nodiscard]] Mesh uneven_beside(Rng& rng, const Scales& scales, const Mesh& other, bool solids);
+[[nodiscard]] Mesh uneven_beside(Rng& rng, const Scales& scales, const MeshView& other,
+                                 bool solids);
 
 /// A pose that keeps such a mesh within 2^300: any rotation, and no shift, one of the size of a
 /// least triangle, one of the size of the body, or one so far that all of it moves to a few places.
@@ -43,7 +44,7 @@ struct Scales {
 
 /// A triangle of a mesh, mostly a small one, and a point of it as near as doubles allow: of a
 /// corner, an edge or a face.
-[[nodiscard]] Vec3 point_of_small(Rng& rng, const Mesh& mesh, const Pose& pose);
+[[nodiscard]] Vec3 point_of_small(Rng& rng, const MeshView& mesh, const Pose& pose);
 
 /// A vector of any direction, at times along an axis, and of about this length.
 [[nodiscard]] Vec3 any_way(Rng& rng, double length);

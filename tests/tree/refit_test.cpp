@@ -27,7 +27,7 @@ ShapeOptions with_tree(Rule rule) {
   return options;
 }
 
-Shape refitted(const Shape& shape, const Mesh& mesh, const Parallel& parallel = {}) {
+Shape refitted(const Shape& shape, const MeshView& mesh, const Parallel& parallel = {}) {
   return refit(shape, std::make_shared<const Mesh>(mesh), parallel);
 }
 
@@ -36,8 +36,8 @@ enum class Deformation { none, jitter, shuffle, collapse, flatten, far, tiny, hu
 
 constexpr int kDeformations = 8;
 
-Mesh deformed(const Mesh& mesh, Deformation how, Rng& rng) {
-  Mesh moved = mesh;
+Mesh deformed(const MeshView& mesh, Deformation how, Rng& rng) {
+  Mesh moved(mesh);
   for (Vec3& v : moved.vertices) {
     const Vec3 random{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)};
     switch (how) {
@@ -172,7 +172,7 @@ TEST(Refit, AnswersAsANewBuildAndAsBruteForce) {
               reference::overlap(moved, body.pose, other.shape.mesh(), other.pose).pairs);
     EXPECT_EQ(answer.pairs, overlap(Body{Shape(moved), body.pose}, other).pairs);
     EXPECT_EQ(overlap(body, other, {.mode = OverlapMode::any}).any, answer.any);
-    const Body by_soms{Shape(other.shape.mesh(), with_tree(Rule::soms)), other.pose};
+    const Body by_soms{Shape(other.shape.shared_mesh(), with_tree(Rule::soms)), other.pose};
     EXPECT_EQ(thesis::overlap(body, by_soms, {.traversal = Traversal::e_node}).answer.pairs,
               answer.pairs);
   });
@@ -181,15 +181,15 @@ TEST(Refit, AnswersAsANewBuildAndAsBruteForce) {
 TEST(Refit, LeavesTheShapeItIsMadeFromAsItWas) {
   const Shape shape(generate_sphere(80));
   const Box before = shape.bounds();
-  std::vector<Vec3> vertices = shape.mesh().vertices;
+  std::vector<Vec3> vertices = shape.shared_mesh()->vertices;
   for (Vec3& v : vertices) {
     v.x *= 10;
   }
   const Shape moved = refit(shape, vertices);
   EXPECT_EQ(shape.bounds(), before);
-  EXPECT_EQ(moved.mesh().vertices, vertices);
+  EXPECT_EQ(moved.shared_mesh()->vertices, vertices);
   EXPECT_EQ(moved.bounds().upper.x, 10 * before.upper.x);
-  EXPECT_EQ(moved.mesh().triangles, shape.mesh().triangles);
+  EXPECT_EQ(moved.shared_mesh()->triangles, shape.shared_mesh()->triangles);
   EXPECT_EQ(moved.mesh().source, shape.mesh().source);
 }
 
@@ -243,7 +243,7 @@ ErrorKind kind_of(const std::function<void()>& action) {
 
 TEST(Refit, RefusesWhatIsNotTheSameMeshMoved) {
   const Shape shape(generate_sphere(80), with_tree(Rule::soms));
-  std::vector<Vec3> vertices = shape.mesh().vertices;
+  std::vector<Vec3> vertices = shape.shared_mesh()->vertices;
   vertices[3].y = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(kind_of([&] { static_cast<void>(refit(shape, vertices)); }), ErrorKind::not_finite);
   vertices[3].y = -std::numeric_limits<double>::infinity();
@@ -252,7 +252,7 @@ TEST(Refit, RefusesWhatIsNotTheSameMeshMoved) {
   EXPECT_EQ(kind_of([&] { static_cast<void>(refit(shape, vertices)); }), ErrorKind::out_of_range);
   vertices.pop_back();
   EXPECT_EQ(kind_of([&] { static_cast<void>(refit(shape, vertices)); }), ErrorKind::usage);
-  Mesh other = shape.mesh();
+  Mesh other(shape.mesh());
   std::swap(other.triangles[0], other.triangles[1]);
   EXPECT_EQ(kind_of([&] { static_cast<void>(refitted(shape, other)); }), ErrorKind::usage);
   other.triangles.pop_back();

@@ -239,7 +239,7 @@ Figure time_figure(const std::string& id, const std::vector<RuleTrip>& rides) {
 
 /// One frame: both bodies, and the triangles that touch in red.
 void draw_frame(Svg& svg, const SideView& view, const RuleTrip& ride, std::size_t k) {
-  const Mesh& mesh = ride.trip.a.mesh();
+  const MeshView& mesh = ride.trip.a.mesh();
   const Vec3& offset = ride.trip.offsets[k];
   std::set<TriangleId> still;
   std::set<TriangleId> moving;

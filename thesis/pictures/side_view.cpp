@@ -42,7 +42,7 @@ Spot SideView::operator()(const Vec3& point) const {
   return {middle_.x + scale_ * across, middle_.y - scale_ * from.y};
 }
 
-std::string SideView::facing(const Mesh& mesh, const Vec3& offset) const {
+std::string SideView::facing(const MeshView& mesh, const Vec3& offset) const {
   std::string path;
   for (const auto& t : mesh.triangles) {
     const Spot a = (*this)(mesh.vertices[t[0]] + offset);
@@ -55,7 +55,7 @@ std::string SideView::facing(const Mesh& mesh, const Vec3& offset) const {
   return path;
 }
 
-std::string SideView::triangles(const Mesh& mesh, std::span<const TriangleId> which,
+std::string SideView::triangles(const MeshView& mesh, std::span<const TriangleId> which,
                                 const Vec3& offset) const {
   std::string path;
   for (const TriangleId i : which) {

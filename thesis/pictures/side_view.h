@@ -36,10 +36,10 @@ class SideView {
   [[nodiscard]] Spot operator()(const Vec3& point) const;
 
   /// Path of the triangles of a moved mesh that face the viewer (counter-clockwise corners).
-  [[nodiscard]] std::string facing(const Mesh& mesh, const Vec3& offset) const;
+  [[nodiscard]] std::string facing(const MeshView& mesh, const Vec3& offset) const;
 
   /// Path of some triangles of a moved mesh, all of them whatever they face.
-  [[nodiscard]] std::string triangles(const Mesh& mesh, std::span<const TriangleId> which,
+  [[nodiscard]] std::string triangles(const MeshView& mesh, std::span<const TriangleId> which,
                                       const Vec3& offset) const;
 
   /// Path of the outline of a box; empty for an empty box.

@@ -21,7 +21,7 @@ struct Open {
 
 class TreeDivider {
  public:
-  TreeDivider(const Mesh& mesh, const DivideTriangles& divide, int level)
+  TreeDivider(const MeshView& mesh, const DivideTriangles& divide, int level)
       : mesh_(mesh), divide_(divide), level_(level) {
     tree_.primitives.resize(mesh.triangles.size());
     std::iota(tree_.primitives.begin(), tree_.primitives.end(), TriangleId{0});
@@ -85,7 +85,7 @@ class TreeDivider {
     open_.push_back({open.first, left, open.depth + 1, child_id(left_child_of), index, false});
   }
 
-  const Mesh& mesh_;
+  MeshView mesh_;
   const DivideTriangles& divide_;
   int level_;
   Tree tree_;
@@ -103,7 +103,7 @@ std::size_t longest_axis(const Box& box) {
   return axis;
 }
 
-Tree divided_tree(const Mesh& mesh, const DivideTriangles& divide, int level) {
+Tree divided_tree(const MeshView& mesh, const DivideTriangles& divide, int level) {
   return TreeDivider(mesh, divide, level).build();
 }
 

@@ -23,6 +23,6 @@ using DivideTriangles =
 
 /// The canonical tree by a division, down to one triangle a leaf. Nodes at depth `level` - 1 are
 /// not divided; 0 means no limit.
-[[nodiscard]] Tree divided_tree(const Mesh& mesh, const DivideTriangles& divide, int level = 0);
+[[nodiscard]] Tree divided_tree(const MeshView& mesh, const DivideTriangles& divide, int level = 0);
 
 }  // namespace soms::reproduce

@@ -12,7 +12,7 @@
 
 namespace soms::reproduce {
 
-Tree uneven_tree(const Mesh& mesh, double share) {
+Tree uneven_tree(const MeshView& mesh, double share) {
   std::vector<Vec3> midpoints;
   for (TriangleId i = 0; i < mesh.triangles.size(); ++i) {
     midpoints.push_back(midpoint(mesh.triangle(i), Midpoint::thesis, 2));

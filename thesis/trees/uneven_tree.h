@@ -12,6 +12,6 @@ namespace soms::reproduce {
 /// out of balance. Down to one triangle a leaf, whatever depth that takes. Ties by triangle number;
 /// at least one triangle goes to either side.
 /// \pre 0 < share <= 0.5.
-[[nodiscard]] Tree uneven_tree(const Mesh& mesh, double share);
+[[nodiscard]] Tree uneven_tree(const MeshView& mesh, double share);
 
 }  // namespace soms::reproduce

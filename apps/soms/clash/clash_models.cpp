@@ -152,7 +152,7 @@ void give_keys(ClashModels& models) {
   std::vector<MeshPart> named;
   for (ClashSet* const set : {&models.a, &models.b}) {
     for (std::uint32_t k = 0; k < set->parts.size(); ++k) {
-      named.push_back({&set->mesh_of(k), &set->parts[k]});
+      named.push_back({set->mesh_of(k), &set->parts[k]});
     }
   }
   const std::vector<std::uint64_t> keys = part_keys(named);
@@ -197,7 +197,7 @@ Json open_edges(const PartBody& part) {
 }
 
 /// What a file says of a part: name, id, type, path, index.
-Json named_side(const Mesh& mesh, std::uint32_t part) {
+Json named_side(const MeshView& mesh, std::uint32_t part) {
   if (part == Part::kNoParent) {
     return {{"part", nullptr},
             {"id", nullptr},
@@ -247,11 +247,9 @@ ClashModels read_clash_models(const ClashModelOptions& options, Console& console
   const std::vector<NamedFrame> frames_against =
       read_set(against, options.model_against, "-b", models.b, console);
   give_keys(models);
-  std::vector<const Mesh*> meshes;
+  std::vector<MeshView> meshes;
   for (const ClashSet* const set : {&models.a, &models.b}) {
-    for (const Mesh& mesh : set->meshes) {
-      meshes.push_back(&mesh);
-    }
+    meshes.insert(meshes.end(), set->meshes.begin(), set->meshes.end());
   }
   models.georeference = georeference_of(meshes);
   models.notes = notes;
@@ -270,7 +268,7 @@ Json clash_side(const ClashSet& set, std::uint32_t number) {
 }
 
 Json clash_side(const ClashSet& set, std::uint32_t number, const PartBody& part) {
-  const Mesh& mesh = set.mesh_of(number);
+  const MeshView& mesh = set.mesh_of(number);
   Json side = {{"file", mesh.source}, {"set", set.sets[number]}};
   side.update(named_side(mesh, part.part));
   // A body that is closed has its parts for itself; an open group may be a side of many rows.

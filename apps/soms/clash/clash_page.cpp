@@ -81,7 +81,7 @@ class ClashPageMaker {
  private:
   void add_parts(const ClashSet& set) {
     for (const PartBody& part : set.parts) {
-      page_.parts.push_back({&part.body.shape.mesh(), false, {}});
+      page_.parts.push_back({part.body.shape.mesh(), false, {}});
     }
   }
 

@@ -55,7 +55,7 @@ RgbPicture ClashPainter::draw(const ListedClash& clash, const ClashSight& sight)
   region.grow(sight.focus - Vec3{around, around, around});
   region.grow(sight.focus + Vec3{around, around, around});
   const auto draw_part = [&](const PartBody& part, double from, const CanvasPaint& paint) {
-    const Mesh& mesh = part.body.shape.mesh();
+    const MeshView& mesh = part.body.shape.mesh();
     for (TriangleId i = 0; i < mesh.triangles.size(); ++i) {
       if (const Triangle triangle = mesh.triangle(i); overlaps(bounds(triangle), region)) {
         canvas.draw(triangle, from, paint);

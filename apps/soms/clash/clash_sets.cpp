@@ -25,7 +25,7 @@ bool fits(const std::string& pattern, const std::string& name) {
   return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
 }
 
-std::string set_of_file(const Mesh& mesh) {
+std::string set_of_file(const MeshView& mesh) {
   const std::string stem = std::filesystem::path(mesh.source).stem().string();
   return stem.empty() ? mesh.source : stem;
 }
@@ -143,7 +143,7 @@ bool is_called(const ClashSet& set, std::uint32_t part, const std::string& patte
   if (fits(pattern, set.labels[part])) {
     return true;
   }
-  const Mesh& mesh = set.mesh_of(part);
+  const MeshView& mesh = set.mesh_of(part);
   const PartBody& body = set.parts[part];
   const auto is = [&](std::uint32_t number) {
     const Part* const named = number == Part::kNoParent ? nullptr : &mesh.parts[number];

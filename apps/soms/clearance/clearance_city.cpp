@@ -23,7 +23,7 @@ class LeftOutParts {
       : patterns_(patterns), used_(patterns.size(), false) {}
 
   /// A flag for each part.
-  std::vector<bool> of(const Mesh& mesh) {
+  std::vector<bool> of(const MeshView& mesh) {
     std::vector<bool> out(mesh.parts.size(), false);
     for (std::size_t k = 0; k < mesh.parts.size(); ++k) {
       out[k] = fits(mesh.parts[k]);
@@ -69,10 +69,10 @@ class LeftOutParts {
 /// Adds a body of the city, less the parts that are left out.
 void add_compared(const Body& body, const std::vector<bool>& out, ComparedCity& city,
                   const Console& console) {
-  const Mesh& mesh = body.shape.mesh();
+  const MeshView& mesh = body.shape.mesh();
   const PartsOf part(mesh);
   Mesh rest;
-  rest.vertices = mesh.vertices;
+  rest.vertices.assign(mesh.vertices.begin(), mesh.vertices.end());
   rest.source = mesh.source;
   std::vector<TriangleId> triangles;
   for (TriangleId i = 0; i < mesh.triangles.size(); ++i) {

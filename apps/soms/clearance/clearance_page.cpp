@@ -137,12 +137,12 @@ report::Scene scene_of_path(const ClearanceReport& report,
   report::Scene scene;
   for (const Body& body : report.world.city) {
     scene.bodies.push_back({.model = scene.models.size(), .name = body.name, .moves = false});
-    scene.models.push_back({&body.shape.mesh(), body.name});
+    scene.models.push_back({body.shape.mesh(), body.name});
   }
   const auto profile = static_cast<std::uint32_t>(scene.bodies.size());
   const Model& model = report.profile();
   scene.bodies.push_back({.model = scene.models.size(), .name = model.name, .moves = true});
-  scene.models.push_back({&model.shape.mesh(), model.name});
+  scene.models.push_back({model.shape.mesh(), model.name});
   scene.contact = {"station with contact", "stations with contact"};
   scene.complete = answer.coverage == Coverage::complete;
   add_contacts(scene, report);

@@ -46,7 +46,7 @@ int run_convert(const ConvertOptions& options, Console& console) {
                 {"file", options.output.path},        {"format", format_name(format)},
                 {"triangles", mesh.triangles.size()}, {"vertices", mesh.vertices.size()}};
     add_georeference(answer, mesh.georeference);
-    const Mesh* const one = &mesh;
+    const MeshView one = mesh;
     if (const std::vector<std::string> notes = notes_of({&one, 1}); !notes.empty()) {
       answer["notes"] = notes;
     }

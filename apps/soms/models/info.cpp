@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 #include "soms/geometry/closedness.h"
 #include "soms/geometry/defects.h"
+#include "soms/store/tree_file.h"
 #include "soms/tree/rule/rules.h"
 #include "soms/tree/shape.h"
 
@@ -10,7 +11,9 @@
 #include "apps/cli/parse.h"
 #include "apps/cli/text.h"
 #include "apps/model/georeference.h"
+#include "apps/model/shapes.h"
 #include "apps/output/json.h"
+#include "apps/soms/models/build.h"
 #include "apps/soms/models/info_closedness.h"
 #include "apps/soms/models/info_defects.h"
 #include "apps/soms/models/info_trees.h"
@@ -36,6 +39,7 @@ struct ModelReport {
   /// Of a shape by the default options, its mesh included; unless trees are left out.
   std::optional<std::size_t> bytes_ready = std::nullopt;
   std::vector<RuleReport> trees;
+  std::optional<Shape> tree_file = std::nullopt;  ///< what was opened
 };
 
 /// Bytes of the model ready to query.
@@ -54,6 +58,10 @@ ModelReport examine(const std::string& file, const InfoOptions& options, const C
   model.lists_notes = true;
   report.mesh = read_model(file, model, console);
   check(report.mesh);
+  if (is_tree_file(file)) {
+    report.tree_file =
+        open_tree_file(file, options.verify ? TreeCheck::full : TreeCheck::sound, console);
+  }
   report.defects =
       console.run("looking for defects of " + printable(file), [&](const Parallel& parallel) {
         return find_defects(report.mesh, {.places = options.places}, parallel);
@@ -127,25 +135,29 @@ Json to_json(const ModelReport& report) {
   const Json unit = mesh.unit == 0 ? Json() : Json(mesh.unit);
   const Json axis = up == nullptr ? Json() : Json(up);
   const Json memory = report.bytes_ready ? Json(*report.bytes_ready) : Json();
-  return {{"schema", "soms.info/1"},
-          {"file", report.file},
-          {"triangles", mesh.triangles.size()},
-          {"vertices", mesh.vertices.size()},
-          {"bounds", json_box(bounds(mesh))},
-          {"meters_per_unit", unit},
-          {"up_axis", axis},
-          {"georeference", georeference_json(mesh.georeference)},
-          {"memory_bytes", memory},
-          {"parts", parts},
-          {"notes", mesh.notes},
-          {"defects", defect_counts(report.defects)},
-          {"places", defect_places(mesh, report.defects)},
-          {"closedness", closedness_json(mesh, report.closedness)},
-          {"trees", trees},
-          // Names of version 0.1, for scripts that know them.
-          {"unit", unit},
-          {"up", axis},
-          {"bytes_ready", memory}};
+  Json json{{"schema", "soms.info/1"},
+            {"file", report.file},
+            {"triangles", mesh.triangles.size()},
+            {"vertices", mesh.vertices.size()},
+            {"bounds", json_box(bounds(mesh))},
+            {"meters_per_unit", unit},
+            {"up_axis", axis},
+            {"georeference", georeference_json(mesh.georeference)},
+            {"memory_bytes", memory},
+            {"parts", parts},
+            {"notes", mesh.notes},
+            {"defects", defect_counts(report.defects)},
+            {"places", defect_places(mesh, report.defects)},
+            {"closedness", closedness_json(mesh, report.closedness)},
+            {"trees", trees},
+            // Names of version 0.1, for scripts that know them.
+            {"unit", unit},
+            {"up", axis},
+            {"bytes_ready", memory}};
+  if (report.tree_file) {
+    json["tree_file"] = tree_file_json(report.file, *report.tree_file);
+  }
+  return json;
 }
 
 std::string describe(const Box& box) {
@@ -177,6 +189,9 @@ void add_line(std::string& text, const char* name, const std::string& value) {
 std::string describe_model(const ModelReport& report) {
   const Mesh& mesh = report.mesh;
   std::string text = printable(report.mesh.source) + "\n";
+  if (report.tree_file) {
+    add_line(text, "tree file", describe_tree_file(report.file, *report.tree_file));
+  }
   add_line(text, "triangles", with_commas(mesh.triangles.size()));
   add_line(text, "vertices", with_commas(mesh.vertices.size()));
   add_line(text, "bounds", describe(bounds(mesh)));
@@ -297,6 +312,9 @@ Action add_info(Parser& parser, Shared&) {
           fmt::format("list the first N locations of each kind of defect, or all ({})",
                       options->places))
       ->option_text("N");
+  parser.add_flag(
+      "--verify", options->verify,
+      "of tree files: check every box, so that answers are exact whoever wrote the file");
   add_model_options(parser, options->model, "--scale", "--up", "the models");
   add_city_options(parser, options->model, "", "the models");
   add_allow_empty(parser, options->model);

@@ -21,6 +21,7 @@ struct InfoOptions {
   BuildOptions build{.per_leaf = 1};
   bool every_rule = true;
   bool trees = true;
+  bool verify = false;      ///< of tree files: every box
   std::size_t places = 10;  ///< most places of each kind of defect to name
 };
 

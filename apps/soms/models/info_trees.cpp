@@ -14,7 +14,7 @@
 
 namespace soms::command {
 
-RuleReport measure_tree(const Mesh& mesh, const BuildOptions& options, const Console& console) {
+RuleReport measure_tree(const MeshView& mesh, const BuildOptions& options, const Console& console) {
   RuleReport report;
   report.rule = entry(options.rule).kebab;
   std::vector<double> times;

@@ -39,7 +39,7 @@ struct RuleReport {
 }
 
 /// \errors As `build`; ErrorKind::timed_out.
-[[nodiscard]] RuleReport measure_tree(const Mesh& mesh, const BuildOptions& options,
+[[nodiscard]] RuleReport measure_tree(const MeshView& mesh, const BuildOptions& options,
                                       const Console& console);
 
 [[nodiscard]] Json to_json(const RuleReport& report);

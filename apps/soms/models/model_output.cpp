@@ -49,7 +49,7 @@ std::string extension_of(MeshFormat format) {
 }
 
 /// Parts whose triangles do not follow each other.
-std::uint64_t split_parts(const Mesh& mesh) {
+std::uint64_t split_parts(const MeshView& mesh) {
   std::set<std::uint32_t> split;
   for (const Part& part : mesh.parts) {
     if (part.continues != Part::kNoParent) {
@@ -117,7 +117,7 @@ void check(const ModelOutput& output, const Console& console) {
   }
 }
 
-void write_model(const Mesh& mesh, const ModelOutput& output, const Console& console) {
+void write_model(const MeshView& mesh, const ModelOutput& output, const Console& console) {
   const MeshFormat format = format_of(output);
   OutputFile file(output.path);
   console.run("writing " + file.name(), [&](const Parallel& parallel) {
@@ -160,7 +160,7 @@ void write_model(const Mesh& mesh, const ModelOutput& output, const Console& con
   }
 }
 
-void note_losses(const Mesh& mesh, const ModelOutput& output, const Console& console) {
+void note_losses(const MeshView& mesh, const ModelOutput& output, const Console& console) {
   const WritableFormat& format = entry(format_of(output));
   std::vector<std::string> lost;
   if (!format.unit_and_axis && mesh.unit > 0) {

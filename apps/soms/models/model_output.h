@@ -32,10 +32,10 @@ void check(const ModelOutput& output, const Console& console);
 
 /// Writes the model; tells of coordinates that become floats.
 /// \errors As `write_mesh`; ClosedPipe.
-void write_model(const Mesh& mesh, const ModelOutput& output, const Console& console);
+void write_model(const MeshView& mesh, const ModelOutput& output, const Console& console);
 
 /// Says in one line what of the model's unit, axis and names the format does not keep.
-void note_losses(const Mesh& mesh, const ModelOutput& output, const Console& console);
+void note_losses(const MeshView& mesh, const ModelOutput& output, const Console& console);
 
 /// Kebab-case name of a format.
 [[nodiscard]] std::string format_name(MeshFormat format);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t kRowsInText = 20;  // that a person may want to read
 
-std::string side_in_text(const Mesh& mesh, TriangleId i, const Vec3& at) {
+std::string side_in_text(const MeshView& mesh, TriangleId i, const Vec3& at) {
   return fmt::format("triangle {} of {} at {}", triangle_label(mesh, i), printable(mesh.source),
                      point_in_text(at));
 }
@@ -53,7 +53,7 @@ void NearTable::add(const PairReport& report, std::uint64_t pose, std::string_vi
     print("pose", title, "triangle of A", "triangle of B");
   }
   if (rows_++ < kRowsInText) {
-    const auto label = [&](const Mesh& mesh, TriangleId TrianglePair::*side) {
+    const auto label = [&](const MeshView& mesh, TriangleId TrianglePair::*side) {
       return pair.triangles ? triangle_label(mesh, (*pair.triangles).*side) : std::string();
     };
     print(pose, value, label(report.a, &TrianglePair::first),

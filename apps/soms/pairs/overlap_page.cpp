@@ -19,7 +19,8 @@ namespace {
 constexpr std::size_t kMostCounts = 1024;
 
 /// Which parts take part in most pairs of triangles: those of A, or of B.
-std::vector<report::Plot> bars_of_parts(const Mesh& mesh, const std::vector<OverlapRows::Row>& rows,
+std::vector<report::Plot> bars_of_parts(const MeshView& mesh,
+                                        const std::vector<OverlapRows::Row>& rows,
                                         std::uint32_t OverlapRows::Row::*part,
                                         const std::string& name) {
   std::map<std::uint32_t, double> by_part;  // not by name: several parts may have the same
@@ -41,7 +42,7 @@ std::vector<report::Plot> bars_of_parts(const Mesh& mesh, const std::vector<Over
 /// Numbers the parts of one mesh as a page does: each once.
 class PagedParts {
  public:
-  PagedParts(const Mesh& mesh, std::vector<report::ScenePart>& parts)
+  PagedParts(const MeshView& mesh, std::vector<report::ScenePart>& parts)
       : mesh_(mesh), parts_(parts) {}
 
   std::uint32_t number(std::uint32_t part) {
@@ -57,14 +58,15 @@ class PagedParts {
   }
 
  private:
-  const Mesh& mesh_;
+  MeshView mesh_;
   std::vector<report::ScenePart>& parts_;
   std::unordered_map<std::uint32_t, std::uint32_t> numbers_;
 };
 
 }  // namespace
 
-OverlapPage::OverlapPage(const Mesh& a, std::string name_a, const Mesh& b, std::string name_b)
+OverlapPage::OverlapPage(const MeshView& a, std::string name_a, const MeshView& b,
+                         std::string name_b)
     : a_(a),
       b_(b),
       name_a_(std::move(name_a)),

@@ -23,7 +23,7 @@ namespace soms::command {
 class OverlapPage {
  public:
   /// Meshes must stay; `name_a` and `name_b` are their files.
-  OverlapPage(const Mesh& a, std::string name_a, const Mesh& b, std::string name_b);
+  OverlapPage(const MeshView& a, std::string name_a, const MeshView& b, std::string name_b);
 
   /// The pairs of parts of the next answer, as `add` takes them.
   /// \errors ErrorKind::cancelled.
@@ -45,8 +45,8 @@ class OverlapPage {
   [[nodiscard]] std::vector<report::Fact> facts(const OverlapReport& report,
                                                 const RowTotals& totals) const;
 
-  const Mesh& a_;
-  const Mesh& b_;
+  MeshView a_;
+  MeshView b_;
   std::string name_a_;
   std::string name_b_;
   std::uint64_t pairs_ = 0;

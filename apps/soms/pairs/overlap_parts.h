@@ -18,7 +18,7 @@ namespace soms::command {
 
 /// A mesh at a place, and the parts of its triangles.
 struct PosedParts {
-  const Mesh& mesh;
+  MeshView mesh;
   const PartsOf& parts;
   const Pose& pose;
 

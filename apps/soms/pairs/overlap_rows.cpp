@@ -5,7 +5,7 @@
 
 namespace soms::command {
 
-OverlapRows::OverlapRows(const Mesh& a, const Mesh& b, std::size_t most)
+OverlapRows::OverlapRows(const MeshView& a, const MeshView& b, std::size_t most)
     : a_(a), b_(b), parts_a_(a), parts_b_(b), most_(most), share_(most) {
 }
 

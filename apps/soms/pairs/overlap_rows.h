@@ -48,7 +48,7 @@ class OverlapRows {
 
   /// Meshes must stay. Keeps at most `most` pairs of triangles; the first of each row is among them
   /// while there are at most so many rows.
-  OverlapRows(const Mesh& a, const Mesh& b, std::size_t most);
+  OverlapRows(const MeshView& a, const MeshView& b, std::size_t most);
 
   /// The pairs of parts of an answer, their boxes grown from those of the rows so far.
   /// \errors ErrorKind::cancelled.
@@ -76,8 +76,8 @@ class OverlapRows {
   void thin_out();
   void drop_unused_poses();
 
-  const Mesh& a_;
-  const Mesh& b_;
+  MeshView a_;
+  MeshView b_;
   PartsOf parts_a_;
   PartsOf parts_b_;
   std::size_t most_;

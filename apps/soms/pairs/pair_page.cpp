@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMostTracked = 2048;
 
-std::string triangles_in_text(const Mesh& mesh) {
+std::string triangles_in_text(const MeshView& mesh) {
   return counted(mesh.triangles.size(), "triangle");
 }
 
@@ -39,7 +39,7 @@ report::Scene scene_of_pair(const PageModels& models, std::map<std::uint64_t, Po
   const bool b_moves = std::any_of(
       kept.begin(), kept.end(), [&](const auto& step) { return !(step.second.second == first); });
   report::Scene scene;
-  scene.models = {{&models.a, models.name_a}, {&models.b, models.name_b}};
+  scene.models = {{models.a, models.name_a}, {models.b, models.name_b}};
   scene.bodies = {{0, models.name_a, true}, {1, models.name_b, b_moves}};
   scene.steps = {.count = std::max<std::uint64_t>(1, rows), .noun = "pose", .smooth = false};
   for (const auto& [step, poses] : kept) {

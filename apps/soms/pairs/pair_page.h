@@ -21,9 +21,9 @@ using PosesOfPair = std::pair<Pose, Pose>;
 
 /// Two models, which must stay, as a page names them.
 struct PageModels {
-  const Mesh& a;
+  MeshView a;
   std::string name_a;
-  const Mesh& b;
+  MeshView b;
   std::string name_b;
 };
 

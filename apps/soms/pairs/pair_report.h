@@ -17,8 +17,8 @@ namespace soms::command {
 
 /// Two models at rows of poses, and how answers about them are reported.
 struct PairReport {
-  const Mesh& a;
-  const Mesh& b;
+  MeshView a;
+  MeshView b;
   bool single = true;     ///< one pose: reported at length; else a line a pose
   bool verified = false;  ///< compared with brute force
   bool interrupted = false;

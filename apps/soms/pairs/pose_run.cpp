@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 
 #include "apps/cli/console.h"
+#include "apps/model/shapes.h"
 #include "apps/model/stated_options.h"
 #include "apps/report/placing.h"
 
@@ -45,14 +46,14 @@ PoseRun::PoseRun(const PairOptions& options, PoseQuestion question, Console& con
               .verified = options.verify,
               .read_a = stated_options(options.model_a, "--scale", "--up"),
               .read_b = stated_options(options.model_b, "--scale-b", "--up-b")} {
-  const std::array<const Mesh*, 2> meshes{&report_.a, &report_.b};
+  const std::array<MeshView, 2> meshes{report_.a, report_.b};
   report_.notes = notes_of(meshes);
-  std::vector<const Mesh*> unmoved;
+  std::vector<MeshView> unmoved;
   if (!options.pose_a) {
-    unmoved.push_back(&report_.a);
+    unmoved.push_back(report_.a);
   }
   if (!options.pose_b) {
-    unmoved.push_back(&report_.b);
+    unmoved.push_back(report_.b);
   }
   report_.georeference = georeference_of(unmoved);
 }
@@ -63,8 +64,8 @@ PoseSource PoseRun::source(const std::string& option, const std::optional<std::s
 }
 
 Shape PoseRun::load(const std::string& path, const ModelOptions& model) const {
-  return build_shape(read_model(path, model, console()),
-                     {.build = options_.build, .keep_tree = question_.keep_trees}, console());
+  return load_shape(path, model, {.build = options_.build, .keep_tree = question_.keep_trees},
+                    console());
 }
 
 /// Models are compared by their numbers; where these may mean different things, the reader should

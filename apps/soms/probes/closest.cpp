@@ -8,6 +8,7 @@
 #include "apps/cli/console.h"
 #include "apps/cli/parse.h"
 #include "apps/cli/text.h"
+#include "apps/model/shapes.h"
 #include "apps/rows/point_source.h"
 #include "apps/soms/answers/answer_columns.h"
 #include "apps/soms/pairs/pair_options.h"
@@ -77,8 +78,7 @@ class ClosestRun : public ProbeRun<PointSource> {
         lists_(options.nearest != 0 || options.radius.has_value()),
         csv_(csv),
         columns_(columns),
-        body_(build_shape(read_model(options.model, options.reading, console),
-                          {.build = options.build}, console),
+        body_(load_shape(options.model, options.reading, {.build = options.build}, console),
               pose()) {
     query_.at_most = std::min(options.at_most, options.radius.value_or(kInfinity));
     query_.deadline = console.deadline();
@@ -197,7 +197,7 @@ class ClosestRun : public ProbeRun<PointSource> {
   void print_row(std::size_t k, bool right, bool last) override {
     const PointAnswer& answer = answers_[k];
     const std::uint64_t point = totals().rows;
-    const Mesh& mesh = body_.shape.mesh();
+    const MeshView& mesh = body_.shape.mesh();
     if (console().shared().json) {
       print_json(mesh, "point", point_keys(answer), right, last);
     } else if (single_) {

@@ -47,7 +47,7 @@ std::string closest_keys(const Closest& answer) {
 }
 
 /// Numbers of the nearest triangles of a list.
-std::string hits_cell(const std::vector<ListedTriangle>& hits, const Mesh& mesh) {
+std::string hits_cell(const std::vector<ListedTriangle>& hits, const MeshView& mesh) {
   std::string text;
   for (std::size_t i = 0; i < hits.size() && i < kHitsInText; ++i) {
     text += i == 0 ? "" : ", ";
@@ -85,7 +85,7 @@ std::string side_clause(const PointAnswer& answer) {
   return side.empty() ? side : "," + side;
 }
 
-std::string list_text(const PointAnswer& answer, const Mesh& mesh) {
+std::string list_text(const PointAnswer& answer, const MeshView& mesh) {
   const std::vector<ListedTriangle>& hits = *answer.hits;
   std::string text = counted(hits.size(), "triangle") + (answer.cut()   ? " so far, out of time"
                                                          : hits.empty() ? " near"
@@ -97,7 +97,7 @@ std::string list_text(const PointAnswer& answer, const Mesh& mesh) {
   return text;
 }
 
-std::string place_text(const Closest& answer, const Mesh& mesh) {
+std::string place_text(const Closest& answer, const MeshView& mesh) {
   return fmt::format("triangle {} at {}, {}", triangle_label(mesh, *answer.triangle),
                      point_in_text(answer.point),
                      answer.feature == TriangleFeature::vertex ? "a vertex"
@@ -128,7 +128,7 @@ std::string point_keys(const PointAnswer& answer) {
          coverage_keys(answer.cut() ? Coverage::cut : Coverage::complete, answer.closest.cost);
 }
 
-std::string point_text(const PointAnswer& answer, const Mesh& mesh, double at_most) {
+std::string point_text(const PointAnswer& answer, const MeshView& mesh, double at_most) {
   if (answer.hits) {
     return list_text(answer, mesh);
   }
@@ -150,7 +150,7 @@ std::string point_text(const PointAnswer& answer, const Mesh& mesh, double at_mo
          place_text(answer.closest, mesh);
 }
 
-void PointTable::add(std::uint64_t point, const PointAnswer& answer, const Mesh& mesh,
+void PointTable::add(std::uint64_t point, const PointAnswer& answer, const MeshView& mesh,
                      double at_most, Console& console) {
   const char* const form =
       answer.side ? "{:>7}  {:<24}  {:<20}  {:<7}  {}" : "{:>7}  {:<16}  {:<20}  {:<7}  {}";
@@ -188,9 +188,10 @@ PointCsv::PointCsv(const std::string& path) {
   }
 }
 
-void PointCsv::begin(const Mesh& mesh, const Georeference& georeference, bool lists, bool sides) {
+void PointCsv::begin(const MeshView& mesh, const Georeference& georeference, bool lists,
+                     bool sides) {
   if (file_) {
-    mesh_ = &mesh;
+    mesh_ = mesh;
     parts_ = PartsOf(mesh);
     georeference_ = lists ? GeoreferenceColumn() : GeoreferenceColumn(georeference);
     file_->stream() << (lists ? "point,lower,upper,coverage,triangle,part,name"
@@ -210,7 +211,7 @@ void PointCsv::add(std::uint64_t point, const PointAnswer& answer) {
     for (const ListedTriangle& hit : *answer.hits) {
       file_->stream() << fmt::format("{},{},{},{},{}\n", point, hit.distance.lower,
                                      hit.distance.upper, coverage,
-                                     triangle_csv_fields(*mesh_, parts_, hit.triangle));
+                                     triangle_csv_fields(mesh_, parts_, hit.triangle));
     }
   } else {
     const std::string place = closest.triangle
@@ -220,7 +221,7 @@ void PointCsv::add(std::uint64_t point, const PointAnswer& answer) {
     file_->stream() << fmt::format(
         "{},{},{},{},{},{},{}{}{}\n", point, closest.distance.lower,
         closest.farther ? std::string() : fmt::format("{}", closest.distance.upper),
-        closest.farther, coverage, triangle_csv_fields(*mesh_, parts_, closest.triangle), place,
+        closest.farther, coverage, triangle_csv_fields(mesh_, parts_, closest.triangle), place,
         answer.side ? "," + std::string(name(*answer.side)) : std::string(), georeference_.field());
   }
   if (!file_->stream().good()) {

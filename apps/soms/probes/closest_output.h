@@ -44,12 +44,13 @@ struct PointAnswer {
 [[nodiscard]] std::string point_keys(const PointAnswer& answer);
 
 /// An answer as a sentence about the only point. `at_most` is the limit of the question.
-[[nodiscard]] std::string point_text(const PointAnswer& answer, const Mesh& mesh, double at_most);
+[[nodiscard]] std::string point_text(const PointAnswer& answer, const MeshView& mesh,
+                                     double at_most);
 
 /// Answers of many points as a table for people: the first twenty, and how many there are more.
 class PointTable {
  public:
-  void add(std::uint64_t point, const PointAnswer& answer, const Mesh& mesh, double at_most,
+  void add(std::uint64_t point, const PointAnswer& answer, const MeshView& mesh, double at_most,
            Console& console);
 
   /// Says how many rows were left out.
@@ -67,7 +68,7 @@ class PointCsv {
 
   /// Writes the names of the columns, the last ones for the sides and for what is known of where
   /// the points lie on the Earth. The mesh must stay.
-  void begin(const Mesh& mesh, const Georeference& georeference, bool lists, bool sides);
+  void begin(const MeshView& mesh, const Georeference& georeference, bool lists, bool sides);
 
   /// \errors ErrorKind::cannot_write; ClosedPipe.
   void add(std::uint64_t point, const PointAnswer& answer);
@@ -77,7 +78,7 @@ class PointCsv {
 
  private:
   std::optional<OutputFile> file_;
-  const Mesh* mesh_ = nullptr;
+  MeshView mesh_;
   GeoreferenceColumn georeference_;
   PartsOf parts_;
 };

@@ -9,6 +9,7 @@
 #include "apps/cli/parse.h"
 #include "apps/cli/parser.h"
 #include "apps/cli/text.h"
+#include "apps/model/shapes.h"
 #include "apps/soms/pairs/pair_options.h"
 #include "apps/soms/pairs/pair_report.h"
 #include "apps/soms/probes/contains_by_part.h"
@@ -37,11 +38,12 @@ class ContainsRun : public SideRun {
 
  private:
   [[nodiscard]] ClosedBody body_of(const ContainsVerbOptions& options) {
-    Mesh mesh = read_model(options.model, options.reading, console());
-    if (options.closed_parts) {
-      mesh = without_open_parts(std::move(mesh));
-    }
-    Shape shape = build_shape(std::move(mesh), {.build = options.build}, console());
+    const ShapeOptions built{.build = options.build};
+    Shape shape =
+        options.closed_parts
+            ? build_shape(without_open_parts(read_model(options.model, options.reading, console())),
+                          built, console())
+            : load_shape(options.model, options.reading, built, console());
     return closed_body(Body(std::move(shape), pose()),
                        "add --closed-parts, --by part, or --winding, which answers for open "
                        "models, too",
@@ -71,7 +73,7 @@ class ContainsRun : public SideRun {
     return 0;
   }
 
-  [[nodiscard]] const Mesh& mesh() const override { return body_.body().shape.mesh(); }
+  [[nodiscard]] const MeshView& mesh() const override { return body_.body().shape.mesh(); }
 
   [[nodiscard]] Side side(std::size_t k) const override { return answers_.side[k]; }
 

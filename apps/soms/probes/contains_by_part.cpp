@@ -6,6 +6,7 @@
 
 #include "apps/cli/console.h"
 #include "apps/cli/text.h"
+#include "apps/model/shapes.h"
 #include "apps/output/json.h"
 #include "apps/rows/point_source.h"
 #include "apps/soms/pairs/pair_options.h"
@@ -31,8 +32,8 @@ namespace {
 /// Triangles of one part, as a mesh of their own: what `--verify` looks at.
 Mesh triangles_of_part(const PartedBody& body, std::uint32_t part) {
   Mesh mesh;
-  const Mesh& whole = body.body().shape.mesh();
-  mesh.vertices = whole.vertices;
+  const MeshView& whole = body.body().shape.mesh();
+  mesh.vertices.assign(whole.vertices.begin(), whole.vertices.end());
   for (std::size_t i = 0; i < whole.triangles.size(); ++i) {
     if (body.part_of(static_cast<TriangleId>(i)) == part) {
       mesh.triangles.push_back(whole.triangles[i]);
@@ -53,8 +54,7 @@ class PartsRun : public ProbeRun<PointSource> {
 
  private:
   [[nodiscard]] PartedBody body_of(const ContainsVerbOptions& options) {
-    Shape shape = build_shape(read_model(options.model, options.reading, console()),
-                              {.build = options.build}, console());
+    Shape shape = load_shape(options.model, options.reading, {.build = options.build}, console());
     const Partition partition =
         options.by == ContainsBy::part ? Partition::named : Partition::connected;
     return console().run("looking for parts that are closed", [&](const Parallel& parallel) {
@@ -62,7 +62,7 @@ class PartsRun : public ProbeRun<PointSource> {
     });
   }
 
-  [[nodiscard]] const Mesh& mesh() const { return body_.body().shape.mesh(); }
+  [[nodiscard]] const MeshView& mesh() const { return body_.body().shape.mesh(); }
 
   /// The path of a named part; "the part of triangle 12" of another one. Printable.
   [[nodiscard]] std::string label(std::uint32_t part) const {

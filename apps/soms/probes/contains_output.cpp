@@ -32,7 +32,7 @@ void PartSideCsv::add(std::uint64_t point, const PartedBody& body,
   if (!is_wanted()) {
     return;
   }
-  const Mesh& mesh = body.body().shape.mesh();
+  const MeshView& mesh = body.body().shape.mesh();
   for (const PartSide& found : answers.parts_of(k)) {
     const BodyPart& part = body.parts()[found.part];
     const std::string path =

@@ -6,6 +6,7 @@
 
 #include "apps/cli/console.h"
 #include "apps/cli/text.h"
+#include "apps/model/shapes.h"
 #include "apps/soms/pairs/near_output.h"
 #include "apps/soms/pairs/pair_options.h"
 #include "apps/soms/pairs/pair_report.h"
@@ -29,8 +30,7 @@ class WindingRun : public SideRun {
 
  private:
   [[nodiscard]] WindingIndex index_of(const ContainsVerbOptions& options) {
-    Shape shape = build_shape(read_model(options.model, options.reading, console()),
-                              {.build = options.build}, console());
+    Shape shape = load_shape(options.model, options.reading, {.build = options.build}, console());
     return console().run("looking for the boundary", [&](const Parallel& parallel) {
       return WindingIndex(Body(std::move(shape), pose()), parallel);
     });
@@ -42,7 +42,7 @@ class WindingRun : public SideRun {
     return 0;
   }
 
-  [[nodiscard]] const Mesh& mesh() const override { return index_.body().shape.mesh(); }
+  [[nodiscard]] const MeshView& mesh() const override { return index_.body().shape.mesh(); }
 
   [[nodiscard]] Side side(std::size_t k) const override { return answers_.side[k]; }
 

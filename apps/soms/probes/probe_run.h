@@ -57,7 +57,7 @@ class ProbeRun : public RowRun {
   [[nodiscard]] const Pose& pose() const { return pose_; }
 
   /// Of coordinates in answers about a mesh: none where a pose moves it.
-  [[nodiscard]] Georeference georeference(const Mesh& mesh) const {
+  [[nodiscard]] Georeference georeference(const MeshView& mesh) const {
     return posed_ ? Georeference{} : mesh.georeference;
   }
 
@@ -68,7 +68,7 @@ class ProbeRun : public RowRun {
   [[nodiscard]] bool read_single() { return rows_.is_single(); }
 
   /// Prints the object of row number `totals().rows`. `keys` begin with a comma.
-  void print_json(const Mesh& mesh, std::string_view key, std::string_view keys, bool right,
+  void print_json(const MeshView& mesh, std::string_view key, std::string_view keys, bool right,
                   bool last) const {
     std::string more;
     if (verified_) {
@@ -76,8 +76,7 @@ class ProbeRun : public RowRun {
     }
     more += last ? ",\"timed_out\":true" : "";
     if (totals().rows == 0) {
-      const std::array<const Mesh*, 1> meshes{&mesh};
-      const std::vector<std::string> notes = notes_of(meshes);
+      const std::vector<std::string> notes = notes_of({&mesh, 1});
       const Georeference place = georeference(mesh);
       more += place.empty() ? "" : ",\"georeference\":" + json_text(georeference_json(place));
       more += notes.empty() ? "" : ",\"notes\":" + json_text(notes);

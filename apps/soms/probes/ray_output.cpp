@@ -87,7 +87,7 @@ std::string titles_in_text(std::string_view noun, const RayAnswer& answer) {
                     answer);
 }
 
-std::string row_in_text(std::uint64_t ray, const RayAnswer& answer, const Mesh& mesh) {
+std::string row_in_text(std::uint64_t ray, const RayAnswer& answer, const MeshView& mesh) {
   return std::visit(
       Overloaded{[&](const ClosestHit& hit) {
                    return hit.triangle
@@ -175,7 +175,7 @@ std::string ray_keys(const RayAnswer& answer) {
          std::visit([](const auto& hit) { return coverage_keys(hit.coverage, hit.cost); }, answer);
 }
 
-void RayTable::add(std::string_view noun, const RayAnswer& answer, const Mesh& mesh,
+void RayTable::add(std::string_view noun, const RayAnswer& answer, const MeshView& mesh,
                    Console& console) {
   if (rows_ == 0) {
     console.print(table_line(titles_in_text(noun, answer)));
@@ -192,12 +192,12 @@ RayCsv::RayCsv(const std::string& path) {
   }
 }
 
-void RayCsv::begin(const Mesh& mesh, const Georeference& georeference, const RayAnswer& like) {
+void RayCsv::begin(const MeshView& mesh, const Georeference& georeference, const RayAnswer& like) {
   if (file_) {
     const bool points = std::holds_alternative<ClosestHit>(like);
     georeference_ = points ? GeoreferenceColumn(georeference) : GeoreferenceColumn();
     file_->stream() << columns_of(like) << georeference_.head() << '\n';
-    mesh_ = &mesh;
+    mesh_ = mesh;
     parts_ = PartsOf(mesh);
   }
 }
@@ -218,7 +218,7 @@ std::string RayCsv::rows_of(std::uint64_t ray, const RayAnswer& answer) const {
       Overloaded{[&](const ClosestHit& first) {
                    return fmt::format(
                        "{},{},{},{},{},{},{}{}\n", ray, hit(), first.t.lower, first.t.upper,
-                       name(first.coverage), triangle_csv_fields(*mesh_, parts_, first.triangle),
+                       name(first.coverage), triangle_csv_fields(mesh_, parts_, first.triangle),
                        first.triangle ? fmt::format("{},{},{},{}", first.point.x, first.point.y,
                                                     first.point.z, first.front)
                                       : std::string(",,,"),
@@ -234,7 +234,7 @@ std::string RayCsv::rows_of(std::uint64_t ray, const RayAnswer& answer) const {
                      for (const TriangleId triangle : place.triangles) {
                        rows += fmt::format("{},{},{},{},{},{},{}\n", ray, i, place.t.lower,
                                            place.t.upper, name(place.kind), name(all.coverage),
-                                           triangle_csv_fields(*mesh_, parts_, triangle));
+                                           triangle_csv_fields(mesh_, parts_, triangle));
                      }
                    }
                    return rows;

@@ -59,7 +59,7 @@ using RayAnswer = std::variant<ClosestHit, AnyHit, Crossings>;
 class RayTable {
  public:
   /// Prints a row; `noun` is what it is called, "ray".
-  void add(std::string_view noun, const RayAnswer& answer, const Mesh& mesh, Console& console);
+  void add(std::string_view noun, const RayAnswer& answer, const MeshView& mesh, Console& console);
 
  private:
   std::uint64_t rows_ = 0;
@@ -74,7 +74,7 @@ class RayCsv {
 
   /// Writes the names of the columns of answers like this one; with points, one for what is known
   /// of where they lie on the Earth. The mesh must stay.
-  void begin(const Mesh& mesh, const Georeference& georeference, const RayAnswer& like);
+  void begin(const MeshView& mesh, const Georeference& georeference, const RayAnswer& like);
 
   /// \errors ErrorKind::cannot_write; ClosedPipe.
   void add(std::uint64_t ray, const RayAnswer& answer);
@@ -86,7 +86,7 @@ class RayCsv {
   [[nodiscard]] std::string rows_of(std::uint64_t ray, const RayAnswer& answer) const;
 
   std::optional<OutputFile> file_;
-  const Mesh* mesh_ = nullptr;
+  MeshView mesh_;
   GeoreferenceColumn georeference_;
   PartsOf parts_;
 };

@@ -5,6 +5,7 @@
 #include "soms/query/ray.h"
 #include "soms/query/reference/ray.h"
 
+#include "apps/model/shapes.h"
 #include "apps/soms/answers/answer_columns.h"
 #include "apps/soms/probes/probe_run.h"
 #include "apps/soms/probes/ray.h"
@@ -44,8 +45,7 @@ class RayRun : public ProbeRun<Source> {
                          console),
         options_(options),
         files_(files),
-        body_(build_shape(read_model(options.model, options.reading, console),
-                          {.build = options.build}, console),
+        body_(load_shape(options.model, options.reading, {.build = options.build}, console),
               this->pose()),
         question_{.skip = options.skip, .deadline = console.deadline()} {
     const RayAnswer like = options.all   ? RayAnswer(Crossings())
@@ -59,7 +59,7 @@ class RayRun : public ProbeRun<Source> {
  private:
   using Outcome = RowRun::Outcome;
 
-  [[nodiscard]] const Mesh& mesh() const { return body_.shape.mesh(); }
+  [[nodiscard]] const MeshView& mesh() const { return body_.shape.mesh(); }
 
   std::uint64_t answer_block() override {
     answers_.clear();

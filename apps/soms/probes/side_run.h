@@ -35,7 +35,7 @@ class SideRun : public ProbeRun<PointSource> {
   }
 
  private:
-  [[nodiscard]] virtual const Mesh& mesh() const = 0;
+  [[nodiscard]] virtual const MeshView& mesh() const = 0;
   [[nodiscard]] virtual Side side(std::size_t k) const = 0;
   [[nodiscard]] virtual bool is_cut(std::size_t k) const = 0;
   /// Keys of a JSON row that follow "side", each after a comma.

@@ -204,10 +204,7 @@ RobotModels read_robot_models(const RobotModelsOptions& options, Console& consol
     console.note(printable(note));
     models.notes.push_back(note);
   }
-  std::vector<const Mesh*> meshes;
-  for (const Mesh& mesh : models.cell) {
-    meshes.push_back(&mesh);
-  }
+  const std::vector<MeshView> meshes(models.cell.begin(), models.cell.end());
   const std::vector<std::string> more = notes_of(meshes);
   models.notes.insert(models.notes.end(), more.begin(), more.end());
   tell_warnings(models.warnings, options.reading.strict, console);

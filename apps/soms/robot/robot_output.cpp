@@ -347,10 +347,7 @@ Json totals_as_json(const RobotReport& report) {
       json[key] = true;
     }
   }
-  std::vector<const Mesh*> cell;
-  for (const Mesh& mesh : models.cell) {
-    cell.push_back(&mesh);
-  }
+  const std::vector<MeshView> cell(models.cell.begin(), models.cell.end());
   add_georeference(json, georeference_of(cell));
   json["notes"] = models.notes;
   json["warnings"] = warnings_json(models.warnings);

@@ -2,6 +2,7 @@
 
 #include "apps/soms/clash/clash.h"
 #include "apps/soms/clearance/clearance.h"
+#include "apps/soms/models/build.h"
 #include "apps/soms/models/convert.h"
 #include "apps/soms/models/generate.h"
 #include "apps/soms/models/info.h"
@@ -29,6 +30,8 @@ namespace {
 
 constexpr std::array kVerbs {
   Verb{"bench", "compare soms with the installed peers on your own two models", add_bench},
+      Verb{"build", "save a model with its tree, to be opened without being read or built again",
+           add_build},
       Verb{"clash", "list the parts of models that cross, contain, touch or come near each other",
            add_clash},
       Verb{"clearance", "find how near a model comes to others along a path, between stations, too",

@@ -62,7 +62,7 @@ class MoverParts {
     const auto [at, added] =
         numbers_.try_emplace({model, part}, static_cast<std::uint32_t>(parts_.size()));
     if (added) {
-      const Mesh& mesh = world.models[model].shape.mesh();
+      const MeshView& mesh = world.models[model].shape.mesh();
       parts_.push_back({part_label(mesh, part), part_path_label(mesh, part, report::kLongestText)});
     }
     return at->second;
@@ -98,11 +98,11 @@ report::SceneContact contact_of(const World& world, const Contact& contact, std:
 void add_bodies(report::Scene& scene, const World& world) {
   for (const Body& body : world.city) {
     scene.bodies.push_back({.model = scene.models.size(), .name = body.name, .moves = false});
-    scene.models.push_back({&body.shape.mesh(), body.name});
+    scene.models.push_back({body.shape.mesh(), body.name});
   }
   const std::size_t first = scene.models.size();
   for (const Model& model : world.models) {
-    scene.models.push_back({&model.shape.mesh(), model.name});
+    scene.models.push_back({model.shape.mesh(), model.name});
   }
   for (std::size_t k = 0; k < world.routes.size(); ++k) {
     const std::size_t model = world.routes[k].model;

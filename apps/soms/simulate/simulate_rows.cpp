@@ -24,7 +24,7 @@ class NamedParts {
     const auto [at, added] =
         numbers_.try_emplace({side.body.id, side.part}, static_cast<std::uint32_t>(parts_.size()));
     if (added) {
-      const Mesh& mesh = world_.city[side.body.id].shape.mesh();
+      const MeshView& mesh = world_.city[side.body.id].shape.mesh();
       parts_.push_back(
           {part_label(mesh, side.part), part_path_label(mesh, side.part, report::kLongestText)});
     }

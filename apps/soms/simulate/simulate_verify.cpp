@@ -23,7 +23,7 @@ constexpr std::size_t kBlock = 1024;
 struct Near {
   std::vector<TriangleId> triangles;
 
-  [[nodiscard]] Mesh mesh_of(const Mesh& whole) const {
+  [[nodiscard]] Mesh mesh_of(const MeshView& whole) const {
     Mesh mesh;
     for (const TriangleId i : triangles) {
       const auto next = static_cast<std::uint32_t>(mesh.vertices.size());
@@ -39,7 +39,7 @@ struct Near {
 
 Verifier::Verifier(const World& world, std::uint64_t seed) : world_(world), rng_(seed) {
   for (const Body& body : world.city) {
-    const Mesh& mesh = body.shape.mesh();
+    const MeshView& mesh = body.shape.mesh();
     Boxes& boxes = boxes_.emplace_back();
     for (TriangleId i = 0; i < mesh.triangles.size(); ++i) {
       const Box box = bounds(mesh.triangle(i));
@@ -51,13 +51,13 @@ Verifier::Verifier(const World& world, std::uint64_t seed) : world_(world), rng_
   }
 }
 
-const Mesh& Verifier::mesh(MoverId mover) const {
+const MeshView& Verifier::mesh(MoverId mover) const {
   return world_.models[world_.routes[mover].model].shape.mesh();
 }
 
 Box Verifier::moved_box(MoverId mover, const std::vector<Pose>& poses) const {
   Box box;
-  const Mesh& whole = mesh(mover);
+  const MeshView& whole = mesh(mover);
   for (TriangleId i = 0; i < whole.triangles.size(); ++i) {
     const Triangle t = whole.triangle(i);
     for (const Vec3& corner : {t.a, t.b, t.c}) {
@@ -157,7 +157,7 @@ std::vector<TrianglePair> Verifier::pairs_of(MoverId a, MoverId b, const std::ve
                                              const Parallel& alone) const {
   const auto near_to = [&](MoverId mover, const Box& box) {
     Near near;
-    const Mesh& whole = mesh(mover);
+    const MeshView& whole = mesh(mover);
     for (TriangleId i = 0; i < whole.triangles.size(); ++i) {
       const Triangle t = whole.triangle(i);
       const Pose& pose = poses[mover];

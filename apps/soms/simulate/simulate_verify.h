@@ -69,7 +69,7 @@ class Verifier {
                                                    const Parallel& alone) const;
   [[nodiscard]] bool far_apart(MoverId a, MoverId b, const std::vector<Pose>& poses) const;
   [[nodiscard]] Box moved_box(MoverId mover, const std::vector<Pose>& poses) const;
-  [[nodiscard]] const Mesh& mesh(MoverId mover) const;
+  [[nodiscard]] const MeshView& mesh(MoverId mover) const;
 
   const World& world_;
   Rng rng_;

@@ -178,7 +178,7 @@ class SolidPartsRun : public PoseRun {
         b_(parts_of(report().b)) {}
 
  private:
-  [[nodiscard]] std::vector<PartBody> parts_of(const Mesh& mesh) const {
+  [[nodiscard]] std::vector<PartBody> parts_of(const MeshView& mesh) const {
     return console().run("looking for closed parts", [&](const Parallel& parallel) {
       return part_bodies(mesh, {}, parallel, OpenParts::joined);
     });
@@ -261,7 +261,7 @@ class SolidPartsRun : public PoseRun {
     }
   }
 
-  [[nodiscard]] static std::string body_in_text(const Mesh& mesh, const PartBody& body) {
+  [[nodiscard]] static std::string body_in_text(const MeshView& mesh, const PartBody& body) {
     return printable(body_label(mesh, body.part, body.joined));
   }
 

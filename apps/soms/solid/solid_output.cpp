@@ -18,7 +18,7 @@ std::string solid_fields(const Solid& answer) {
                      answer.why == Undecided::none ? std::string_view() : reason_name(answer.why));
 }
 
-std::string path_field(const Mesh& mesh, std::uint32_t part) {
+std::string path_field(const MeshView& mesh, std::uint32_t part) {
   return csv_field(part_path_label(mesh, part));
 }
 
@@ -40,7 +40,7 @@ SolidPartCsv::SolidPartCsv(const std::string& path)
                 "odd_edges_a,odd_edges_b,coverage\n") {
 }
 
-void SolidPartCsv::add(std::uint64_t pose, const Mesh& a, const Mesh& b,
+void SolidPartCsv::add(std::uint64_t pose, const MeshView& a, const MeshView& b,
                        std::span<const SolidPair> pairs) {
   if (!is_wanted()) {
     return;

@@ -30,7 +30,8 @@ class SolidPartCsv : public AnswerCsv {
   explicit SolidPartCsv(const std::string& path);
 
   /// \errors ErrorKind::cannot_write; ClosedPipe.
-  void add(std::uint64_t pose, const Mesh& a, const Mesh& b, std::span<const SolidPair> pairs);
+  void add(std::uint64_t pose, const MeshView& a, const MeshView& b,
+           std::span<const SolidPair> pairs);
 };
 
 /// Files of relations, opened before the models are read.

@@ -59,7 +59,7 @@ class StepCounter {
 
  private:
   /// A body of the city with one mesh of movers, or two meshes of movers.
-  using Key = std::tuple<const Mesh*, std::optional<std::uint32_t>, const Mesh*>;
+  using Key = std::tuple<const MeshView*, std::optional<std::uint32_t>, const MeshView*>;
 
   void set_choice(const TreeChoice& choice);
   [[nodiscard]] const Shape& shape_of(const Body& body, const Parallel& parallel);

@@ -57,8 +57,8 @@ class FastLesson {
     std::pair<BodyRef, BodyRef> pair;
     Pose pose_a;
     Pose pose_b;
-    const Mesh* mesh_a = nullptr;
-    const Mesh* mesh_b = nullptr;
+    const MeshView* mesh_a = nullptr;
+    const MeshView* mesh_b = nullptr;
 
     [[nodiscard]] bool operator==(const Key&) const = default;
   };

@@ -85,7 +85,7 @@ SceneContent two_bodies(Body still, Body moving) {
 
 DroppedBody read_body(const std::filesystem::path& path, const Parallel& parallel) {
   Mesh mesh = read_mesh(path, {}, parallel);
-  const Mesh* const one = &mesh;
+  const MeshView one = mesh;
   std::vector<std::string> notes = command::notes_of({&one, 1});
   const UpAxis up = mesh.up;
   if (up == UpAxis::x || up == UpAxis::y) {

@@ -8,7 +8,7 @@ namespace soms::view {
 
 namespace {
 
-Box box_of(const Mesh& mesh, const Part& part) {
+Box box_of(const MeshView& mesh, const Part& part) {
   Box box;
   for (std::uint32_t i = part.first; i < part.first + part.count; ++i) {
     for (const std::uint32_t corner : mesh.triangles[i]) {
@@ -21,7 +21,7 @@ Box box_of(const Mesh& mesh, const Part& part) {
 }  // namespace
 
 Box PartBoxes::operator()(BodyRef body, TriangleId triangle) {
-  const Mesh& mesh = scene_.body(body).shape.mesh();
+  const MeshView& mesh = scene_.body(body).shape.mesh();
   const auto [entry, added] = parts_.try_emplace(&mesh);
   Parts& parts = entry->second;
   if (added) {

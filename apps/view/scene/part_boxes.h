@@ -31,7 +31,7 @@ class PartBoxes {
   };
 
   const ViewScene& scene_;
-  std::map<const Mesh*, Parts> parts_;
+  std::map<const MeshView*, Parts> parts_;
 };
 
 }  // namespace soms::view

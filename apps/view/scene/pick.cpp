@@ -99,7 +99,7 @@ std::optional<Picked> ViewScene::pick(const Ray& ray, bool with_movers) const {
   best->triangle = hit.triangle;
   best->point = hit.point;
   best->distance = hit.t;
-  const Mesh& mesh = body(best->body).shape.mesh();
+  const MeshView& mesh = body(best->body).shape.mesh();
   best->face = mesh.faces.empty() ? best->triangle : mesh.faces[best->triangle];
   best->part = part_of(mesh, best->triangle);
   best->part_name = best->part == Part::kNoParent ? std::string() : mesh.parts[best->part].name;

@@ -499,7 +499,7 @@ SceneStatistics ViewScene::statistics() const {
   out.traversal = entry(s.choice.traversal.traversal).name;
   if (s.pair) {
     const auto tree_counts = [&](BodyRef ref) -> std::optional<TreeStatistics> {
-      const TreeStatistics* counts = s.trees.statistics(s.body(ref).shape.mesh());
+      const TreeStatistics* counts = s.trees.statistics(*s.body(ref).shape.shared_mesh());
       return counts == nullptr ? std::nullopt : std::optional(*counts);
     };
     out.tree_a = tree_counts(s.pair->first);

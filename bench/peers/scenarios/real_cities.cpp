@@ -57,7 +57,7 @@ class CityAndMover {
 
   /// Random places on the lowest surface, 0.1 m above it, turned at random.
   [[nodiscard]] std::vector<Pose> on_streets(Rng rng) const {
-    const Mesh& mesh = town_.shape.mesh();
+    const MeshView& mesh = town_.shape.mesh();
     const Box ground = city_bounds(mesh);
     const double wheels = city_bounds(car_.shape.mesh()).lower.z;
     std::vector<Pose> poses;

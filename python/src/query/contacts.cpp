@@ -58,13 +58,13 @@ class PartsOfScene {
   std::uint32_t operator()(const SceneBody& body, TriangleId triangle) {
     const Body& found =
         body.kind == SceneBodyKind::mover ? scene_.mover(body.id) : scene_.environment(body.id);
-    const Mesh* const mesh = &found.shape.mesh();
+    const MeshView* const mesh = &found.shape.mesh();
     return parts_.try_emplace(mesh, *mesh).first->second(triangle);
   }
 
  private:
   const Scene& scene_;
-  std::map<const Mesh*, PartsOf> parts_;
+  std::map<const MeshView*, PartsOf> parts_;
 };
 
 py::tuple side_of(const ContactSide& side) {

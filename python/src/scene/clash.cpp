@@ -96,7 +96,7 @@ std::vector<std::uint64_t> keys_of(const HeldClashes& held) {
   std::vector<MeshPart> named;
   const auto add = [&](const PartSet& set) {
     for (std::size_t k = 0; k < set.parts.size(); ++k) {
-      named.push_back({&set.mesh_of(k), &set.parts[k]});
+      named.push_back({set.mesh_of(k), &set.parts[k]});
     }
   };
   add(*held.a);

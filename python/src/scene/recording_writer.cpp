@@ -62,7 +62,7 @@ bool counts_from_0(const std::vector<std::uint32_t>& ids) {
 }
 
 /// What `generate` made without further arguments, if it did.
-std::optional<RecordedMesh> recorded_mover(const Mesh& mesh, std::uint64_t hash) {
+std::optional<RecordedMesh> recorded_mover(const MeshView& mesh, std::uint64_t hash) {
   for (const MoverKind kind : {MoverKind::car, MoverKind::person, MoverKind::drone}) {
     if (mesh.source == "generated " + std::string(name(kind)) &&
         corner_hash(generate_mover(kind)) == hash) {
@@ -78,7 +78,7 @@ std::optional<RecordedMesh> recorded_mover(const Mesh& mesh, std::uint64_t hash)
 /// How to come by the mesh of a body again.
 /// \errors ErrorKind::usage where it cannot be had again; those of `read_mesh`.
 RecordedMesh recorded_mesh(const Body& body, const Parallel& parallel) {
-  const Mesh& mesh = body.shape.mesh();
+  const MeshView& mesh = body.shape.mesh();
   const std::uint64_t hash = corner_hash(mesh);
   RecordedMesh recorded;
   if (const auto mover = recorded_mover(mesh, hash)) {
@@ -105,9 +105,9 @@ RecordedMesh recorded_mesh(const Body& body, const Parallel& parallel) {
 
 /// Adds the bodies of a scene. Movers that share a mesh share a model.
 void add_bodies(RecordingHead& head, const Scene& scene, const Parallel& parallel) {
-  std::map<const Mesh*, RecordedMesh> known;
+  std::map<const MeshView*, RecordedMesh> known;
   const auto recorded = [&](const Body& body) {
-    const Mesh* const mesh = &body.shape.mesh();
+    const MeshView* const mesh = &body.shape.mesh();
     const auto found = known.find(mesh);
     if (found == known.end()) {
       return known.emplace(mesh, recorded_mesh(body, parallel)).first->second;
@@ -120,7 +120,7 @@ void add_bodies(RecordingHead& head, const Scene& scene, const Parallel& paralle
     const Body& body = scene.environment(id);
     head.environment.push_back({recorded(body), body.pose});
   }
-  std::map<const Mesh*, std::uint32_t> models;
+  std::map<const MeshView*, std::uint32_t> models;
   for (const MoverId id : scene.movers()) {
     const Body& body = scene.mover(id);
     const auto [model, is_new] =

@@ -24,7 +24,7 @@ namespace {
 Box box_of(const Body& body) {
   const PlainArithmetic plain;
   Box box;
-  const Mesh& mesh = body.shape.mesh();
+  const MeshView& mesh = body.shape.mesh();
   for (const auto& corners : mesh.triangles) {
     for (const std::uint32_t v : corners) {
       box.grow(body.pose.apply(mesh.vertices[v]));
@@ -41,7 +41,7 @@ struct Piece {
 
 std::vector<Piece> pieces_of(const Body& body) {
   const PlainArithmetic plain;
-  const Mesh& mesh = body.shape.mesh();
+  const MeshView& mesh = body.shape.mesh();
   const auto corners = [&](std::size_t i) {
     const Triangle t = mesh.triangle(static_cast<TriangleId>(i));
     return std::array{t.a, t.b, t.c};
@@ -119,7 +119,7 @@ bool one_fits_into(const std::vector<Piece>& pieces, const Box& box) {
 /// Edges of an odd number of triangles, by their moved ends, counted one by one.
 std::vector<std::pair<Vec3, Vec3>> odd_edges_of(const Body& body) {
   const PlainArithmetic plain;
-  const Mesh& mesh = body.shape.mesh();
+  const MeshView& mesh = body.shape.mesh();
   using Ends = std::array<std::array<double, 3>, 2>;
   std::map<Ends, std::size_t> uses;
   const auto place = [](const Vec3& v) { return std::array{v.x + 0.0, v.y + 0.0, v.z + 0.0}; };

@@ -17,11 +17,11 @@ using Parts = std::vector<std::uint32_t>;
 /// A bit for each of some parts.
 using Choice = std::uint32_t;
 
-std::map<std::uint32_t, Mesh> meshes_by_part(const Mesh& mesh) {
+std::map<std::uint32_t, Mesh> meshes_by_part(const MeshView& mesh) {
   std::map<std::uint32_t, Mesh> meshes;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     Mesh& part = meshes[part_of(mesh, static_cast<TriangleId>(i))];
-    part.vertices = mesh.vertices;
+    part.vertices.assign(mesh.vertices.begin(), mesh.vertices.end());
     part.triangles.push_back(mesh.triangles[i]);
   }
   return meshes;
@@ -63,14 +63,14 @@ std::vector<Choice> without_choice(const std::map<std::uint32_t, Mesh>& meshes,
   return least;
 }
 
-bool holds(const Mesh& mesh, std::uint32_t object, std::uint32_t part) {
+bool holds(const MeshView& mesh, std::uint32_t object, std::uint32_t part) {
   while (part != object && part != Part::kNoParent) {
     part = mesh.parts[part].parent;
   }
   return part == object;
 }
 
-std::size_t depth_of(const Mesh& mesh, std::uint32_t part) {
+std::size_t depth_of(const MeshView& mesh, std::uint32_t part) {
   std::size_t depth = 0;
   for (; part != Part::kNoParent; part = mesh.parts[part].parent) {
     ++depth;
@@ -80,7 +80,7 @@ std::size_t depth_of(const Mesh& mesh, std::uint32_t part) {
 
 }  // namespace
 
-std::vector<PartGroup> closed_bodies_by_brute_force(const Mesh& mesh) {
+std::vector<PartGroup> closed_bodies_by_brute_force(const MeshView& mesh) {
   const std::map<std::uint32_t, Mesh> meshes = meshes_by_part(mesh);
   std::vector<PartGroup> groups;
   Parts open;

@@ -63,7 +63,7 @@ constexpr std::string_view kUnpack = "unpack it first";
 constexpr std::string_view kConvert = "convert it to one of the formats that are read";
 constexpr std::string_view kPage = "download the model file itself";
 
-constexpr std::array<Foreign, 15> kForeign = {{
+constexpr std::array<Foreign, 16> kForeign = {{
     {"{", "a JSON file", kConvert, false, ".gltf"},
     {"<!DOCTYPE html", "a web page", kPage, true},
     {"<!DOCTYPE HTML", "a web page", kPage, true},
@@ -74,6 +74,8 @@ constexpr std::array<Foreign, 15> kForeign = {{
      "fetch the file: git lfs pull", true},
     {"\x89SOMS\r\n\x1a", "a recording of soms simulate, not a model",
      "play it with soms view, or draw a frame with soms render", true},
+    {"\x89SOMT\r\n\x1a", "a tree file, not a model",
+     "give its path, from which verbs of soms open it; programs call open_shape", true},
     {"i3dm", "an instanced model of 3D Tiles (i3dm)",
      "export the tiles as b3dm or glTF, with their instances as meshes", true},
     {"pnts", "a point cloud of 3D Tiles (pnts), which has no triangles",

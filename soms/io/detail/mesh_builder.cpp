@@ -77,7 +77,7 @@ void MeshBuilder::add_face(std::span<const std::uint32_t> corners,
   source_.budget.give_back(extra);
 }
 
-void MeshBuilder::add_instance(const Mesh& mesh, std::uint32_t first, std::uint32_t faces,
+void MeshBuilder::add_instance(const MeshView& mesh, std::uint32_t first, std::uint32_t faces,
                                bool turned) {
   if (face_ + std::uint64_t{faces} > kMaxPrimitives) {
     source_.fail(ErrorKind::out_of_range, "more than 2^31 - 1 faces", "split the model");

@@ -56,7 +56,7 @@ class MeshBuilder {
   /// The triangles of `mesh` once more, on vertices from `first` on and in faces of their own, as
   /// many as `faces`; `turned` ones go around the other way.
   /// \errors ErrorKind::out_of_memory, out_of_range.
-  void add_instance(const Mesh& mesh, std::uint32_t first, std::uint32_t faces, bool turned);
+  void add_instance(const MeshView& mesh, std::uint32_t first, std::uint32_t faces, bool turned);
 
   /// Begins a part that holds all triangles from here to the next one. Parts without triangles
   /// vanish.

@@ -20,7 +20,8 @@ namespace {
 
 class MeshWriter {
  public:
-  MeshWriter(Output& output, const std::string& name, const Mesh& mesh, const Parallel& parallel)
+  MeshWriter(Output& output, const std::string& name, const MeshView& mesh,
+             const Parallel& parallel)
       : output_(output), name_(name), mesh_(mesh), parallel_(parallel) {}
 
   void ply_binary();
@@ -44,7 +45,7 @@ class MeshWriter {
 
   Output& output_;
   const std::string& name_;
-  const Mesh& mesh_;
+  MeshView mesh_;
   const Parallel& parallel_;
 };
 
@@ -254,7 +255,7 @@ void MeshWriter::stl_text() {
 
 }  // namespace
 
-void write_mesh(Output& output, const std::string& name, const Mesh& mesh, MeshFormat format,
+void write_mesh(Output& output, const std::string& name, const MeshView& mesh, MeshFormat format,
                 const Parallel& parallel) {
   check(mesh);
   MeshWriter writer(output, name, mesh, parallel);

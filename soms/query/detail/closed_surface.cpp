@@ -60,11 +60,11 @@ Mesh ClosedSurface::caps(const Body& body) const {
   return mesh;
 }
 
-bool ClosedSurface::is_closed(const Mesh& mesh, const Pose& pose) const {
+bool ClosedSurface::is_closed(const MeshView& mesh, const Pose& pose) const {
   return cover_evenly(mesh, odd, pose);
 }
 
-ClosedSurface closed_surface(const Mesh& mesh, const Parallel& parallel) {
+ClosedSurface closed_surface(const MeshView& mesh, const Parallel& parallel) {
   Work work(parallel, joining_work(mesh) + mesh.triangles.size() + odd_edges_work(mesh) +
                           connected_parts_work(mesh) + 1);
   const std::vector<std::uint32_t> joined = joined_by_position(mesh, work);

@@ -37,11 +37,11 @@ struct ClosedSurface {
   [[nodiscard]] Mesh caps(const Body& body) const;
 
   /// True if the surface is closed where a pose moves the mesh that it is of.
-  [[nodiscard]] bool is_closed(const Mesh& mesh, const Pose& pose) const;
+  [[nodiscard]] bool is_closed(const MeshView& mesh, const Pose& pose) const;
 };
 
 /// \errors ErrorKind::cancelled.
-[[nodiscard]] ClosedSurface closed_surface(const Mesh& mesh, const Parallel& parallel);
+[[nodiscard]] ClosedSurface closed_surface(const MeshView& mesh, const Parallel& parallel);
 
 /// A body of whose mesh this is the surface. \errors As the constructor of ClosedBody.
 [[nodiscard]] ClosedBody closed_body(Body body, std::shared_ptr<const ClosedSurface> surface);

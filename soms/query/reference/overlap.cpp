@@ -70,7 +70,7 @@ Overlap scan(const std::vector<Triangle>& a, std::size_t begin, std::size_t end,
 
 }  // namespace
 
-Overlap overlap(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b,
+Overlap overlap(const MeshView& a, const Pose& pose_a, const MeshView& b, const Pose& pose_b,
                 const Parallel& parallel) {
   const PlainArithmetic plain;
   const std::vector<Triangle> first = moved_triangles(a, pose_a);

@@ -16,7 +16,7 @@ namespace soms::reference {
 /// All pairs of overlapping triangles by a linear scan with a closed box reject. Same meaning as
 /// `soms::overlap`, sorted; `cost.node_tests` counts box rejects tried.
 /// \cost    O(n m) box tests at worst; the boxes of `b` are swept once for each triangle of `a`.
-[[nodiscard]] Overlap overlap(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b,
-                              const Parallel& parallel = {});
+[[nodiscard]] Overlap overlap(const MeshView& a, const Pose& pose_a, const MeshView& b,
+                              const Pose& pose_b, const Parallel& parallel = {});
 
 }  // namespace soms::reference

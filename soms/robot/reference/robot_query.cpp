@@ -35,7 +35,7 @@ PlacedBodies placed(const RobotModel& model, std::span<const double> state) {
       body.pose = poses[model.body(i).owner];
     }
     Box box;
-    const Mesh& mesh = body.shape.mesh();
+    const MeshView& mesh = body.shape.mesh();
     for (const auto& corners : mesh.triangles) {
       for (const std::uint32_t v : corners) {
         box.grow(body.pose.apply(mesh.vertices[v]));
@@ -52,7 +52,7 @@ bool has_corner_inside(const Body& inner, const Body& outer, const Box& outer_bo
   if (!closed) {
     return false;
   }
-  const Mesh& mesh = inner.shape.mesh();
+  const MeshView& mesh = inner.shape.mesh();
   std::vector<Vec3> points;
   for (const auto& corners : mesh.triangles) {
     const Vec3 p = inner.pose.apply(mesh.vertices[corners[0]]);
@@ -72,7 +72,7 @@ bool has_corner_inside(const Body& inner, const Body& outer, const Box& outer_bo
 
 /// Whether a connected part of a body is in the box of an open one, or goes through what closes it.
 bool may_be_inside(const Body& inner, const Body& open, const Box& open_box) {
-  const Mesh& mesh = inner.shape.mesh();
+  const MeshView& mesh = inner.shape.mesh();
   const PartedBody parts(Body(inner.shape), Partition::connected);
   std::vector<Box> boxes(parts.parts().size());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {

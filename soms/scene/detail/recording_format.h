@@ -3,7 +3,7 @@
 #pragma once
 
 #include "soms/base/hash.h"
-#include "soms/base/portable.h"
+#include "soms/base/byte_fields.h"
 
 #include <array>
 #include <cstddef>
@@ -44,29 +44,6 @@ struct ChunkHead {
     return std::string_view(tag.data(), tag.size()) == name;
   }
 };
-
-/// Appends an unsigned number, the least byte first.
-template <class T>
-void put(std::string& bytes, T value) {
-  for (std::size_t k = 0; k < sizeof(T); ++k) {
-    bytes += static_cast<char>(static_cast<unsigned char>(value >> (8 * k)));
-  }
-}
-
-inline void put(std::string& bytes, double value) {
-  put(bytes, bit_cast<std::uint64_t>(value));
-}
-
-/// The unsigned number at the start of `bytes`.
-template <class T>
-[[nodiscard]] T get(const char* bytes) {
-  T value = 0;
-  for (std::size_t k = 0; k < sizeof(T); ++k) {
-    value = static_cast<T>(
-        value | static_cast<T>(static_cast<T>(static_cast<unsigned char>(bytes[k])) << (8 * k)));
-  }
-  return value;
-}
 
 [[nodiscard]] inline std::uint64_t hash_of(std::string_view bytes) {
   Fnv1a hash;

@@ -16,7 +16,7 @@ namespace {
 using detail::Subtrees;
 using detail::within;
 
-Subtrees grow(const Mesh& mesh, const RuleEntry& rule, const BuildOptions& options,
+Subtrees grow(const MeshView& mesh, const RuleEntry& rule, const BuildOptions& options,
               const Parallel& parallel) {
   if (rule.rule == Rule::quick) {
     return detail::grow_by_morton(mesh, options, parallel);
@@ -25,7 +25,7 @@ Subtrees grow(const Mesh& mesh, const RuleEntry& rule, const BuildOptions& optio
                           : detail::grow_top_down(mesh, rule, options, parallel);
 }
 
-Tree build_checked(const Mesh& mesh, const RuleEntry& rule, const BuildOptions& options,
+Tree build_checked(const MeshView& mesh, const RuleEntry& rule, const BuildOptions& options,
                    const Parallel& parallel) {
   const PlainArithmetic plain;
   check_stop(parallel);
@@ -42,12 +42,13 @@ Tree build_checked(const Mesh& mesh, const RuleEntry& rule, const BuildOptions& 
 
 }  // namespace
 
-Tree build(const Mesh& mesh, const BuildOptions& options, const Parallel& parallel) {
+Tree build(const MeshView& mesh, const BuildOptions& options, const Parallel& parallel) {
   check(options);
   return build_checked(mesh, entry(options.rule), options, parallel);
 }
 
-Tree build_by(const Mesh& mesh, RuleFunction rule, BuildOptions options, const Parallel& parallel) {
+Tree build_by(const MeshView& mesh, RuleFunction rule, BuildOptions options,
+              const Parallel& parallel) {
   if (rule == nullptr) {
     throw Error(ErrorKind::usage, "build_by: no rule", "give a function");
   }
@@ -57,7 +58,7 @@ Tree build_by(const Mesh& mesh, RuleFunction rule, BuildOptions options, const P
                        parallel);
 }
 
-WideTree build_wide(const Mesh& mesh, const BuildOptions& options, const Parallel& parallel) {
+WideTree build_wide(const MeshView& mesh, const BuildOptions& options, const Parallel& parallel) {
   const PlainArithmetic plain;
   check(options);
   check_stop(parallel);

@@ -87,6 +87,7 @@ WideTree WideTree::compacted(const Parallel& parallel) const {
   result.exponent_ = exponent_;
   result.scale_ = scale_;
   result.compact_ = compact_;
+  result.owner_ = owner_;
   result.least_ids_ = least_ids_;
   if (nodes_.empty()) {
     return result;
@@ -97,11 +98,12 @@ WideTree WideTree::compacted(const Parallel& parallel) const {
   }
   auto parts = std::make_shared<CompactParts>();
   parts->ids.resize(first.back());
+  const std::span<std::uint32_t> ids = parts->ids.own();
   for_each_chunk(blocks_.size(), kChunk, silent(parallel), [&](std::size_t begin, std::size_t end) {
     for (std::size_t b = begin; b < end; ++b) {
-      std::copy_n(blocks_[b].id.begin(), blocks_[b].count, parts->ids.begin() + first[b]);
+      std::copy_n(blocks_[b].id.begin(), blocks_[b].count, ids.begin() + first[b]);
       if (blocks_[b].following == 0) {
-        parts->ids[first[b + 1] - 1] |= kLast;
+        ids[first[b + 1] - 1] |= kLast;
       }
     }
   });
@@ -114,14 +116,14 @@ WideTree WideTree::compacted(const Parallel& parallel) const {
           node.child[k] = word_at(node.child[k], first[node.child[k] & (WideNode::kMost - 1)]);
         }
       }
-      parts->nodes[i] = node;
+      parts->nodes.own()[i] = node;
     }
   });
   result.compact_ = std::move(parts);
   return result;
 }
 
-WideTree WideTree::expanded(const Mesh& mesh, const Parallel& parallel) const {
+WideTree WideTree::expanded(const MeshView& mesh, const Parallel& parallel) const {
   const PlainArithmetic plain;
   if (!compact_) {
     return *this;
@@ -131,13 +133,14 @@ WideTree WideTree::expanded(const Mesh& mesh, const Parallel& parallel) const {
   result.bounds_ = bounds_;
   result.exponent_ = exponent_;
   result.scale_ = scale_;
+  result.owner_ = owner_;
   result.least_ids_ = least_ids_;
   const Runs runs(compact_->ids);
   result.blocks_.resize(runs.first.size());
   for_each_chunk(runs.first.size(), kChunk, silent(parallel),
                  [&](std::size_t begin, std::size_t end) {
                    for (std::size_t b = begin; b < end; ++b) {
-                     TriangleBlock& block = result.blocks_[b];
+                     TriangleBlock& block = result.blocks_.own()[b];
                      read_block(runs.first[b], mesh, block);
                      block.following = runs.following[b] & (WideNode::kMost - 1);
                    }
@@ -156,14 +159,14 @@ WideTree WideTree::expanded(const Mesh& mesh, const Parallel& parallel) const {
                   word_at(node.child[k], static_cast<std::uint32_t>(at - runs.first.begin()));
             }
           }
-          result.nodes_[i] = node;
+          result.nodes_.own()[i] = node;
         }
       });
   result.make_plan(parallel);
   return result;
 }
 
-void WideTree::read_block(std::uint32_t first, const Mesh& mesh, TriangleBlock& block) const {
+void WideTree::read_block(std::uint32_t first, const MeshView& mesh, TriangleBlock& block) const {
   std::array<TriangleId, TriangleBlock::kWidth> ids;
   const auto [count, more] = read_ids(&compact_->ids[first], ids);
   double size = 0;

@@ -128,16 +128,41 @@ MinMaxGrid::MinMaxGrid(std::span<const TriangleBlock> blocks, const Box& bounds,
   std::array<std::uint8_t, 3> order = {0, 1, 2};
   std::stable_sort(order.begin(), order.end(),
                    [&](std::uint8_t a, std::uint8_t b) { return extent[a] > extent[b]; });
-  plan_.axis = order;
   if (blocks.empty() || !(extent[order[1]] > 0) || extent[order[2]] * kFlat > extent[order[1]]) {
     return;
   }
-  lay_grids(bounds, scale, blocks.size());
+  plan_.axis = order;
+  lay_plan(bounds, scale, blocks.size());
+  cells_.resize(lay_grids());
+  std::fill(cells_.own().begin(), cells_.own().end(), Cell{kInfinity, -kInfinity, 0});
   const Parallel silent{parallel.threads, parallel.stop, {}};
   parallel.threads == 1 ? fill<false>(blocks, scale, silent) : fill<true>(blocks, scale, silent);
 }
 
-void MinMaxGrid::lay_grids(const Box& bounds, double scale, std::size_t blocks) {
+MinMaxGrid::MinMaxGrid(const GroundPlan& plan, std::span<const Cell> cells)
+    : cells_(Stored<Cell>::borrowed(cells)), plan_(plan) {
+  lay_grids();
+}
+
+std::size_t MinMaxGrid::count_cells(const GroundPlan& plan) {
+  MinMaxGrid laid;
+  laid.plan_ = plan;
+  return laid.lay_grids();
+}
+
+bool MinMaxGrid::is_fit(const GroundPlan& plan) {
+  const unsigned axes =
+      1U << (plan.axis[0] & 3U) | 1U << (plan.axis[1] & 3U) | 1U << (plan.axis[2] & 3U);
+  const auto in_range = [](double last) {
+    return last >= 0 && last <= (1U << kColumnBits) * kMostCells && last == std::floor(last);
+  };
+  return std::max({plan.axis[0], plan.axis[1], plan.axis[2]}) < 3 && axes == 7 &&
+         in_range(plan.last[0]) && in_range(plan.last[1]) && std::isfinite(plan.origin[0]) &&
+         std::isfinite(plan.origin[1]) && std::isfinite(plan.columns_a_unit) &&
+         plan.columns_a_unit > 0 && std::isfinite(plan.rounding) && plan.rounding >= 0;
+}
+
+void MinMaxGrid::lay_plan(const Box& bounds, double scale, std::size_t blocks) {
   const Vec3 extent = bounds.extent();
   const std::array<double, 2> sides = {extent[plan_.axis[0]] * scale,
                                        extent[plan_.axis[1]] * scale};
@@ -152,6 +177,9 @@ void MinMaxGrid::lay_grids(const Box& bounds, double scale, std::size_t blocks) 
     plan_.last[k] =
         std::floor(std::min(sides[k] * plan_.columns_a_unit, (1U << kColumnBits) * kMostCells));
   }
+}
+
+std::size_t MinMaxGrid::lay_grids() {
   const std::uint32_t width = (static_cast<std::uint32_t>(plan_.last[0]) >> kColumnBits) + 1;
   const std::uint32_t height = (static_cast<std::uint32_t>(plan_.last[1]) >> kColumnBits) + 1;
   std::size_t first = 0;
@@ -163,8 +191,7 @@ void MinMaxGrid::lay_grids(const Box& bounds, double scale, std::size_t blocks) 
       break;
     }
   }
-  cells_.resize(first);
-  std::fill(cells_.begin(), cells_.end(), Cell{kInfinity, -kInfinity, 0});
+  return first;
 }
 
 template <bool kShared>
@@ -256,7 +283,7 @@ void MinMaxGrid::put_band(std::uint32_t level, const ColumnBand& band, const Put
   const Grid& grid = grids_[level];
   for (std::uint32_t y = band.from[1] >> kColumnBits; y <= band.to[1] >> kColumnBits; ++y) {
     for (std::uint32_t x = band.from[0] >> kColumnBits; x <= band.to[0] >> kColumnBits; ++x) {
-      put(cells_[grid.first + std::size_t{y} * grid.width + x], x, y, band);
+      put(cells_.own()[grid.first + std::size_t{y} * grid.width + x], x, y, band);
     }
   }
 }
@@ -280,8 +307,8 @@ void MinMaxGrid::visit_grid(std::size_t k, const Visit& visit) {
   const Grid& fine = grids_[k];
   const Grid& coarse = grids_[k + 1];
   for (std::uint32_t y = 0; y < fine.height; ++y) {
-    Cell* const row = &cells_[fine.first + std::size_t{y} * fine.width];
-    Cell* const above = &cells_[coarse.first + std::size_t{y >> 1} * coarse.width];
+    Cell* const row = &cells_.own()[fine.first + std::size_t{y} * fine.width];
+    Cell* const above = &cells_.own()[coarse.first + std::size_t{y >> 1} * coarse.width];
     for (std::uint32_t x = 0; x < fine.width; ++x) {
       visit(row[x], above[x >> 1], x & 1, y & 1);
     }

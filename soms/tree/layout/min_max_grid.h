@@ -7,7 +7,7 @@
 #include "soms/base/parallel.h"
 #include "soms/base/vector.h"
 #include "soms/tree/layout/ground_plan.h"
-#include "soms/tree/layout/pages.h"
+#include "soms/tree/layout/stored.h"
 
 #include <array>
 #include <cstddef>
@@ -40,8 +40,26 @@ struct ColumnBand;
 /// slice of the point are marked, and a box that holds the point covers both.
 class MinMaxGrid {
  public:
+  struct Cell {
+    float lower;
+    float upper;
+    std::uint64_t taken;  ///< columns and slices: see height_mask.h
+
+    [[nodiscard]] bool operator==(const Cell&) const = default;
+  };
+
   /// An empty grid: nothing is known to be clear.
   MinMaxGrid() = default;
+
+  /// The grids of a plan over cells that something else holds.
+  /// \pre `plan` is fit for grids, and `cells` are `count_cells(plan)`.
+  MinMaxGrid(const GroundPlan& plan, std::span<const Cell> cells);
+
+  /// How many cells the grids of a plan have. \pre `is_fit(plan)`
+  [[nodiscard]] static std::size_t count_cells(const GroundPlan& plan);
+
+  /// True if grids may be laid over the plan: its axes are three, and its numbers are in range.
+  [[nodiscard]] static bool is_fit(const GroundPlan& plan);
 
   /// The grid of the triangles of `blocks`, or none where their box, in the mesh's units, is not
   /// flat: its least side is more than a quarter of the next. The same bytes for any number of
@@ -58,19 +76,14 @@ class MinMaxGrid {
   /// Four columns a cell of the finest grid along each axis.
   [[nodiscard]] const GroundPlan& plan() const { return plan_; }
 
+  /// Those of all grids, finest first.
+  [[nodiscard]] std::span<const Cell> cells() const { return cells_; }
+
   [[nodiscard]] bool operator==(const MinMaxGrid&) const = default;
 
-  [[nodiscard]] std::size_t memory() const { return cells_.capacity() * sizeof(Cell); }
+  [[nodiscard]] std::size_t memory() const { return cells_.memory(); }
 
  private:
-  struct Cell {
-    float lower;
-    float upper;
-    std::uint64_t taken;  ///< columns and slices: see height_mask.h
-
-    [[nodiscard]] bool operator==(const Cell&) const = default;
-  };
-
   /// One grid, finest first.
   struct Grid {
     std::size_t first = 0;  ///< of its cells in `cells_`
@@ -82,7 +95,9 @@ class MinMaxGrid {
 
   static constexpr std::size_t kMostGrids = 32;
 
-  void lay_grids(const Box& bounds, double scale, std::size_t blocks);
+  void lay_plan(const Box& bounds, double scale, std::size_t blocks);
+  /// Returns how many cells all grids have.
+  std::size_t lay_grids();
 
   /// \tparam kShared several threads fill
   template <bool kShared>
@@ -108,7 +123,7 @@ class MinMaxGrid {
   template <class Visit>
   void visit_grid(std::size_t k, const Visit& visit);
 
-  Pages<Cell> cells_;
+  Stored<Cell> cells_;
   std::array<Grid, kMostGrids> grids_ = {};
   std::size_t grid_count_ = 0;
   GroundPlan plan_;

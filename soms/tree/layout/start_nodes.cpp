@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 namespace soms::layout {
 
@@ -124,7 +125,7 @@ class ListSearch {
 
 }  // namespace
 
-StartNodes::StartNodes(std::span<const WideNode> nodes, const GroundPlan& plan, double scale) {
+void StartNodes::lay_levels(const GroundPlan& plan) {
   const auto cells = [&](std::size_t k, std::uint32_t bits) {
     return static_cast<std::uint32_t>(static_cast<std::uint64_t>(plan.last[k]) >> bits) + 1;
   };
@@ -134,20 +135,43 @@ StartNodes::StartNodes(std::span<const WideNode> nodes, const GroundPlan& plan, 
     ++bits;
     levels_.push_back({0, cells(0, bits), cells(1, bits)});
   }
-  ends_ = {0};
+  std::size_t first = 0;
+  for (std::size_t k = levels_.size(); k-- > 0;) {
+    levels_[k].first = first;
+    first += std::size_t{levels_[k].width} * levels_[k].height;
+  }
+}
+
+std::size_t StartNodes::count_lists(const GroundPlan& plan) {
+  StartNodes laid;
+  laid.lay_levels(plan);
+  const Level& finest = laid.levels_.front();
+  return finest.first + std::size_t{finest.width} * finest.height;
+}
+
+StartNodes::StartNodes(const GroundPlan& plan, std::span<const std::uint32_t> ends,
+                       std::span<const std::uint32_t> nodes)
+    : ends_(Stored<std::uint32_t>::borrowed(ends)), nodes_(Stored<std::uint32_t>::borrowed(nodes)) {
+  lay_levels(plan);
+}
+
+StartNodes::StartNodes(std::span<const WideNode> nodes, const GroundPlan& plan, double scale) {
+  lay_levels(plan);
+  Pages<std::uint32_t> ends;
+  Pages<std::uint32_t> listed;
+  ends.push_back(0);
   std::vector<std::uint32_t> above;
   std::vector<std::uint32_t> list;
+  std::uint32_t bits = kFinestBits + static_cast<std::uint32_t>(levels_.size()) - 1;
   for (std::size_t k = levels_.size(); k-- > 0; --bits) {
-    Level& level = levels_[k];
-    level.first = ends_.size() - 1;
+    const Level& level = levels_[k];
     for (std::uint32_t y = 0; y < level.height; ++y) {
       for (std::uint32_t x = 0; x < level.width; ++x) {
         above = {kRoot};
         if (k + 1 < levels_.size()) {
           const Level& coarser = levels_[k + 1];
-          const auto kept =
-              this->list(coarser.first + std::size_t{y >> 1} * coarser.width + (x >> 1));
-          above.assign(kept.begin(), kept.end());
+          const std::size_t cell = coarser.first + std::size_t{y >> 1} * coarser.width + (x >> 1);
+          above.assign(listed.begin() + ends[cell], listed.begin() + ends[cell + 1]);
         }
         const CellColumn column(plan, scale, bits, x, y);
         list.clear();
@@ -155,11 +179,13 @@ StartNodes::StartNodes(std::span<const WideNode> nodes, const GroundPlan& plan, 
         const bool few = std::all_of(above.begin(), above.end(),
                                      [&](std::uint32_t node) { return search.descend(node); });
         const auto& chosen = few ? list : above;
-        nodes_.insert(nodes_.end(), chosen.begin(), chosen.end());
-        ends_.push_back(static_cast<std::uint32_t>(nodes_.size()));
+        listed.insert(listed.end(), chosen.begin(), chosen.end());
+        ends.push_back(static_cast<std::uint32_t>(listed.size()));
       }
     }
   }
+  ends_ = std::move(ends);
+  nodes_ = std::move(listed);
 }
 
 std::span<const std::uint32_t> StartNodes::of(const PlanBox& box) const {

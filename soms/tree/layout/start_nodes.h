@@ -4,7 +4,7 @@
 #pragma once
 
 #include "soms/tree/layout/ground_plan.h"
-#include "soms/tree/layout/pages.h"
+#include "soms/tree/layout/stored.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -36,14 +36,25 @@ class StartNodes {
   /// \cost O(n) time, mostly 1 to 4 bytes a triangle
   StartNodes(std::span<const WideNode> nodes, const GroundPlan& plan, double scale);
 
+  /// Lists that something else holds.
+  /// \pre `ends` are `count_lists(plan)` and one more; they ascend from 0 to the number of `nodes`.
+  StartNodes(const GroundPlan& plan, std::span<const std::uint32_t> ends,
+             std::span<const std::uint32_t> nodes);
+
+  /// How many lists the cells of a plan have. \pre `MinMaxGrid::is_fit(plan)`
+  [[nodiscard]] static std::size_t count_lists(const GroundPlan& plan);
+
   /// Nodes below which everything is that a box of the plan may meet.
   [[nodiscard]] std::span<const std::uint32_t> of(const PlanBox& box) const;
 
+  /// The nodes of list i are those from `ends()[i]` to `ends()[i + 1]`.
+  [[nodiscard]] std::span<const std::uint32_t> ends() const { return ends_; }
+
+  [[nodiscard]] std::span<const std::uint32_t> nodes() const { return nodes_; }
+
   [[nodiscard]] bool operator==(const StartNodes&) const = default;
 
-  [[nodiscard]] std::size_t memory() const {
-    return (nodes_.capacity() + ends_.capacity()) * sizeof(std::uint32_t);
-  }
+  [[nodiscard]] std::size_t memory() const { return nodes_.memory() + ends_.memory(); }
 
  private:
   /// The cells of one size.
@@ -56,12 +67,15 @@ class StartNodes {
   };
 
   [[nodiscard]] std::span<const std::uint32_t> list(std::size_t cell) const {
-    return std::span(nodes_).subspan(ends_[cell], ends_[cell + 1] - ends_[cell]);
+    return nodes().subspan(ends_[cell], ends_[cell + 1] - ends_[cell]);
   }
 
-  std::vector<Level> levels_;         ///< finest first
-  std::vector<std::uint32_t> ends_;   ///< list i begins at ends_[i] and ends at ends_[i + 1]
-  std::vector<std::uint32_t> nodes_;  ///< those of coarser cells first
+  /// Divides the plan into cells of each size.
+  void lay_levels(const GroundPlan& plan);
+
+  std::vector<Level> levels_;    ///< finest first
+  Stored<std::uint32_t> ends_;   ///< list i begins at ends_[i] and ends at ends_[i + 1]
+  Stored<std::uint32_t> nodes_;  ///< those of coarser cells first
 };
 
 }  // namespace layout

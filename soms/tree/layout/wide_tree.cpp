@@ -80,13 +80,13 @@ double sum_of(std::span<const Place> places, double (*area)(const Place&),
 
 }  // namespace
 
-WideTree::WideTree(const Tree& tree, const Mesh& mesh, const Parallel& parallel) {
+WideTree::WideTree(const Tree& tree, const MeshView& mesh, const Parallel& parallel) {
   if (!tree.nodes.empty()) {
     *this = WideTree(layout::parts_of(tree), mesh, parallel);
   }
 }
 
-WideTree::WideTree(const layout::Parts& tree, const Mesh& mesh, const Parallel& parallel)
+WideTree::WideTree(const layout::Parts& tree, const MeshView& mesh, const Parallel& parallel)
     : bounds_(tree.bounds) {
   const PlainArithmetic plain;
   const double size = settle();
@@ -97,7 +97,7 @@ WideTree::WideTree(const layout::Parts& tree, const Mesh& mesh, const Parallel& 
   make_plan(parallel);
 }
 
-WideTree::WideTree(const WideTree& tree, const Mesh& mesh, const Parallel& parallel) {
+WideTree::WideTree(const WideTree& tree, const MeshView& mesh, const Parallel& parallel) {
   const PlainArithmetic plain;
   if (tree.compact_) {
     *this = WideTree(tree.expanded(mesh, parallel), mesh, parallel).compacted(parallel);
@@ -106,10 +106,52 @@ WideTree::WideTree(const WideTree& tree, const Mesh& mesh, const Parallel& paral
     const double size = settle();
     nodes_.resize(tree.nodes_.size());
     blocks_.resize(tree.blocks_.size());
+    owner_ = tree.owner_;
     least_ids_ = tree.least_ids_;
-    layout::refit_layout(tree, mesh, {origin_, scale_, size}, parallel, nodes_, blocks_);
+    layout::refit_layout(tree, mesh, {origin_, scale_, size}, parallel, nodes_.own(),
+                         blocks_.own());
     make_plan(parallel);
   }
+}
+
+WideTree::WideTree(const LayoutArrays& arrays, std::shared_ptr<const void> owner)
+    : owner_(std::move(owner)),
+      nodes_(layout::Stored<WideNode>::borrowed(arrays.nodes)),
+      blocks_(layout::Stored<TriangleBlock>::borrowed(arrays.blocks)),
+      least_ids_(layout::Stored<TriangleId>::borrowed(arrays.least_ids)),
+      bounds_(arrays.bounds) {
+  const PlainArithmetic plain;
+  if (arrays.nodes.empty() && arrays.compact_nodes.empty()) {
+    return;
+  }
+  static_cast<void>(settle());
+  if (!arrays.cells.empty()) {
+    min_max_grid_ = layout::MinMaxGrid(arrays.plan, arrays.cells);
+    start_nodes_ = layout::StartNodes(arrays.plan, arrays.list_ends, arrays.list_nodes);
+  }
+  if (!arrays.compact_nodes.empty()) {
+    auto parts = std::make_shared<CompactParts>();
+    parts->nodes = layout::Stored<CompactNode>::borrowed(arrays.compact_nodes);
+    parts->ids = layout::Stored<std::uint32_t>::borrowed(arrays.compact_ids);
+    compact_ = std::move(parts);
+  }
+}
+
+LayoutArrays WideTree::arrays() const {
+  LayoutArrays arrays;
+  arrays.nodes = nodes_;
+  arrays.blocks = blocks_;
+  arrays.least_ids = least_ids_;
+  arrays.cells = min_max_grid_.cells();
+  arrays.list_ends = start_nodes_.ends();
+  arrays.list_nodes = start_nodes_.nodes();
+  arrays.plan = min_max_grid_.plan();
+  arrays.bounds = bounds_;
+  if (compact_) {
+    arrays.compact_nodes = compact_->nodes;
+    arrays.compact_ids = compact_->ids;
+  }
+  return arrays;
 }
 
 void WideTree::make_plan(const Parallel& parallel) {
@@ -128,7 +170,7 @@ double WideTree::settle() {
   return size * scale_;
 }
 
-double WideTree::sah_area_ratio(const Mesh& mesh, const Parallel& parallel) const {
+double WideTree::sah_area_ratio(const MeshView& mesh, const Parallel& parallel) const {
   const PlainArithmetic plain;
   if (compact_) {
     return expanded(mesh, parallel).sah_area_ratio(mesh, parallel);
@@ -140,12 +182,9 @@ double WideTree::sah_area_ratio(const Mesh& mesh, const Parallel& parallel) cons
 }
 
 std::size_t WideTree::memory() const {
-  return sizeof *this + nodes_.capacity() * sizeof(WideNode) +
-         blocks_.capacity() * sizeof(TriangleBlock) + least_ids_.capacity() * sizeof(TriangleId) +
+  return sizeof *this + nodes_.memory() + blocks_.memory() + least_ids_.memory() +
          min_max_grid_.memory() + start_nodes_.memory() +
-         (compact_ ? sizeof *compact_ + compact_->nodes.capacity() * sizeof(CompactNode) +
-                         compact_->ids.capacity() * sizeof(std::uint32_t)
-                   : 0);
+         (compact_ ? sizeof *compact_ + compact_->nodes.memory() + compact_->ids.memory() : 0);
 }
 
 }  // namespace soms

@@ -9,6 +9,7 @@
 #include "soms/tree/layout/node_axes.h"
 #include "soms/tree/layout/pages.h"
 #include "soms/tree/layout/start_nodes.h"
+#include "soms/tree/layout/stored.h"
 #include "soms/tree/tree.h"
 
 #include <array>
@@ -89,8 +90,22 @@ struct CompactNode;
 struct CompactParts {
   static constexpr std::uint32_t kLast = 0x80000000U;
 
-  layout::Pages<CompactNode> nodes;
-  layout::Pages<std::uint32_t> ids;
+  layout::Stored<CompactNode> nodes;
+  layout::Stored<std::uint32_t> ids;
+};
+
+/// The arrays that a layout is made of, whoever holds them; those of the other kind are empty.
+struct LayoutArrays {
+  std::span<const WideNode> nodes;
+  std::span<const TriangleBlock> blocks;
+  std::span<const TriangleId> least_ids;
+  std::span<const layout::MinMaxGrid::Cell> cells;  ///< none without a ground plan
+  std::span<const std::uint32_t> list_ends;
+  std::span<const std::uint32_t> list_nodes;
+  std::span<const CompactNode> compact_nodes;
+  std::span<const std::uint32_t> compact_ids;
+  layout::GroundPlan plan;
+  Box bounds;
 };
 
 /// A canonical tree as queries traverse it. Node 0 is the root; a mesh without triangles has no
@@ -105,17 +120,24 @@ class WideTree {
   /// a tenth smaller by it. The same bytes for any number of threads.
   /// \errors ErrorKind::out_of_range beyond 2^28 nodes or blocks; cancelled.
   /// \cost   O(n) time; about 80 bytes a triangle with leaves of 8.
-  WideTree(const Tree& tree, const Mesh& mesh, const Parallel& parallel = {});
+  WideTree(const Tree& tree, const MeshView& mesh, const Parallel& parallel = {});
 
   /// The same from a tree that was never put together; it must not be empty.
-  WideTree(const layout::Parts& tree, const Mesh& mesh, const Parallel& parallel = {});
+  WideTree(const layout::Parts& tree, const MeshView& mesh, const Parallel& parallel = {});
 
   /// The same nodes and leaves over a mesh whose vertices were moved; its triangles must be the
   /// same. Boxes, places and frames are made as for a new tree: where no vertex moved, the bytes
   /// are those of `tree`. The same for any number of threads.
   /// \errors cancelled.
   /// \cost   O(n) time.
-  WideTree(const WideTree& tree, const Mesh& mesh, const Parallel& parallel = {});
+  WideTree(const WideTree& tree, const MeshView& mesh, const Parallel& parallel = {});
+
+  /// A layout over arrays that something else holds, which it keeps by `owner`.
+  /// \pre They are safe to traverse: `soms/tree/file/` says what that takes, and checks it.
+  WideTree(const LayoutArrays& arrays, std::shared_ptr<const void> owner);
+
+  /// The arrays, for as long as the layout lives.
+  [[nodiscard]] LayoutArrays arrays() const;
 
   /// The same tree in a third of the memory: nodes in bytes, and no blocks. Boxes grow by up to a
   /// 127th of their node, and blocks are made again whenever they are read.
@@ -125,7 +147,7 @@ class WideTree {
 
   /// A compact tree with its nodes and blocks written out: the tree that was compacted, but for its
   /// boxes' sizes. `mesh` is the tree's.
-  [[nodiscard]] WideTree expanded(const Mesh& mesh, const Parallel& parallel = {}) const;
+  [[nodiscard]] WideTree expanded(const MeshView& mesh, const Parallel& parallel = {}) const;
 
   [[nodiscard]] bool empty() const { return nodes_.empty() && !compact_; }
 
@@ -149,7 +171,7 @@ class WideTree {
   /// The block that begins at entry `first` of `CompactParts::ids`. Where `following` is 1 the leaf
   /// goes on kWidth entries later.
   /// \pre The tree is compact; `mesh` is its mesh.
-  void read_block(std::uint32_t first, const Mesh& mesh, TriangleBlock& block) const;
+  void read_block(std::uint32_t first, const MeshView& mesh, TriangleBlock& block) const;
 
   /// Point of the mesh's frame that node origins are relative to.
   [[nodiscard]] const Vec3& origin() const { return origin_; }
@@ -169,7 +191,7 @@ class WideTree {
   /// Area of all boxes over the area of the triangles: how much room a query finds to enter in
   /// vain. It grows when vertices move away from those beside them. 0 where triangles have no area.
   /// `mesh` is the tree's. \cost O(n)
-  [[nodiscard]] double sah_area_ratio(const Mesh& mesh, const Parallel& parallel = {}) const;
+  [[nodiscard]] double sah_area_ratio(const MeshView& mesh, const Parallel& parallel = {}) const;
 
   [[nodiscard]] bool operator==(const WideTree& other) const;
 
@@ -180,9 +202,10 @@ class WideTree {
   /// Makes what flat meshes have beside nodes and blocks.
   void make_plan(const Parallel& parallel);
 
-  layout::Pages<WideNode> nodes_;
-  layout::Pages<TriangleBlock> blocks_;
-  layout::Pages<TriangleId> least_ids_;
+  std::shared_ptr<const void> owner_;  ///< of arrays that are borrowed
+  layout::Stored<WideNode> nodes_;
+  layout::Stored<TriangleBlock> blocks_;
+  layout::Stored<TriangleId> least_ids_;
   layout::MinMaxGrid min_max_grid_;
   layout::StartNodes start_nodes_;
   std::shared_ptr<const CompactParts> compact_;

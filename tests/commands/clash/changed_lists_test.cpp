@@ -89,7 +89,7 @@ command::ClashModels models_of_parts() {
   models.a.parts = part_bodies(mesh);
   std::vector<MeshPart> named;
   for (const PartBody& part : models.a.parts) {
-    named.push_back({&models.a.meshes.front(), &part});
+    named.push_back({models.a.meshes.front(), &part});
   }
   models.a.keys = part_keys(named);
   models.a.mesh = {0, 0};

@@ -91,7 +91,7 @@ Touching touching(Rng& rng, const Mesh& many_triangles, double reach = 8) {
   const std::size_t axis = rng.below(3);
   const double sign = rng.below(2) ? 1 : -1;
   const Vec3 n = sign * Vec3{two.fixed.m[axis], two.fixed.m[4 + axis], two.fixed.m[8 + axis]};
-  const Mesh& small = two.small.mesh();
+  const MeshView& small = two.small.mesh();
   Vec3 corner = small.vertices[small.triangles[0][0]];
   for (const auto& triangle : small.triangles) {
     for (const std::uint32_t v : triangle) {

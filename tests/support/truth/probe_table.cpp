@@ -332,7 +332,7 @@ std::span<const ProbeRow<Ray>> probe_table<Ray>() {
 }
 
 Probes probes_of(const Body& body, std::size_t count) {
-  const Mesh& mesh = body.shape.mesh();
+  const MeshView& mesh = body.shape.mesh();
   Box box;
   for (const Vec3& v : mesh.vertices) {
     box.grow(body.pose.apply(v));

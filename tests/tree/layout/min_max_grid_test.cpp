@@ -88,7 +88,7 @@ std::vector<Vec3> clipped(std::vector<Vec3> polygon, const LocalBox& box) {
 }
 
 /// The twin: a corner of a triangle is in the box, or surely some of its inside is.
-bool reaches(const Mesh& mesh, const Vec3& origin, const LocalBox& box) {
+bool reaches(const MeshView& mesh, const Vec3& origin, const LocalBox& box) {
   return std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& triangle) {
     std::vector<Vec3> corners;
     for (const std::uint32_t v : triangle) {
@@ -108,7 +108,7 @@ bool reaches(const Mesh& mesh, const Vec3& origin, const LocalBox& box) {
 }
 
 /// Beside a corner of the mesh, so that they just touch, about a point of a triangle, or anywhere.
-LocalBox random_box(Rng& rng, const Mesh& mesh, const Vec3& origin, std::size_t flat) {
+LocalBox random_box(Rng& rng, const MeshView& mesh, const Vec3& origin, std::size_t flat) {
   const Box bounds = soms::bounds(mesh);
   LocalBox box;
   const auto& triangle = mesh.triangles[rng.below(mesh.triangles.size())];

@@ -52,7 +52,7 @@ void expect_inside(const WideTree& tree, const WideNode& node, std::size_t lane,
   ASSERT_LE(distance, node.l1_radius);
 }
 
-void expect_block_holds(const WideTree& tree, const Mesh& mesh, const TriangleBlock& block) {
+void expect_block_holds(const WideTree& tree, const MeshView& mesh, const TriangleBlock& block) {
   ASSERT_GE(block.count, 1U);
   ASSERT_LE(block.count, TriangleBlock::kWidth);
   long double square = 0;
@@ -82,7 +82,7 @@ void expect_block_holds(const WideTree& tree, const Mesh& mesh, const TriangleBl
 
 }  // namespace
 
-void expect_whole(const WideTree& tree, const Mesh& mesh) {
+void expect_whole(const WideTree& tree, const MeshView& mesh) {
   struct Pending {
     std::uint32_t node;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> above;  // node, lane

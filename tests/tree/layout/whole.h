@@ -8,6 +8,6 @@
 namespace soms::test {
 
 /// Fails unless every triangle is in one block, and inside every box above it.
-void expect_whole(const WideTree& tree, const Mesh& mesh);
+void expect_whole(const WideTree& tree, const MeshView& mesh);
 
 }  // namespace soms::test

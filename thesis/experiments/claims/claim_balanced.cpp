@@ -107,8 +107,8 @@ void add_comparison(std::vector<ClaimRow>& rows, const Ride& more, const Ride& l
 /// Box tests of trips on trees that are cut off the middle, both bodies alike.
 std::uint64_t count_uneven(std::span<const Trip> trips, double share, const Parallel& parallel) {
   std::uint64_t box_tests = 0;
-  std::map<const Mesh*, Tree> trees;
-  const auto tree_of = [&](const Mesh& mesh) -> const Tree& {
+  std::map<const MeshView*, Tree> trees;
+  const auto tree_of = [&](const MeshView& mesh) -> const Tree& {
     const auto found = trees.find(&mesh);
     return found != trees.end() ? found->second
                                 : trees.emplace(&mesh, uneven_tree(mesh, share)).first->second;

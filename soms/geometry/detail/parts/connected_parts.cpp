@@ -13,11 +13,11 @@ constexpr std::uint32_t kNoPart = 0xffffffffU;
 
 }  // namespace
 
-std::uint64_t connected_parts_work(const Mesh& mesh) {
+std::uint64_t connected_parts_work(const MeshView& mesh) {
   return 2 * std::uint64_t{mesh.triangles.size()} + mesh.vertices.size();
 }
 
-ConnectedParts connected_parts(const Mesh& mesh, const std::vector<std::uint32_t>& joined,
+ConnectedParts connected_parts(const MeshView& mesh, const std::vector<std::uint32_t>& joined,
                                Work& work) {
   DisjointSets sets(mesh.vertices.size());
   work.run(mesh.triangles.size(), [&](std::size_t i) {

@@ -17,10 +17,10 @@ struct ConnectedParts {
 };
 
 /// `joined` is what `joined_by_position` gives. Takes `connected_parts_work` of `work`.
-[[nodiscard]] ConnectedParts connected_parts(const Mesh& mesh,
+[[nodiscard]] ConnectedParts connected_parts(const MeshView& mesh,
                                              const std::vector<std::uint32_t>& joined, Work& work);
 
 /// Loops of `connected_parts`.
-[[nodiscard]] std::uint64_t connected_parts_work(const Mesh& mesh);
+[[nodiscard]] std::uint64_t connected_parts_work(const MeshView& mesh);
 
 }  // namespace soms::detail

@@ -12,7 +12,7 @@ namespace soms::detail {
 namespace {
 
 /// Buckets of places: a power of two, about four vertices each.
-std::size_t bucket_count(const Mesh& mesh) {
+std::size_t bucket_count(const MeshView& mesh) {
   return std::bit_ceil(mesh.vertices.size() / 8 + 1);
 }
 
@@ -32,11 +32,11 @@ bool before(const Vec3& p, const Vec3& q) {
 
 }  // namespace
 
-std::uint64_t joining_work(const Mesh& mesh) {
+std::uint64_t joining_work(const MeshView& mesh) {
   return mesh.triangles.size() + 2 * std::uint64_t{mesh.vertices.size()} + bucket_count(mesh);
 }
 
-std::vector<std::uint32_t> joined_by_position(const Mesh& mesh, Work& work) {
+std::vector<std::uint32_t> joined_by_position(const MeshView& mesh, Work& work) {
   std::vector<std::uint32_t> joined(mesh.vertices.size(), kUnused);
   work.run(mesh.triangles.size(), [&](std::size_t i) {
     for (const std::uint32_t v : mesh.triangles[i]) {

@@ -34,7 +34,7 @@ struct LooseUse {
 
 /// A mesh as its edges are counted.
 struct CountedMesh {
-  const Mesh& mesh;
+  MeshView mesh;
   const std::vector<std::uint32_t>& joined;
   const std::vector<bool>& degenerate;
 
@@ -200,7 +200,7 @@ std::vector<std::uint32_t> lines_of(std::span<const Segment> segments) {
   return lines;
 }
 
-bool cover_evenly(const Mesh& mesh, std::span<const OddEdge> edges, const Pose& pose) {
+bool cover_evenly(const MeshView& mesh, std::span<const OddEdge> edges, const Pose& pose) {
   const auto moved = [&](const OddEdge& edge) {
     return Segment{pose.apply(mesh.vertices[edge.ends[0]]),
                    pose.apply(mesh.vertices[edge.ends[1]])};
@@ -233,7 +233,7 @@ bool cover_evenly(const Mesh& mesh, std::span<const OddEdge> edges, const Pose& 
   return covers_evenly(segments);
 }
 
-std::vector<bool> degenerate_triangles(const Mesh& mesh, Work& work) {
+std::vector<bool> degenerate_triangles(const MeshView& mesh, Work& work) {
   std::vector<bool> degenerate(mesh.triangles.size());
   work.run(mesh.triangles.size(), [&](std::size_t i) {
     degenerate[i] = is_degenerate(mesh.triangle(static_cast<TriangleId>(i)));
@@ -241,7 +241,7 @@ std::vector<bool> degenerate_triangles(const Mesh& mesh, Work& work) {
   return degenerate;
 }
 
-std::vector<OddEdge> odd_edges(const Mesh& mesh, const std::vector<std::uint32_t>& joined,
+std::vector<OddEdge> odd_edges(const MeshView& mesh, const std::vector<std::uint32_t>& joined,
                                const std::vector<bool>& degenerate, Work& work) {
   const CountedMesh counted{mesh, joined, degenerate};
   auto edges = sort_into_buckets<EdgeUse>(
@@ -262,18 +262,19 @@ std::vector<OddEdge> odd_edges(const Mesh& mesh, const std::vector<std::uint32_t
   return odd;
 }
 
-std::vector<OddEdge> odd_edges(const Mesh& mesh, const Parallel& parallel) {
+std::vector<OddEdge> odd_edges(const MeshView& mesh, const Parallel& parallel) {
   Work work(parallel, joining_work(mesh) + mesh.triangles.size() + odd_edges_work(mesh) + 1);
   const auto joined = joined_by_position(mesh, work);
   const auto degenerate = degenerate_triangles(mesh, work);
   return odd_edges(mesh, joined, degenerate, work);
 }
 
-std::uint64_t odd_edges_work(const Mesh& mesh) {
+std::uint64_t odd_edges_work(const MeshView& mesh) {
   return 2 * std::uint64_t{mesh.triangles.size()} + mesh.vertices.size();
 }
 
-std::vector<OddEdge> odd_edges_of_run(const Mesh& mesh, const std::vector<std::uint32_t>& joined,
+std::vector<OddEdge> odd_edges_of_run(const MeshView& mesh,
+                                      const std::vector<std::uint32_t>& joined,
                                       const std::vector<bool>& degenerate, const Part& run) {
   const CountedMesh counted{mesh, joined, degenerate};
   std::vector<LooseUse> edges;

@@ -48,27 +48,28 @@ using Segment = std::array<Vec3, 2>;
 /// `covers_evenly` of the edges that are odd among all triangles, where a pose moves their ends.
 /// \cost O(n) where an end of the first edge tells that they do not, as mostly; else as
 ///       `covers_evenly`.
-[[nodiscard]] bool cover_evenly(const Mesh& mesh, std::span<const OddEdge> edges, const Pose& pose);
+[[nodiscard]] bool cover_evenly(const MeshView& mesh, std::span<const OddEdge> edges,
+                                const Pose& pose);
 
 /// Triangles without area, by number: exactly. Takes one loop over the triangles of `work`.
-[[nodiscard]] std::vector<bool> degenerate_triangles(const Mesh& mesh, Work& work);
+[[nodiscard]] std::vector<bool> degenerate_triangles(const MeshView& mesh, Work& work);
 
 /// Odd edges of a mesh, by place. `joined` is what `joined_by_position` gives. Takes
 /// `odd_edges_work` of `work`.
-[[nodiscard]] std::vector<OddEdge> odd_edges(const Mesh& mesh,
+[[nodiscard]] std::vector<OddEdge> odd_edges(const MeshView& mesh,
                                              const std::vector<std::uint32_t>& joined,
                                              const std::vector<bool>& degenerate, Work& work);
 
 /// The same of a mesh whose vertices are not joined yet.
 /// \errors ErrorKind::cancelled.
-[[nodiscard]] std::vector<OddEdge> odd_edges(const Mesh& mesh, const Parallel& parallel);
+[[nodiscard]] std::vector<OddEdge> odd_edges(const MeshView& mesh, const Parallel& parallel);
 
 /// Loops of `odd_edges`.
-[[nodiscard]] std::uint64_t odd_edges_work(const Mesh& mesh);
+[[nodiscard]] std::uint64_t odd_edges_work(const MeshView& mesh);
 
 /// Odd edges of a run of triangles by itself, in any order.
 /// \cost O(n log n)
-[[nodiscard]] std::vector<OddEdge> odd_edges_of_run(const Mesh& mesh,
+[[nodiscard]] std::vector<OddEdge> odd_edges_of_run(const MeshView& mesh,
                                                     const std::vector<std::uint32_t>& joined,
                                                     const std::vector<bool>& degenerate,
                                                     const Part& run);

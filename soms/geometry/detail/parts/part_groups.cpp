@@ -99,7 +99,7 @@ bool cover_evenly(std::span<const OpenPart> parts, const Numbers& numbers) {
 /// Parts that are not in a group yet, and those that are.
 class Grouping {
  public:
-  Grouping(const Mesh& mesh, std::span<const OpenPart> parts)
+  Grouping(const MeshView& mesh, std::span<const OpenPart> parts)
       : mesh_(mesh), parts_(parts), done_(parts.size(), 0), tried_(parts.size(), 1) {}
 
   std::vector<PartGroup> find() {
@@ -203,7 +203,7 @@ class Grouping {
     groups_.push_back(std::move(group));
   }
 
-  const Mesh& mesh_;
+  MeshView mesh_;
   std::span<const OpenPart> parts_;
   std::vector<std::uint8_t> done_;
   std::vector<std::size_t> tried_;  ///< of each part, with how many it was left open
@@ -212,7 +212,7 @@ class Grouping {
 
 }  // namespace
 
-std::vector<PartGroup> groups_of_open(const Mesh& mesh, std::span<const OpenPart> parts) {
+std::vector<PartGroup> groups_of_open(const MeshView& mesh, std::span<const OpenPart> parts) {
   return Grouping(mesh, parts).find();
 }
 

@@ -21,7 +21,7 @@ struct OpenPart {
 /// The groups of `bodies_of` that open parts are in, by their first parts.
 /// \pre  Each part is named once, Part::kNoParent last.
 /// \cost O(k log k) exact comparisons for k edges, as a rule.
-[[nodiscard]] std::vector<PartGroup> groups_of_open(const Mesh& mesh,
+[[nodiscard]] std::vector<PartGroup> groups_of_open(const MeshView& mesh,
                                                     std::span<const OpenPart> parts);
 
 }  // namespace soms::detail

@@ -11,7 +11,7 @@ namespace soms::detail {
 
 /// Triangles to look at for all parts; nothing where parts overlap so often that it would be too
 /// many.
-[[nodiscard]] inline std::optional<std::uint64_t> part_work(const Mesh& mesh) {
+[[nodiscard]] inline std::optional<std::uint64_t> part_work(const MeshView& mesh) {
   std::uint64_t triangles = 0;
   for (const Part& part : mesh.parts) {
     triangles += part.count;

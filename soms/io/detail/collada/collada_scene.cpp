@@ -94,7 +94,7 @@ bool shows_several(pugi::xml_node node) {
   return shown > 1;
 }
 
-std::uint64_t faces_with_triangles(const Mesh& mesh) {
+std::uint64_t faces_with_triangles(const MeshView& mesh) {
   std::uint64_t count = mesh.triangles.empty() ? 0 : 1;
   for (std::size_t i = 1; i < mesh.triangles.size(); ++i) {
     if (mesh.faces.empty() || mesh.faces[i] != mesh.faces[i - 1]) {

@@ -83,7 +83,7 @@ bool nests(const std::vector<Part>& parts) {
 
 class GlbWriter {
  public:
-  GlbWriter(Output& output, const std::string& name, const Mesh& mesh, const Parallel& parallel)
+  GlbWriter(Output& output, const std::string& name, const MeshView& mesh, const Parallel& parallel)
       : output_(output),
         name_(name),
         mesh_(mesh),
@@ -130,7 +130,7 @@ class GlbWriter {
 
   Output& output_;
   const std::string& name_;
-  const Mesh& mesh_;
+  MeshView mesh_;
   const Parallel& parallel_;
   Vec3 origin_;
   std::vector<PartRun> runs_;
@@ -389,7 +389,7 @@ void GlbWriter::write() {
 }
 
 /// One axis of `glb_origin`.
-double origin_of(const Mesh& mesh, std::size_t axis, double lower, double upper) {
+double origin_of(const MeshView& mesh, std::size_t axis, double lower, double upper) {
   const double extent = upper - lower;
   // Nothing is won near the origin.
   constexpr double kFar = 4;
@@ -412,7 +412,7 @@ double origin_of(const Mesh& mesh, std::size_t axis, double lower, double upper)
 
 }  // namespace
 
-Vec3 glb_origin(const Mesh& mesh) {
+Vec3 glb_origin(const MeshView& mesh) {
   if (mesh.triangles.empty()) {
     return {};
   }
@@ -427,7 +427,7 @@ Vec3 glb_read_back(const Vec3& vertex, const Vec3& origin) {
   return {back(vertex.x, origin.x), back(vertex.y, origin.y), back(vertex.z, origin.z)};
 }
 
-void write_glb(Output& output, const std::string& name, const Mesh& mesh,
+void write_glb(Output& output, const std::string& name, const MeshView& mesh,
                const Parallel& parallel) {
   GlbWriter(output, name, mesh, parallel).write();
 }

@@ -148,7 +148,7 @@ void read_gltf_frame(const JsonValue& root, Mesh& mesh) {
   }
 }
 
-std::string gltf_frame_extras(const Mesh& mesh) {
+std::string gltf_frame_extras(const MeshView& mesh) {
   Members members;
   if (mesh.unit != 1) {
     members.add("unit", shortest(mesh.unit > 0 ? mesh.unit : 0));

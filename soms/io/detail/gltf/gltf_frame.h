@@ -17,6 +17,6 @@ void read_gltf_frame(const JsonValue& root, Mesh& mesh);
 
 /// The member `extras` of `asset` that `read_gltf_frame` reads back, behind a comma; empty where
 /// glTF means what the mesh means. Numbers stay as they are.
-[[nodiscard]] std::string gltf_frame_extras(const Mesh& mesh);
+[[nodiscard]] std::string gltf_frame_extras(const MeshView& mesh);
 
 }  // namespace soms::detail

@@ -17,7 +17,7 @@ namespace soms::detail {
 namespace {
 
 /// Bytes of a mesh's vertices and triangles.
-std::uint64_t size_of(const Mesh& mesh) {
+std::uint64_t size_of(const MeshView& mesh) {
   return mesh.vertices.size() * sizeof(Vec3) + mesh.triangles.size() * 12 + mesh.faces.size() * 4;
 }
 

@@ -40,7 +40,7 @@ class GroupNames {
 };
 
 /// Outermost part around `part`, each part of several runs as its first.
-std::uint32_t outermost(const Mesh& mesh, std::uint32_t part) {
+std::uint32_t outermost(const MeshView& mesh, std::uint32_t part) {
   std::uint32_t at = first_run(mesh, part);
   // A part that encloses itself, which no reader makes, ends the search.
   for (std::size_t steps = 0; at != Part::kNoParent && steps < mesh.parts.size(); ++steps) {
@@ -53,7 +53,7 @@ std::uint32_t outermost(const Mesh& mesh, std::uint32_t part) {
   return at;
 }
 
-std::string name_in(const Mesh& mesh, std::uint32_t part) {
+std::string name_in(const MeshView& mesh, std::uint32_t part) {
   return part == Part::kNoParent ? std::string() : line_name(mesh.parts[part].name);
 }
 
@@ -66,7 +66,7 @@ enum class ObjShape { groups, objects, interleaved };
 
 class ObjGrouping {
  public:
-  explicit ObjGrouping(const Mesh& mesh) : mesh_(mesh), runs_(part_runs(mesh)) {}
+  explicit ObjGrouping(const MeshView& mesh) : mesh_(mesh), runs_(part_runs(mesh)) {}
 
   ObjGroups group() {
     const ObjShape shape = find_shape();
@@ -132,7 +132,7 @@ class ObjGrouping {
     return outer == part ? group_line_of('g', "") : group_line(part);
   }
 
-  const Mesh& mesh_;
+  MeshView mesh_;
   std::vector<PartRun> runs_;
   GroupNames names_;
   std::unordered_map<std::uint32_t, std::string> given_;  ///< names of the groups so far
@@ -154,7 +154,7 @@ std::string line_name(std::string_view name) {
   return fit;
 }
 
-ObjGroups obj_groups(const Mesh& mesh) {
+ObjGroups obj_groups(const MeshView& mesh) {
   return ObjGrouping(mesh).group();
 }
 

@@ -35,6 +35,6 @@ struct ObjGroups {
 /// outermost part has several runs, no object can hold it, and all parts are groups. Groups whose
 /// names an object, or the file, has twice are numbered.
 /// \cost O(p log p) for p parts.
-[[nodiscard]] ObjGroups obj_groups(const Mesh& mesh);
+[[nodiscard]] ObjGroups obj_groups(const MeshView& mesh);
 
 }  // namespace soms::detail

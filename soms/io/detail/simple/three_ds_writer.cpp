@@ -95,7 +95,7 @@ struct Object {
 class ThreeDsPlan {
  public:
   /// `name` of the file, for messages. \errors ErrorKind::out_of_range, cancelled.
-  ThreeDsPlan(const std::string& name, const Mesh& mesh, const Parallel& parallel);
+  ThreeDsPlan(const std::string& name, const MeshView& mesh, const Parallel& parallel);
 
   [[nodiscard]] const std::vector<Object>& objects() const { return objects_; }
 
@@ -109,7 +109,7 @@ class ThreeDsPlan {
   void plan_run(std::size_t first, std::size_t end, std::string_view part);
 
   const std::string& name_;
-  const Mesh& mesh_;
+  MeshView mesh_;
   const Parallel& parallel_;
   ObjectNames names_;
   std::vector<Object> objects_;
@@ -118,7 +118,7 @@ class ThreeDsPlan {
   std::vector<std::uint32_t> last_use_;  ///< of vertices: the last object that uses it
 };
 
-ThreeDsPlan::ThreeDsPlan(const std::string& name, const Mesh& mesh, const Parallel& parallel)
+ThreeDsPlan::ThreeDsPlan(const std::string& name, const MeshView& mesh, const Parallel& parallel)
     : name_(name),
       mesh_(mesh),
       parallel_(parallel),
@@ -170,7 +170,8 @@ void ThreeDsPlan::plan_run(std::size_t first, std::size_t end, std::string_view 
 
 class ThreeDsWriter {
  public:
-  ThreeDsWriter(Output& output, const std::string& name, const Mesh& mesh, const Parallel& parallel)
+  ThreeDsWriter(Output& output, const std::string& name, const MeshView& mesh,
+                const Parallel& parallel)
       : output_(output), name_(name), mesh_(mesh), parallel_(parallel) {}
 
   void write();
@@ -184,7 +185,7 @@ class ThreeDsWriter {
 
   Output& output_;
   const std::string& name_;
-  const Mesh& mesh_;
+  MeshView mesh_;
   const Parallel& parallel_;
   std::vector<std::uint32_t> numbers_;  ///< of vertices, in the object that is written
 };
@@ -266,12 +267,12 @@ void ThreeDsWriter::write() {
 
 }  // namespace
 
-void write_three_ds(Output& output, const std::string& name, const Mesh& mesh,
+void write_three_ds(Output& output, const std::string& name, const MeshView& mesh,
                     const Parallel& parallel) {
   ThreeDsWriter(output, name, mesh, parallel).write();
 }
 
-std::uint64_t renamed_in_three_ds(const Mesh& mesh) {
+std::uint64_t renamed_in_three_ds(const MeshView& mesh) {
   const std::string none;
   const Parallel alone;
   return ThreeDsPlan(none, mesh, alone).renamed();

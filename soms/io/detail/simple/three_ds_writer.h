@@ -15,11 +15,11 @@ namespace soms::detail {
 /// wherever 65,535 vertices or faces are full. An object holds the vertices that its triangles use,
 /// in the order of the mesh. \pre `check` passes the mesh.
 /// \errors ErrorKind::out_of_range, cancelled.
-void write_three_ds(Output& output, const std::string& name, const Mesh& mesh,
+void write_three_ds(Output& output, const std::string& name, const MeshView& mesh,
                     const Parallel& parallel);
 
 /// Named parts whose objects `write_three_ds` names otherwise: names are cut, made ASCII and made
 /// different from one another. \errors ErrorKind::out_of_range.
-[[nodiscard]] std::uint64_t renamed_in_three_ds(const Mesh& mesh);
+[[nodiscard]] std::uint64_t renamed_in_three_ds(const MeshView& mesh);
 
 }  // namespace soms::detail

@@ -86,7 +86,7 @@ void TileJoiner::add(NamedMesh&& tile) {
 }
 
 /// Names of the parts around a part, from the outside in, and its id.
-std::string path_of(const Mesh& mesh, const Part& part) {
+std::string path_of(const MeshView& mesh, const Part& part) {
   std::string path = part.id;
   for (std::uint32_t at = part.parent; at != Part::kNoParent; at = mesh.parts[at].parent) {
     if (!mesh.parts[at].name.empty()) {

@@ -133,7 +133,7 @@ bool TileVolume::contains(const Vec3& point) const {
   return false;
 }
 
-std::uint64_t count_outside(const Mesh& mesh, const TileVolume& volume) {
+std::uint64_t count_outside(const MeshView& mesh, const TileVolume& volume) {
   std::vector<bool> seen(mesh.vertices.size(), false);
   std::uint64_t count = 0;
   for (const auto& triangle : mesh.triangles) {

@@ -46,6 +46,6 @@ class TileVolume {
 };
 
 /// Corners of the mesh, each once, that lie outside of a volume.
-[[nodiscard]] std::uint64_t count_outside(const Mesh& mesh, const TileVolume& volume);
+[[nodiscard]] std::uint64_t count_outside(const MeshView& mesh, const TileVolume& volume);
 
 }  // namespace soms::detail

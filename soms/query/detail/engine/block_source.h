@@ -80,7 +80,7 @@ class CompactSource {
   };
 
   const WideTree& tree_;
-  const Mesh& mesh_;
+  const MeshView& mesh_;
   layout::Pages<Kept> kept_;  // one, or none where the tree is wide
   std::array<std::uint32_t, kNodes> kept_node_;
   std::array<std::uint32_t, kBlocks> kept_block_;

@@ -158,7 +158,7 @@ void ClosestHitGoal::finish(RayTarget& target, ClosestHit& answer) {
 void ClosestHitGoal::finish_all(RayTarget& target, std::span<const RayLine> lines,
                                 std::span<ClosestHit> answers) {
   constexpr std::size_t kAhead = 8;
-  const Mesh& mesh = target.body->shape.mesh();
+  const MeshView& mesh = target.body->shape.mesh();
   const auto is_open = [&](std::size_t i) {
     return i < answers.size() && is_unfinished(answers[i]);
   };

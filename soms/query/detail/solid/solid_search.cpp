@@ -254,7 +254,7 @@ class SolidSearch {
     return std::binary_search(in_contact_[body].begin(), in_contact_[body].end(), id);
   }
 
-  [[nodiscard]] const Mesh& mesh_of(std::size_t body) const {
+  [[nodiscard]] const MeshView& mesh_of(std::size_t body) const {
     return bodies_[body]->body().shape.mesh();
   }
 

@@ -24,7 +24,7 @@ bool is_short(std::size_t edges, std::size_t triangles) {
   return static_cast<double>(edges) <= 64 + 4 * std::sqrt(static_cast<double>(triangles));
 }
 
-std::array<std::uint32_t, 3> joined_corners(const Mesh& mesh,
+std::array<std::uint32_t, 3> joined_corners(const MeshView& mesh,
                                             const std::vector<std::uint32_t>& joined,
                                             TriangleId id) {
   const auto& t = mesh.triangles[id];
@@ -33,7 +33,8 @@ std::array<std::uint32_t, 3> joined_corners(const Mesh& mesh,
 
 Mesh moved_mesh(const Body& body) {
   Mesh mesh;
-  mesh.triangles = body.shape.mesh().triangles;
+  const auto& triangles = body.shape.mesh().triangles;
+  mesh.triangles.assign(triangles.begin(), triangles.end());
   for (const Vec3& v : body.shape.mesh().vertices) {
     mesh.vertices.push_back(body.pose.apply(v));
   }
@@ -120,14 +121,14 @@ class WindingTree::Builder {
   }
 
   const Body& body_;
-  const Mesh& mesh_;
+  const MeshView& mesh_;
   const Parallel& parallel_;
   WindingTree& made_;
   Tree tree_;
 };
 
 WindingTree::WindingTree(const Body& body, const Parallel& parallel) {
-  const Mesh& mesh = body.shape.mesh();
+  const MeshView& mesh = body.shape.mesh();
   Work work(parallel, joining_work(mesh) + 1);
   joined_ = joined_by_position(mesh, work);
   Builder(body, {.threads = parallel.threads, .stop = parallel.stop}, *this).build();

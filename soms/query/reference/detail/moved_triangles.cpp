@@ -5,7 +5,7 @@
 
 namespace soms::reference::detail {
 
-std::vector<Triangle> moved_triangles(const Mesh& mesh, const Pose& pose) {
+std::vector<Triangle> moved_triangles(const MeshView& mesh, const Pose& pose) {
   check(mesh);
   check(pose);
   check_range(pose, bounds(mesh));

@@ -13,7 +13,7 @@ namespace soms::reference::detail {
 
 /// The triangles with moved, rounded corners.
 /// \errors As for a query of the mesh at the pose.
-[[nodiscard]] std::vector<Triangle> moved_triangles(const Mesh& mesh, const Pose& pose);
+[[nodiscard]] std::vector<Triangle> moved_triangles(const MeshView& mesh, const Pose& pose);
 
 /// Boxes as one array for each side, which compilers turn into vector code.
 struct BoxArrays {

@@ -16,7 +16,7 @@ constexpr std::uint64_t kFullLeaves = 4;
 
 class ByMorton {
  public:
-  ByMorton(const Mesh& mesh, const BuildOptions& options, const Parallel& parallel)
+  ByMorton(const MeshView& mesh, const BuildOptions& options, const Parallel& parallel)
       : mesh_(mesh),
         parallel_(parallel),
         id_bits_(id_bits_for(mesh.triangles.size())),
@@ -173,7 +173,7 @@ class ByMorton {
     return nodes;
   }
 
-  const Mesh& mesh_;
+  MeshView mesh_;
   const Parallel& parallel_;
   int id_bits_;
   std::uint32_t per_leaf_;
@@ -186,7 +186,8 @@ class ByMorton {
 
 }  // namespace
 
-Subtrees grow_by_morton(const Mesh& mesh, const BuildOptions& options, const Parallel& parallel) {
+Subtrees grow_by_morton(const MeshView& mesh, const BuildOptions& options,
+                        const Parallel& parallel) {
   return ByMorton(mesh, options, parallel).run();
 }
 

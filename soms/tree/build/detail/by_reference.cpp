@@ -12,7 +12,7 @@ namespace {
 
 class ByReference {
  public:
-  ByReference(const Mesh& mesh, const BuildOptions& options, const Parallel& parallel)
+  ByReference(const MeshView& mesh, const BuildOptions& options, const Parallel& parallel)
       : mesh_(mesh),
         options_(options),
         parallel_(parallel),
@@ -215,7 +215,7 @@ class ByReference {
     range = fresh;
   }
 
-  const Mesh& mesh_;
+  MeshView mesh_;
   const BuildOptions& options_;
   const Parallel& parallel_;
   std::uint32_t last_depth_;  // nodes of this depth are never divided
@@ -228,7 +228,7 @@ class ByReference {
 
 }  // namespace
 
-Subtrees grow_by_reference(const Mesh& mesh, const BuildOptions& options,
+Subtrees grow_by_reference(const MeshView& mesh, const BuildOptions& options,
                            const Parallel& parallel) {
   return ByReference(mesh, options, parallel).run();
 }

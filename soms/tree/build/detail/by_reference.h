@@ -8,7 +8,7 @@
 namespace soms::detail {
 
 /// Divides boxes in float: first whole cells of a grid, then the triangles of each subtree.
-[[nodiscard]] Subtrees grow_by_reference(const Mesh& mesh, const BuildOptions& options,
+[[nodiscard]] Subtrees grow_by_reference(const MeshView& mesh, const BuildOptions& options,
                                          const Parallel& parallel);
 
 }  // namespace soms::detail

@@ -204,7 +204,7 @@ void improve(Candidate& best, const Histogram& h, std::size_t axis) {
 
 }  // namespace
 
-Cells sort_into_cells(const Mesh& mesh, const Parallel& parallel) {
+Cells sort_into_cells(const MeshView& mesh, const Parallel& parallel) {
   const Parallel quiet = silent(parallel);
   const Box bounds = layout::bounds_of(mesh, quiet);
   const PrimitiveFrame frame = frame_of(bounds);

@@ -78,7 +78,7 @@ double largest(const Vec3& v) {
 
 }  // namespace
 
-Divider::Divider(const Mesh& mesh, const RuleEntry& rule, const BuildOptions& options)
+Divider::Divider(const MeshView& mesh, const RuleEntry& rule, const BuildOptions& options)
     : mesh_(mesh),
       options_(options),
       rule_(rule),

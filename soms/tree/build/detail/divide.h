@@ -25,7 +25,7 @@ struct Division {
 class Divider {
  public:
   /// `options.rule` is not looked at.
-  Divider(const Mesh& mesh, const RuleEntry& rule, const BuildOptions& options);
+  Divider(const MeshView& mesh, const RuleEntry& rule, const BuildOptions& options);
 
   /// Writes primitives `begin` to `end`, and what the rule needs to know of them besides.
   /// Returns the bounds of their midpoints. Chunks may run at once.
@@ -42,7 +42,7 @@ class Divider {
   [[nodiscard]] std::array<std::size_t, 3> axes(const SplitNode& node) const;
   [[nodiscard]] Division partition(std::span<Primitive> run, const Split& split) const;
 
-  const Mesh& mesh_;
+  MeshView mesh_;
   BuildOptions options_;
   RuleEntry rule_;
   AxisFrom axis_from_;

@@ -37,7 +37,7 @@ struct Middle {
   double extent;
 };
 
-Middle middle_of(const Mesh& mesh, TriangleId id) {
+Middle middle_of(const MeshView& mesh, TriangleId id) {
   const auto& corners = mesh.triangles[id];
   const Vec3& a = mesh.vertices[corners[0]];
   const Vec3& b = mesh.vertices[corners[1]];
@@ -123,7 +123,7 @@ void MortonCodes::fill_tables(std::size_t axis, std::span<const int> places) {
   }
 }
 
-MortonKey MortonCodes::key(const Mesh& mesh, TriangleId id) const {
+MortonKey MortonCodes::key(const MeshView& mesh, TriangleId id) const {
   const Middle middle = middle_of(mesh, id);
   MortonKey code = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -173,7 +173,8 @@ void radix_sort(layout::Pages<MortonKey>& keys, layout::Pages<MortonKey>& spare,
   }
 }
 
-layout::Pages<MortonKey> sorted_keys(const Mesh& mesh, const Box& box, const Parallel& parallel) {
+layout::Pages<MortonKey> sorted_keys(const MeshView& mesh, const Box& box,
+                                     const Parallel& parallel) {
   constexpr std::size_t kCodesPerTask = 32768;
   const std::size_t count = mesh.triangles.size();
   const MortonCodes codes(box, count, id_bits_for(count));
@@ -190,7 +191,7 @@ layout::Pages<MortonKey> sorted_keys(const Mesh& mesh, const Box& box, const Par
   return keys;
 }
 
-bool refine_keys(const Mesh& mesh, std::span<MortonKey> run, int id_bits) {
+bool refine_keys(const MeshView& mesh, std::span<MortonKey> run, int id_bits) {
   const MortonKey ids = (MortonKey{1} << id_bits) - 1;
   Box box;
   for (const MortonKey key : run) {

@@ -29,7 +29,7 @@ class MortonCodes {
   /// For `count` middles in `box`, with triangle numbers of `id_bits`.
   MortonCodes(const Box& box, std::size_t count, int id_bits);
 
-  [[nodiscard]] MortonKey key(const Mesh& mesh, TriangleId id) const;
+  [[nodiscard]] MortonKey key(const MeshView& mesh, TriangleId id) const;
 
   /// Bits of a code; 0 if all middles are as one.
   [[nodiscard]] int bits() const { return bits_; }
@@ -61,11 +61,11 @@ void radix_sort(layout::Pages<MortonKey>& keys, layout::Pages<MortonKey>& spare,
                 int end_bit, const Parallel& parallel);
 
 /// Keys of all triangles of a mesh whose bounds are `box`, in order.
-[[nodiscard]] layout::Pages<MortonKey> sorted_keys(const Mesh& mesh, const Box& box,
+[[nodiscard]] layout::Pages<MortonKey> sorted_keys(const MeshView& mesh, const Box& box,
                                                    const Parallel& parallel);
 
 /// Gives a run of keys new codes, relative to the box of its own middles, and sorts it. False if
 /// these are all one, and nothing was done.
-[[nodiscard]] bool refine_keys(const Mesh& mesh, std::span<MortonKey> run, int id_bits);
+[[nodiscard]] bool refine_keys(const MeshView& mesh, std::span<MortonKey> run, int id_bits);
 
 }  // namespace soms::detail

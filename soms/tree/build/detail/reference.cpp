@@ -120,7 +120,7 @@ constexpr double kMostHalf = 0x1p40;
 // Of middles only those go beyond that are all the same but for rounding.
 constexpr double kMostMiddle = 0x1p60;
 
-Reference reference_of(const Mesh& mesh, TriangleId id, const PrimitiveFrame& frame) {
+Reference reference_of(const MeshView& mesh, TriangleId id, const PrimitiveFrame& frame) {
   const auto& corners = mesh.triangles[id];
   const Vec3& a = mesh.vertices[corners[0]];
   const Vec3& b = mesh.vertices[corners[1]];

@@ -38,7 +38,8 @@ struct PrimitiveFrame {
 /// The frame in which a box fills the cube from -1 to 1.
 [[nodiscard]] PrimitiveFrame frame_of(const Box& box);
 
-[[nodiscard]] Reference reference_of(const Mesh& mesh, TriangleId id, const PrimitiveFrame& frame);
+[[nodiscard]] Reference reference_of(const MeshView& mesh, TriangleId id,
+                                     const PrimitiveFrame& frame);
 
 /// A run of references: their number, the box of their middles and their widest halves.
 struct PrimitiveRange {

@@ -11,7 +11,7 @@ namespace soms::detail {
 namespace {
 
 /// A subtree written out: its root's number and depth are there, boxes are found.
-void write_out(const Node& root, std::span<const PartNode> subtree, const Mesh& mesh,
+void write_out(const Node& root, std::span<const PartNode> subtree, const MeshView& mesh,
                std::span<const TriangleId> ids, std::uint32_t at, std::span<Node> nodes) {
   nodes.front() = root;
   layout::fetch_corners(mesh, ids.subspan(root.first, root.count));
@@ -99,7 +99,7 @@ void order_leaves(std::span<const PartNode> subtree, std::span<TriangleId> ids) 
   }
 }
 
-Tree join(Subtrees subtrees, const Mesh& mesh, const Parallel& parallel) {
+Tree join(Subtrees subtrees, const MeshView& mesh, const Parallel& parallel) {
   Tree tree;
   std::vector<std::uint32_t> place(subtrees.upper.size());
   std::uint32_t size = 0;

@@ -44,7 +44,7 @@ struct Subtrees {
 void order_leaves(std::span<const PartNode> subtree, std::span<TriangleId> ids);
 
 /// One tree in depth-first order, with all bounds.
-[[nodiscard]] Tree join(Subtrees subtrees, const Mesh& mesh, const Parallel& parallel);
+[[nodiscard]] Tree join(Subtrees subtrees, const MeshView& mesh, const Parallel& parallel);
 
 /// The subtrees as layouts take them, which find bounds; `ids` must outlive them.
 [[nodiscard]] layout::Parts parts_of(Subtrees& subtrees);

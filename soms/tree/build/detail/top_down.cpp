@@ -18,7 +18,7 @@ constexpr std::size_t kPrepareChunk = 16384;
 
 class Builder {
  public:
-  Builder(const Mesh& mesh, const RuleEntry& rule, const BuildOptions& options,
+  Builder(const MeshView& mesh, const RuleEntry& rule, const BuildOptions& options,
           const Parallel& parallel)
       : mesh_(mesh), parallel_(parallel), divider_(mesh, rule, options) {}
 
@@ -153,7 +153,7 @@ class Builder {
     return nodes;
   }
 
-  const Mesh& mesh_;
+  MeshView mesh_;
   const Parallel& parallel_;
   Divider divider_;
   layout::Pages<Primitive> primitives_;
@@ -164,7 +164,7 @@ class Builder {
 
 }  // namespace
 
-Subtrees grow_top_down(const Mesh& mesh, const RuleEntry& rule, const BuildOptions& options,
+Subtrees grow_top_down(const MeshView& mesh, const RuleEntry& rule, const BuildOptions& options,
                        const Parallel& parallel) {
   return Builder(mesh, rule, options, parallel).run();
 }

@@ -68,8 +68,9 @@ struct Range {
 }
 
 /// Corners; lanes not in use repeat the last triangle.
-[[gnu::always_inline]] inline void read_corners(const Mesh& mesh, std::span<const TriangleId> ids,
-                                                Rows& rows, TriangleBlock& block) {
+[[gnu::always_inline]] inline void read_corners(const MeshView& mesh,
+                                                std::span<const TriangleId> ids, Rows& rows,
+                                                TriangleBlock& block) {
   std::array<const std::array<std::uint32_t, 3>*, kLanes> corners;
   for (std::size_t k = 0; k < kLanes; ++k) {
     block.id[k] = ids[std::min(k, ids.size() - 1)];
@@ -202,8 +203,9 @@ template <std::size_t Axis>
   block.upper = rounded_up(3 * give + upper);
 }
 
-[[gnu::always_inline]] inline BlockContent make(const Mesh& mesh, std::span<const TriangleId> ids,
-                                                const Frame& frame, TriangleBlock& block) {
+[[gnu::always_inline]] inline BlockContent make(const MeshView& mesh,
+                                                std::span<const TriangleId> ids, const Frame& frame,
+                                                TriangleBlock& block) {
   Rows rows;
   BlockContent content;
   read_corners(mesh, ids, rows, block);
@@ -222,25 +224,27 @@ template <std::size_t Axis>
 }
 
 #if defined(__x86_64__)
-[[gnu::target("avx2")]] BlockContent make_by_avx2(const Mesh& mesh, std::span<const TriangleId> ids,
+[[gnu::target("avx2")]] BlockContent make_by_avx2(const MeshView& mesh,
+                                                  std::span<const TriangleId> ids,
                                                   const Frame& frame, TriangleBlock& block) {
   return make(mesh, ids, frame, block);
 }
 
 [[gnu::target("avx512f,avx512vl,avx512dq")]] BlockContent make_by_avx512(
-    const Mesh& mesh, std::span<const TriangleId> ids, const Frame& frame, TriangleBlock& block) {
+    const MeshView& mesh, std::span<const TriangleId> ids, const Frame& frame,
+    TriangleBlock& block) {
   return make(mesh, ids, frame, block);
 }
 #endif
 
 }  // namespace
 
-BlockContent make_block_plainly(const Mesh& mesh, std::span<const TriangleId> ids,
+BlockContent make_block_plainly(const MeshView& mesh, std::span<const TriangleId> ids,
                                 const Frame& frame, TriangleBlock& block) {
   return make(mesh, ids, frame, block);
 }
 
-BlockContent make_block(const Mesh& mesh, std::span<const TriangleId> ids, const Frame& frame,
+BlockContent make_block(const MeshView& mesh, std::span<const TriangleId> ids, const Frame& frame,
                         TriangleBlock& block) {
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq")) {

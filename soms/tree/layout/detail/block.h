@@ -15,11 +15,11 @@ struct BlockContent {
 };
 
 /// Fills a block with 1 to 8 triangles; `following` is left to the caller.
-BlockContent make_block(const Mesh& mesh, std::span<const TriangleId> ids, const Frame& frame,
+BlockContent make_block(const MeshView& mesh, std::span<const TriangleId> ids, const Frame& frame,
                         TriangleBlock& block);
 
 /// The same bytes by the instructions that every processor has.
-BlockContent make_block_plainly(const Mesh& mesh, std::span<const TriangleId> ids,
+BlockContent make_block_plainly(const MeshView& mesh, std::span<const TriangleId> ids,
                                 const Frame& frame, TriangleBlock& block);
 
 }  // namespace soms::layout

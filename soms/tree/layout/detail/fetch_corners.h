@@ -13,7 +13,7 @@ namespace soms::layout {
 
 /// Asks for the corners of all these triangles, so that many are on their way at once: a loop that
 /// uses each before it asks for the next waits for each.
-inline void fetch_corners(const Mesh& mesh, std::span<const TriangleId> ids) {
+inline void fetch_corners(const MeshView& mesh, std::span<const TriangleId> ids) {
   constexpr std::size_t kIndicesAhead = 24;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     if (i + kIndicesAhead < ids.size()) {
@@ -29,7 +29,7 @@ inline void fetch_corners(const Mesh& mesh, std::span<const TriangleId> ids) {
 /// way, and what was read has made room in the caches.
 class FetchAhead {
  public:
-  FetchAhead(const Mesh& mesh, std::span<const TriangleId> ids) : mesh_(mesh), ids_(ids) {}
+  FetchAhead(const MeshView& mesh, std::span<const TriangleId> ids) : mesh_(mesh), ids_(ids) {}
 
   /// Call before triangles from place `first` on are read.
   void reach(std::size_t first) {
@@ -49,7 +49,7 @@ class FetchAhead {
   static constexpr std::size_t kIndicesAhead = 96;
   static constexpr std::size_t kCornersAhead = 48;
 
-  const Mesh& mesh_;
+  const MeshView& mesh_;
   std::span<const TriangleId> ids_;
   std::size_t indices_ = 0;  ///< those before are on their way
   std::size_t corners_ = 0;

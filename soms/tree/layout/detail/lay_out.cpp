@@ -106,7 +106,8 @@ TriangleId least_id(std::span<const TriangleBlock> blocks) {
 }
 
 PartContent write_blocks(std::span<const PartNode> part, std::span<const TriangleId> primitives,
-                         const Mesh& mesh, const Frame& frame, std::span<TriangleBlock> blocks) {
+                         const MeshView& mesh, const Frame& frame,
+                         std::span<TriangleBlock> blocks) {
   PartContent content;
   content.first_block.resize(part.size() + 1);
   content.boxes.resize(part.size());

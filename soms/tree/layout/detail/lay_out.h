@@ -25,7 +25,7 @@ inline void set_leaf(WideNode& node, std::uint32_t k, std::uint32_t block,
 /// Writes the blocks of leaves, whose triangles follow each other in `ids`.
 class LeafWriter {
  public:
-  LeafWriter(const Mesh& mesh, std::span<const TriangleId> ids, const Frame& frame)
+  LeafWriter(const MeshView& mesh, std::span<const TriangleId> ids, const Frame& frame)
       : mesh_(mesh), ids_(ids), frame_(frame), fetch_(mesh, ids) {}
 
   /// Of `count` triangles from place `first` on; returns their bounds. Writes how the corners of
@@ -34,7 +34,7 @@ class LeafWriter {
             std::span<Moments> moments);
 
  private:
-  const Mesh& mesh_;
+  const MeshView& mesh_;
   std::span<const TriangleId> ids_;
   const Frame& frame_;
   FetchAhead fetch_;
@@ -52,7 +52,7 @@ struct PartContent {
 
 /// Writes the blocks of a part, leaf after leaf.
 [[nodiscard]] PartContent write_blocks(std::span<const PartNode> part,
-                                       std::span<const TriangleId> primitives, const Mesh& mesh,
+                                       std::span<const TriangleId> primitives, const MeshView& mesh,
                                        const Frame& frame, std::span<TriangleBlock> blocks);
 
 /// What nodes are made of.

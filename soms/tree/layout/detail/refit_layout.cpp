@@ -113,7 +113,7 @@ class RefitPart {
   }
 
   /// Writes it over moved vertices and returns its bounds.
-  Box write(const Mesh& mesh, const Frame& frame, std::span<WideNode> nodes,
+  Box write(const MeshView& mesh, const Frame& frame, std::span<WideNode> nodes,
             std::span<TriangleBlock> blocks) {
     const auto own = blocks.subspan(block_base_, from_.size());
     write_leaves(mesh, frame, own);
@@ -150,7 +150,7 @@ class RefitPart {
     }
   }
 
-  void write_leaves(const Mesh& mesh, const Frame& frame, std::span<TriangleBlock> blocks) {
+  void write_leaves(const MeshView& mesh, const Frame& frame, std::span<TriangleBlock> blocks) {
     std::vector<TriangleId> ids;
     ids.reserve(from_.size() * TriangleBlock::kWidth);
     for (const TriangleBlock& block : from_) {
@@ -201,7 +201,7 @@ class RefitPart {
 
 }  // namespace
 
-Box bounds_of(const Mesh& mesh, const Parallel& parallel) {
+Box bounds_of(const MeshView& mesh, const Parallel& parallel) {
   const std::size_t count = mesh.triangles.size();
   std::vector<Box> boxes((count + kTrianglesPerChunk - 1) / kTrianglesPerChunk);
   for_each_chunk(count, kTrianglesPerChunk, {parallel.threads, parallel.stop, {}},
@@ -221,7 +221,7 @@ Box bounds_of(const Mesh& mesh, const Parallel& parallel) {
   return box;
 }
 
-void refit_layout(const WideTree& tree, const Mesh& mesh, const Frame& frame,
+void refit_layout(const WideTree& tree, const MeshView& mesh, const Frame& frame,
                   const Parallel& parallel, std::span<WideNode> nodes,
                   std::span<TriangleBlock> blocks) {
   const Recovered found = recover(tree, count_below(tree));

@@ -114,7 +114,7 @@ struct LaidPart {
 
 class Widen {
  public:
-  Widen(const Parts& tree, const Mesh& mesh, const Frame& frame, const Parallel& parallel)
+  Widen(const Parts& tree, const MeshView& mesh, const Frame& frame, const Parallel& parallel)
       : tree_(tree),
         mesh_(mesh),
         frame_(frame),
@@ -235,7 +235,7 @@ class Widen {
   }
 
   const Parts& tree_;
-  const Mesh& mesh_;
+  MeshView mesh_;
   const Frame& frame_;
   const Parallel& parallel_;
   std::vector<std::uint32_t> order_;
@@ -246,7 +246,7 @@ class Widen {
 
 }  // namespace
 
-Laid widen(const Parts& tree, const Mesh& mesh, const Frame& frame, const Parallel& parallel) {
+Laid widen(const Parts& tree, const MeshView& mesh, const Frame& frame, const Parallel& parallel) {
   return Widen(tree, mesh, frame, parallel).run();
 }
 

@@ -19,7 +19,7 @@ struct Laid {
 /// Lays a tree with at least one triangle out; parts lie in the tree's order. The same bytes for
 /// any numbering of upper nodes and parts, and any number of threads. \errors
 /// ErrorKind::out_of_range beyond 2^28 nodes or blocks; cancelled.
-[[nodiscard]] Laid widen(const Parts& tree, const Mesh& mesh, const Frame& frame,
+[[nodiscard]] Laid widen(const Parts& tree, const MeshView& mesh, const Frame& frame,
                          const Parallel& parallel);
 
 }  // namespace soms::layout

@@ -247,7 +247,7 @@ TEST(TrianglePairs, AreJudgedAsTheyAreWhereSizesDiffer) {
   test::for_each_case("triangle-pairs/sizes", 3000, [&](Rng& rng) {
     const Near near(rng, std::exp2(-rng.uniform(1, 50)), 0);
     Near wide = near;
-    Mesh mesh = near.shape_a.mesh();
+    Mesh mesh(near.shape_a.mesh());
     append(mesh, {{-1, -1, 0}, {1, -1, 0.1}, {0, 1, rng.uniform(-1, 1)}});
     wide.shape_a = Shape(std::move(mesh));
     judge_bodies(wide, tally);
