@@ -8,11 +8,16 @@ STRICT = -D CMAKE_COMPILE_WARNING_AS_ERROR=$(WERROR)
 # What ninja says before each file: "[12 of 67 files, 41 s] ".
 export NINJA_STATUS ?= [%f of %t files, %e s] $()
 
+# The first answer needs nothing of the thesis (docs/decisions/0089). A build that has it keeps it.
+FIRST = $(if $(wildcard build/release/CMakeCache.txt),,-D SOMS_BUILD_THESIS=OFF)
+# All of soms, whatever `make run` left out.
+ALL = -D SOMS_BUILD_THESIS=ON
+
 .PHONY: help run build view thesis install python test long headers large check wheel asan asan-library asan-python tsan tidy arm64 wasm-configured wasm live wasm-test determinism memcheck endurance packages bare fuzz faults bench format clean
 
 help:
 	@echo "make run     install what is missing, build, and run the embedded city (ARGS='--frames 60')"
-	@echo "make build   the rest, too: soms-reproduce, and what installed packages allow"
+	@echo "make build   the rest, too: the thesis, and what installed packages allow"
 	@echo "make view    install what is missing, build, and open the viewer on the embedded city"
 	@echo "make thesis  the thesis' experiments on the models of MODELS=DIR, compared with the golden tables;"
 	@echo "             page, tables and PDF go to OUT=soms-thesis (ARGS=--quick: a few minutes)"
@@ -36,7 +41,7 @@ run:
 	@echo "1 of 3: packages that are missing"
 	@tools/install_packages.sh run
 	@echo "2 of 3: build the command on $(JOBS) cores, once; some minutes, up to 1 GB of memory for each core"
-	cmake --preset release -D SOMS_BUILD_TESTS=OFF
+	cmake --preset release -D SOMS_BUILD_TESTS=OFF $(FIRST)
 	cmake --build --preset release -j $(JOBS) --target soms_command
 	@echo "3 of 3: run it"
 	build/release/bin/soms simulate $(ARGS)
@@ -44,12 +49,12 @@ run:
 # All that an installed soms has. What misses a package is left out, aloud.
 build:
 	@tools/install_packages.sh run
-	cmake --preset release -D SOMS_BUILD_TESTS=OFF
+	cmake --preset release -D SOMS_BUILD_TESTS=OFF $(ALL)
 	cmake --build --preset release -j $(JOBS) --target soms_installed
 
 view:
 	@tools/install_packages.sh run view
-	cmake --preset release -D SOMS_BUILD_TESTS=OFF
+	cmake --preset release -D SOMS_BUILD_TESTS=OFF $(FIRST)
 	cmake --build --preset release -j $(JOBS) --target soms_command soms_view_command
 	build/release/bin/soms view $(ARGS)
 
@@ -60,7 +65,7 @@ OUT ?= soms-thesis
 PDF ?= $(OUT)/thesis.pdf
 thesis:
 	@tools/install_packages.sh run $(if $(PDF),thesis)
-	cmake --preset release -D SOMS_BUILD_TESTS=OFF
+	cmake --preset release -D SOMS_BUILD_TESTS=OFF $(ALL)
 	cmake --build --preset release -j $(JOBS) --target soms_command soms_reproduce_command
 	build/release/bin/soms reproduce $(if $(MODELS),--models "$(MODELS)") --golden tests/data/thesis --latex -o "$(OUT)" \
 	  $(if $(PDF),--pdf "$(PDF)") $(ARGS)
@@ -70,7 +75,7 @@ thesis:
 PREFIX ?= /usr/local
 install:
 	@tools/install_packages.sh run view import
-	cmake --preset release -D SOMS_BUILD_TESTS=OFF
+	cmake --preset release -D SOMS_BUILD_TESTS=OFF $(ALL)
 	cmake --build --preset release -j $(JOBS) --target soms_installed
 	cmake --install build/release --prefix "$(PREFIX)"
 
@@ -81,7 +86,7 @@ python:
 
 test:
 	@tools/install_packages.sh run view import test
-	cmake --preset release -D SOMS_BUILD_TESTS=ON -D SOMS_BUILD_PYTHON=ON $(STRICT)
+	cmake --preset release -D SOMS_BUILD_TESTS=ON $(ALL) -D SOMS_BUILD_PYTHON=ON $(STRICT)
 	cmake --build --preset release -j $(JOBS)
 	@tools/install_web_ifc.sh build/release
 	@echo "Not part of this: tests that take long (make long), and the npm package (make wasm-test)"
@@ -181,7 +186,7 @@ memcheck: test
 # command on a processor without any vector extension. The packages stay in build/package.
 packages:
 	@tools/install_packages.sh run view import test packages
-	cmake --preset release -D SOMS_BUILD_TESTS=ON $(STRICT)
+	cmake --preset release -D SOMS_BUILD_TESTS=ON $(ALL) $(STRICT)
 	cmake --build --preset release -j $(JOBS) --target soms_installed
 	cmake --preset package -D SOMS_BUILD_PYTHON=ON $(STRICT)
 	cmake --build --preset package -j $(JOBS)

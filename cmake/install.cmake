@@ -17,7 +17,15 @@ install(CODE "set(checked \"$<TARGET_GENEX_EVAL:soms_installed,$<TARGET_PROPERTY
 set(folder \"${PROJECT_BINARY_DIR}\")
 include(\"${PROJECT_SOURCE_DIR}/cmake/built.cmake\")" ALL_COMPONENTS)
 
-install(TARGETS soms soms_core EXPORT soms_targets
+set(libraries soms soms_core)
+if(SOMS_BUILD_THESIS AND TARGET soms_thesis)
+  list(APPEND libraries soms_thesis)
+  if(NOT SOMS_SHARED)
+    add_dependencies(soms_installed soms_thesis)
+    set_property(TARGET soms_installed APPEND PROPERTY SOMS_FILES "$<TARGET_FILE:soms_thesis>")
+  endif()
+endif()
+install(TARGETS ${libraries} EXPORT soms_targets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT development
   FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
@@ -61,6 +69,14 @@ if(NOT SOMS_SHARED)
 endif()
 configure_file(cmake/soms.pc.in soms.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/soms.pc DESTINATION ${pc_dir} COMPONENT development)
+if(soms_thesis IN_LIST libraries)
+  set(pc_thesis "")
+  if(NOT SOMS_SHARED)
+    set(pc_thesis "Libs: -L\${libdir} -lsoms-thesis\n")
+  endif()
+  configure_file(cmake/soms-thesis.pc.in soms-thesis.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/soms-thesis.pc DESTINATION ${pc_dir} COMPONENT development)
+endif()
 
 # soms_install_program(<target> <folder> <component>): a program that finds the shared library from
 # its own place.

@@ -21,7 +21,7 @@ timed() {
 mkdir -p build
 if [ $# -eq 0 ]; then
   rm -rf build/cost
-  timed "make run: configure" cmake --preset release -B build/cost -D SOMS_BUILD_TESTS=OFF
+  timed "make run: configure" cmake --preset release -B build/cost -D SOMS_BUILD_TESTS=OFF -D SOMS_BUILD_THESIS=OFF
   timed "make run: compile and link" cmake --build build/cost -j "$jobs" --target soms_command
   exit
 fi

@@ -136,8 +136,7 @@ class Parser::Built {
   }
 
   CLI::Option* made(Option& option) {
-    const std::string& meaning =
-        shown_ && !option.shown_meaning_.empty() ? option.shown_meaning_ : option.description_;
+    const std::string& meaning = shown_ ? option.shown_meaning() : option.description_;
     const std::string names = names_of(*parser_, option);
     switch (option.takes_) {
       case Takes::help:

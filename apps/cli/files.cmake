@@ -38,4 +38,6 @@ set(SOMS_CLI_FILES
   text.h
   verb.cpp
   verb.h
+  verb_data.cpp
+  verb_data.h
 )

@@ -71,6 +71,11 @@ Option* Option::shown_with(Option* first, std::string meaning) {
   return this;
 }
 
+Option* Option::choices(std::vector<std::string> words) {
+  choices_ = std::move(words);
+  return this;
+}
+
 std::string Option::name() const {
   const std::vector<std::string> dashed = dashed_names();
   return dashed.empty() ? names_ : dashed.front();

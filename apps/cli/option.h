@@ -50,6 +50,8 @@ class Option {
   Option* key_of(const Option* list);
   /// --help shows it on the line of `first`, which then has this meaning.
   Option* shown_with(Option* first, std::string meaning);
+  /// The words of which its value is one.
+  Option* choices(std::vector<std::string> words);
 
   /// The first name with two dashes; else the first with one; else the name of the argument.
   [[nodiscard]] std::string name() const;
@@ -84,6 +86,16 @@ class Option {
   /// The list that it is a key of; nullptr for most options.
   [[nodiscard]] const Option* list() const { return list_; }
 
+  [[nodiscard]] const std::vector<std::string>& choices() const { return choices_; }
+
+  /// The option on whose line --help shows it; nullptr for most options.
+  [[nodiscard]] const Option* shown_on() const { return first_; }
+
+  /// What --help says of it, and of the options on its line.
+  [[nodiscard]] const std::string& shown_meaning() const {
+    return shown_meaning_.empty() ? description_ : shown_meaning_;
+  }
+
   /// The words that the last parsed command line gave it.
   [[nodiscard]] const std::vector<std::string>& results() const { return results_; }
 
@@ -98,6 +110,7 @@ class Option {
   std::string option_text_;
   std::string description_;
   std::vector<const Option*> excluded_;
+  std::vector<std::string> choices_;
   Check check_;
   const Option* list_ = nullptr;
   const Option* first_ = nullptr;  ///< on whose line --help shows it

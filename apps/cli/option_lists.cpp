@@ -34,7 +34,7 @@ bool is_part_of_name(char c) {
 bool begins_with_value(const Option& option, std::string_view text) {
   const std::string_view word = text.substr(0, text.find_first_of(" ;,.)"));
   const std::string_view rest = text.substr(word.size());
-  const std::vector<std::string> words = listed_words(option.description());
+  const std::vector<std::string>& words = option.choices();
   const bool fits =
       word == option.option_text() || std::find(words.begin(), words.end(), word) != words.end();
   return fits && (!rest.starts_with(',') || rest.starts_with(", "));

@@ -215,19 +215,6 @@ std::string word_list(const std::vector<std::string>& words) {
   return text;
 }
 
-std::vector<std::string> listed_words(const std::string& text) {
-  std::vector<std::string> words(1);
-  const std::size_t begin = text.rfind(": ");
-  for (const char c : text.substr(begin == std::string::npos ? 0 : begin + 2)) {
-    if (c == '|') {
-      words.emplace_back();
-    } else if (c != '\n') {
-      words.back() += c;
-    }
-  }
-  return words;
-}
-
 Error unknown_choice(std::string_view option, std::string_view word,
                      const std::vector<std::string>& names) {
   const std::string near = nearest_words(word, names);

@@ -86,9 +86,6 @@ using Choices = std::vector<std::pair<std::string, T>>;
 /// "one|two|three", on several lines if it is long.
 [[nodiscard]] std::string word_list(const std::vector<std::string>& words);
 
-/// The words of the list that ends an option's text.
-[[nodiscard]] std::vector<std::string> listed_words(const std::string& text);
-
 /// What stands for the value of an option that is one of a few words.
 inline constexpr const char* kChoiceText = "NAME";
 
@@ -125,7 +122,8 @@ Option* add_choice(Parser& parser, const std::string& name, Target& target, Choi
             target = parse_choice(name, value, choices);
           },
           text + ": " + word_list(words))
-      ->option_text(kChoiceText);
+      ->option_text(kChoiceText)
+      ->choices(words);
 }
 
 }  // namespace soms::command

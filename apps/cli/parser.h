@@ -73,6 +73,10 @@ class Parser {
 
   [[nodiscard]] const std::string& name() const { return name_; }
 
+  [[nodiscard]] const std::string& question() const { return question_; }
+
+  [[nodiscard]] const std::string& footer() const { return footer_; }
+
   [[nodiscard]] std::vector<const Option*> options() const;
 
   /// By any of its names. \pre There is one.

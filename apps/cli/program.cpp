@@ -5,6 +5,7 @@
 #include "apps/cli/console.h"
 #include "apps/cli/parser.h"
 #include "apps/cli/suggest.h"
+#include "apps/cli/verb_data.h"
 #include "apps/output/output.h"
 
 #include <fcntl.h>
@@ -153,6 +154,10 @@ int run_verb(const Program& program, const Verb& entry, const std::vector<std::s
     return entry.pass_on(entry.name, words);
   }
   ParsedVerb verb(program.name, entry);
+  if (words.size() == 1 && words.front() == kDataWord) {
+    print_plain(data_as_json(data_of(verb.parser())));
+    return 0;
+  }
   try {
     return run_parsed(verb, words);
   } catch (const std::bad_alloc&) {
@@ -201,26 +206,25 @@ int fail(const Program& program, const std::vector<std::string>& words, std::str
 
 }  // namespace
 
+std::string about_verbs(const Program& program) {
+  return fmt::format(
+      "{0} VERB --help lists the options of a verb and shows an example.\n"
+      "{0} --version prints the version.\n",
+      program.name);
+}
+
 std::string help_of(const Program& program) {
   std::string text = fmt::format("{0}: {1}\nUsage: {0} VERB [OPTIONS] ...\n\nVerbs:\n",
                                  program.name, program.summary);
   for (const Verb& verb : program.verbs) {
     text += fmt::format("  {:<12}{}\n", verb.name, verb.question);
   }
-  text += fmt::format(
-      "\n{0} VERB --help lists the options of a verb and shows an example.\n"
-      "{0} --version prints the version.\n",
-      program.name);
+  text += "\n" + about_verbs(program);
   Parser shared("", std::string(program.name));
   Shared values;
   add_help_option(shared);
   add_shared_options(shared, values);
-  text += "\nShared options:\n" + shared.lines_of(kSharedGroup);
-  text +=
-      "\nAnswers go to standard output, everything else to standard error. Exit status:\n"
-      "  0 answered  1 a condition of --fail-if holds  2 usage  3 bad input\n"
-      "  4 not enough memory or time  5 could not write  6 --verify found a difference\n"
-      "  130 interrupted\n";
+  text += fmt::format("\n{}:\n{}\n{}", kSharedGroup, shared.lines_of(kSharedGroup), kAboutAnswers);
   return text;
 }
 

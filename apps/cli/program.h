@@ -18,6 +18,16 @@ struct Program {
   std::span<const Verb> verbs;  ///< sorted by name
 };
 
+/// What the help of a program says of its verbs.
+[[nodiscard]] std::string about_verbs(const Program& program);
+
+/// And of answers and the exit status.
+inline constexpr const char* kAboutAnswers =
+    "Answers go to standard output, everything else to standard error. Exit status:\n"
+    "  0 answered  1 a condition of --fail-if holds  2 usage  3 bad input\n"
+    "  4 not enough memory or time  5 could not write  6 --verify found a difference\n"
+    "  130 interrupted\n";
+
 /// The text of --help.
 [[nodiscard]] std::string help_of(const Program& program);
 

@@ -26,16 +26,6 @@ struct Verb {
   int (*pass_on)(std::string_view verb, const std::vector<std::string>& words) = nullptr;
 };
 
-/// An option as a shell completes it.
-struct OptionWords {
-  std::vector<std::string> names;   ///< with their dashes
-  std::vector<std::string> values;  ///< words of which its value is one; empty: anything
-  bool has_value = false;
-};
-
-/// The shared options as a shell completes them.
-[[nodiscard]] std::vector<OptionWords> shared_option_words();
-
 /// A verb's parser with the values that it fills. The shared options are added after the verb's
 /// own.
 class ParsedVerb {
@@ -55,8 +45,6 @@ class ParsedVerb {
 
   /// The text of --help.
   [[nodiscard]] std::string help() const { return parser_.help(); }
-
-  [[nodiscard]] std::vector<OptionWords> options() const;
 
   /// Every name of every option, with its dashes.
   [[nodiscard]] std::vector<std::string> option_names() const;

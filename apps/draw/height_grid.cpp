@@ -37,12 +37,12 @@ std::vector<Surface> surfaces_of(const MeshView& mesh) {
 }
 
 /// Where a horizontal line crosses an edge, if it does.
-struct Crossing {
+struct EdgeCut {
   double x = 0;
   double z = 0;
 };
 
-bool cross_edge(const Vec3& a, const Vec3& b, double y, Crossing& crossing) {
+bool cross_edge(const Vec3& a, const Vec3& b, double y, EdgeCut& crossing) {
   if ((a.y <= y) == (b.y <= y)) {
     return false;
   }
@@ -125,7 +125,7 @@ std::size_t HeightGrid::add(const Triangle& t, Surface surface) {
   const std::size_t end = cell_of(high, origin_.y, rows_);
   for (std::size_t row = cell_of(low, origin_.y, rows_); row < end; ++row) {
     const double y = origin_.y + (static_cast<double>(row) + 0.5) * cell_;
-    std::array<Crossing, 3> at;
+    std::array<EdgeCut, 3> at;
     std::size_t count = 0;
     for (const auto& [p, q] : {std::pair(t.a, t.b), std::pair(t.b, t.c), std::pair(t.c, t.a)}) {
       count += cross_edge(p, q, y, at[count]) ? 1U : 0U;

@@ -9,6 +9,8 @@ set(SOMS_MODEL_FILES
   shapes.h
   stated_options.cpp
   stated_options.h
+  traversal_keys.cpp
+  traversal_keys.h
   up_guess.cpp
   up_guess.h
 )

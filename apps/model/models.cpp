@@ -4,7 +4,6 @@
 #include "soms/io/crs.h"
 #include "soms/io/read_mesh.h"
 #include "soms/store/tree_file.h"
-#include "soms/thesis/traversals.h"
 #include "soms/tree/rule/rules.h"
 
 #include "apps/cli/console.h"
@@ -24,28 +23,10 @@ namespace soms::command {
 
 namespace {
 
-const char* const kTreeGroup = "Trees (answers do not depend on these)";
-
 Choices<Rule> rule_choices() {
   Choices<Rule> choices;
   for (const auto& row : rules()) {
     choices.emplace_back(row.kebab, row.rule);
-  }
-  return choices;
-}
-
-Choices<Traversal> traversal_choices() {
-  Choices<Traversal> choices{{"default", traversal_named("default").traversal}};
-  for (const auto& row : traversals()) {
-    choices.emplace_back(row.kebab, row.traversal);
-  }
-  return choices;
-}
-
-Choices<Descent> descent_choices() {
-  Choices<Descent> choices;
-  for (const auto& row : descents()) {
-    choices.emplace_back(row.kebab, row.descent);
   }
   return choices;
 }
@@ -186,11 +167,8 @@ void add_build_options(Parser& parser, BuildOptions& options) {
                     "vertex that is C for --midpoint thesis (2)"));
 }
 
-void add_tree_list(Parser& parser, BuildOptions& build, TraversalOptions* traversal) {
+void add_tree_list(Parser& parser, BuildOptions& build) {
   add_build_options(parser, build);
-  if (traversal != nullptr) {
-    add_traversal_options(parser, *traversal);
-  }
   Option* const list = parser.add_list(
       "--tree", fmt::format("options of trees, such as rule={}; --tree help lists them",
                             entry(build.rule).kebab));
@@ -242,28 +220,6 @@ std::string given_of_trees(const Parser& parser) {
     }
   }
   return {};
-}
-
-void add_traversal_options(Parser& parser, TraversalOptions& options) {
-  add_choice<Traversal>(parser, "--traversal", options.traversal, traversal_choices(),
-                        "traversal algorithm")
-      ->group(kTreeGroup);
-  add_choice<Descent>(parser, "--descent", options.descent, descent_choices(),
-                      "nodes that E-Node descends into")
-      ->group(kTreeGroup);
-}
-
-void check_traversal(const Parser& parser, const TraversalOptions& options) {
-  std::vector<IdleOption> idle = idle_options(options);
-  std::erase_if(idle, [](const IdleOption& option) { return option.name != "descent"; });
-  refuse_given(parser, idle);
-  if (options.traversal == Traversal::e_node_front && options.descent != Descent::both &&
-      options.descent != Descent::larger) {
-    throw Error(ErrorKind::usage,
-                fmt::format("--traversal e-node-front does not work with --descent {}",
-                            entry(options.descent).kebab),
-                "use --descent both or --descent larger");
-  }
 }
 
 namespace {

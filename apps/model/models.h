@@ -3,7 +3,6 @@
 #pragma once
 
 #include "soms/geometry/mesh.h"
-#include "soms/thesis/traversal_options.h"
 #include "soms/tree/build_options.h"
 #include "soms/tree/shape.h"
 
@@ -52,8 +51,11 @@ void add_allow_empty(Parser& parser, ModelOptions& options);
 /// Adds --rule, --levels, --leaf and the thesis' options of a build.
 void add_build_options(Parser& parser, BuildOptions& options);
 
-/// Adds --tree, whose keys are the options of a build, and those of a traversal if there is one.
-void add_tree_list(Parser& parser, BuildOptions& build, TraversalOptions* traversal = nullptr);
+/// Heading of the options of trees and of their traversals.
+inline constexpr const char* kTreeGroup = "Trees (answers do not depend on these)";
+
+/// Adds --tree, whose keys are the options of a build.
+void add_tree_list(Parser& parser, BuildOptions& build);
 
 /// \errors ErrorKind::usage, in words of the command, for options of a build that do not go
 /// together, and for one that was given and has no effect beside the others.
@@ -68,13 +70,6 @@ void refuse_given(const Parser& parser, const std::vector<IdleOption>& idle);
 
 /// The first option of trees or their traversal that was given; empty if none was.
 [[nodiscard]] std::string given_of_trees(const Parser& parser);
-
-/// Adds --traversal and --descent.
-void add_traversal_options(Parser& parser, TraversalOptions& options);
-
-/// \errors ErrorKind::usage for a --descent that the traversal does not have. Options that the
-/// caller set beside those of the command line must go with every traversal.
-void check_traversal(const Parser& parser, const TraversalOptions& options);
 
 /// Reads a model with a progress bar, scales and turns it. "-" is standard input. Its notes go to
 /// standard error, unless `lists_notes`.

@@ -158,6 +158,7 @@ class Json {
 
  private:
   using Number = std::variant<std::int64_t, std::uint64_t, double>;
+  friend class JsonBuilder;
   friend class JsonText;
 
   template <class T, class Given>

@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <iterator>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -94,7 +97,40 @@ class JsonText {
 
 namespace {
 
+/// Reads a text and leaves behind how far it came, which the parser says of its own errors alone.
+class CountedByte {
+ public:
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+  using iterator_category = std::forward_iterator_tag;
+
+  CountedByte(const char* at, const char** read) : at_(at), read_(read) {}
+
+  const char& operator*() const { return *at_; }
+
+  CountedByte& operator++() {
+    *read_ = ++at_;
+    return *this;
+  }
+
+  CountedByte operator++(int) {
+    const CountedByte before = *this;
+    ++*this;
+    return before;
+  }
+
+  friend bool operator==(const CountedByte& a, const CountedByte& b) { return a.at_ == b.at_; }
+
+ private:
+  const char* at_;
+  const char** read_;
+};
+
 using Events = nlohmann::json_sax<nlohmann::ordered_json>;
+
+}  // namespace
 
 /// Builds a value from what the parser meets.
 class JsonBuilder final : public Events {
@@ -131,30 +167,46 @@ class JsonBuilder final : public Events {
   bool end_array() override { return close(); }
 
   bool parse_error(std::size_t byte, const std::string&,
-                   const nlohmann::detail::exception& error) override {
-    constexpr int kBeyondDouble = 406;  // which number is not said
-    parsed_.fault = error.id == kBeyondDouble ? 1 : std::max<std::size_t>(byte, 1);
+                   const nlohmann::detail::exception&) override {
+    parsed_.fault = std::max<std::size_t>(byte, 1);
     return false;
   }
 
  private:
+  /// An object or array that is not closed yet.
+  struct Level {
+    Json* value;
+    std::map<std::string, std::size_t, std::less<>> places = {};  ///< of many members, by name
+  };
+
+  /// The member named last, the same one if it is repeated.
+  Json& member(Level& level) const {
+    constexpr std::size_t kFew = 32;
+    Json::Members& members = std::get<Json::Members>(level.value->value_);
+    if (members.size() < kFew) {
+      return (*level.value)[key_];
+    }
+    for (std::size_t k = level.places.empty() ? 0 : members.size(); k < members.size(); ++k) {
+      level.places.emplace(members[k].first, k);
+    }
+    const auto [place, is_new] = level.places.emplace(key_, members.size());
+    return is_new ? members.emplace_back(key_, nullptr).second : members[place->second].second;
+  }
+
   Json& placed(Json value) {
     if (open_.empty()) {
       return parsed_.value = std::move(value);
     }
-    Json& holder = *open_.back();
+    Json& holder = *open_.back().value;
     if (holder.is_object()) {
-      return holder[key_] = std::move(value);
+      return member(open_.back()) = std::move(value);
     }
     holder.push_back(std::move(value));
     return holder.back();
   }
 
   bool is_shallow() {
-    if (static_cast<int>(open_.size()) > deepest_) {
-      parsed_.fault = 1;
-      parsed_.too_deep = true;
-    }
+    parsed_.too_deep = parsed_.too_deep || static_cast<int>(open_.size()) > deepest_;
     return !parsed_.too_deep;
   }
 
@@ -167,7 +219,7 @@ class JsonBuilder final : public Events {
 
   bool open(Json value) {
     if (is_shallow()) {
-      open_.push_back(&placed(std::move(value)));
+      open_.push_back({&placed(std::move(value))});
     }
     return !parsed_.too_deep;
   }
@@ -178,17 +230,23 @@ class JsonBuilder final : public Events {
   }
 
   ParsedJson parsed_;
-  std::vector<Json*> open_;
+  std::vector<Level> open_;
   std::string key_;
   int deepest_;
 };
 
-}  // namespace
-
 ParsedJson parse_json(std::string_view text, int deepest) {
   JsonBuilder builder(deepest);
-  if (!nlohmann::ordered_json::sax_parse(text.begin(), text.end(), &builder)) {
+  const char* read = text.data();
+  const char* const end = text.data() + text.size();
+  if (!nlohmann::ordered_json::sax_parse(CountedByte(read, &read), CountedByte(end, &read),
+                                         &builder)) {
     builder.parsed().value = nullptr;
+  }
+  if (builder.parsed().too_deep) {
+    // A number has been read to the byte behind it, which may be the end of its line.
+    const std::string_view seen(text.data(), static_cast<std::size_t>(read - text.data()));
+    builder.parsed().fault = seen.find_last_not_of(" \t\r\n") + 1;
   }
   return std::move(builder.parsed());
 }

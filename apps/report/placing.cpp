@@ -1,6 +1,6 @@
 #include "apps/report/placing.h"
 
-#include "soms/geometry/crossing_segment.h"
+#include "soms/geometry/common_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ Triangle moved(const Triangle& t, const Pose& pose) {
 }
 
 std::array<Vec3, 2> crossing_line(const Triangle& a, const Triangle& b) {
-  const Crossing common = crossing(a, b);
+  const CommonPoints common = common_points(a, b);
   if (common.empty()) {
     return {bounds(a).center(), bounds(b).center()};
   }

@@ -70,6 +70,7 @@ set(SOMS_COMMAND_FILES
   models/info_trees.h
   models/model_output.cpp
   models/model_output.h
+  no_thesis/no_thesis.cpp
   pairs/distance.cpp
   pairs/distance.h
   pairs/distance_verify.cpp
@@ -107,6 +108,7 @@ set(SOMS_COMMAND_FILES
   pairs/pair_report.h
   pairs/pose_run.cpp
   pairs/pose_run.h
+  pairs/traversal_by_name.h
   pairs/within.cpp
   pairs/within.h
   probes/closest.cpp
@@ -211,4 +213,6 @@ set(SOMS_COMMAND_FILES
   thesis/thesis_run.h
   thesis/thesis_trips.cpp
   thesis/thesis_trips.h
+  thesis/thesis_verb.h
+  thesis/traversal_by_name.cpp
 )

@@ -122,9 +122,7 @@ Shape find_same_shape(const RecordedMesh& recorded, const std::filesystem::path&
                             counted(recorded.triangles, "triangle"), recorded.hash),
                 "put the original file beside the recording, or record it again");
   }
-  const bool needs_trees = how.traversal.traversal != Traversal::fast;
-  return build_shape(std::move(mesh),
-                     {.build = how.build, .keep_tree = how.keep_trees || needs_trees}, console);
+  return build_shape(std::move(mesh), {.build = how.build, .keep_tree = how.keep_trees}, console);
 }
 
 /// The same; its errors name the recording, and the mesh in it, as "model 1", first.

@@ -134,8 +134,7 @@ Upright read_upright(const std::string& path, const Role& role, Console& console
 
 Shape build_named(Mesh mesh, const std::string& name, const WorldOptions& options,
                   Console& console) {
-  const bool needs_trees = options.traversal.traversal != Traversal::fast;
-  const ShapeOptions shape{.build = options.build, .keep_tree = options.keep_trees || needs_trees};
+  const ShapeOptions shape{.build = options.build, .keep_tree = options.keep_trees};
   return console.run("building " + name, [&](const Parallel& parallel) {
     return Shape(std::move(mesh), shape, parallel);
   });

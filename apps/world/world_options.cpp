@@ -36,8 +36,4 @@ void add_world_options(Parser& parser, WorldOptions& options) {
       ->option_text("N");
 }
 
-void add_world_tree_options(Parser& parser, WorldOptions& options) {
-  add_tree_list(parser, options.build, &options.traversal);
-}
-
 }  // namespace soms::command

@@ -22,16 +22,12 @@ struct WorldOptions {
   ModelOptions city_model = {};   ///< an unknown axis is what the file says
   ModelOptions mover_model = {};  ///< likewise
   BuildOptions build = {};
-  TraversalOptions traversal = {};
   bool guess_up = false;        ///< draw the one city of unknown axis as it looks (`looks_y_up`)
   bool guess_mover_up = false;  ///< likewise models of --mover
-  bool keep_trees = false;      ///< keep canonical trees, even if the traversal needs none
+  bool keep_trees = false;      ///< keep the canonical trees, which named traversals need
 };
 
 /// Adds CITY, --mover, --route, --count, --scale, --up, --mover-scale, --mover-up and --strict.
 void add_world_options(Parser& parser, WorldOptions& options);
-
-/// Adds the options of the bodies' trees and of how they are traversed.
-void add_world_tree_options(Parser& parser, WorldOptions& options);
 
 }  // namespace soms::command

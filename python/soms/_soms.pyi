@@ -254,7 +254,7 @@ class ClosedBody:
     def body(self) -> Body: ...
     def at(self, pose: PoseLike) -> ClosedBody: ...
 
-class BodyPart:
+class DividedPart:
     @property
     def named(self) -> int | None: ...
     @property
@@ -268,7 +268,7 @@ class BodyPart:
     @property
     def odd_edges(self) -> int: ...
 
-class PartedBody:
+class DividedBody:
     def __init__(
         self, body: BodyLike, partition: Partition | str = "named", *, threads: int = 1,
         progress: Progress = None,
@@ -276,7 +276,7 @@ class PartedBody:
     @property
     def body(self) -> Body: ...
     @property
-    def parts(self) -> list[BodyPart]: ...
+    def parts(self) -> list[DividedPart]: ...
     @property
     def open_parts(self) -> int: ...
 
@@ -1444,12 +1444,12 @@ def solid(
 ) -> SolidBatch: ...
 @overload
 def contains(
-    body: PartedBody, points: Point, *, seconds: float | None = None, threads: int = 1,
+    body: DividedBody, points: Point, *, seconds: float | None = None, threads: int = 1,
     progress: Progress = None,
 ) -> ContainsParts: ...
 @overload
 def contains(
-    body: PartedBody, points: Points, *, seconds: float | None = None, threads: int = 1,
+    body: DividedBody, points: Points, *, seconds: float | None = None, threads: int = 1,
     progress: Progress = None,
 ) -> ContainsPartsBatch: ...
 @overload

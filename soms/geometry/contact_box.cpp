@@ -2,7 +2,7 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/common_box.h"
-#include "soms/geometry/crossing_segment.h"
+#include "soms/geometry/common_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,7 @@ void grow_by_contact(Box& box, std::uint64_t count, const Triangle& a, const Tri
   const double error = kCrossingError * std::max({extent.x, extent.y, extent.z}) +
                        kRoundings * largest_coordinate(both);
   Box tight;
-  const Crossing common = crossing(a, b);
+  const CommonPoints common = common_points(a, b);
   for (const Vec3& corner : common.points()) {
     tight.grow(corner - Vec3{error, error, error});
     tight.grow(corner + Vec3{error, error, error});

@@ -1,9 +1,9 @@
 set(SOMS_HEADERS
   bodies_of.h
   closedness.h
+  common_points.h
   contact_box.h
   counts.h
-  crossing_segment.h
   defects.h
   frames.h
   georeference.h
@@ -23,9 +23,9 @@ set(SOMS_HEADERS
 set(SOMS_SOURCES
   bodies_of.cpp
   closedness.cpp
+  common_points.cpp
   contact_box.cpp
   counts.cpp
-  crossing_segment.cpp
   defects.cpp
   detail/axis_gap.cpp
   detail/crossing.cpp

@@ -4,7 +4,7 @@
 #include "soms/base/print_fields.h"
 #include "soms/geometry/bodies_of.h"
 #include "soms/geometry/closedness.h"
-#include "soms/geometry/crossing_segment.h"
+#include "soms/geometry/common_points.h"
 #include "soms/geometry/defects.h"
 #include "soms/geometry/frames.h"
 #include "soms/geometry/georeference.h"
@@ -186,8 +186,8 @@ std::ostream& operator<<(std::ostream& out, TriangleFeature value) {
                              {"vertex", "edge", "face"});
 }
 
-std::ostream& operator<<(std::ostream& out, const Crossing& value) {
-  PrintedFields corners("Crossing");
+std::ostream& operator<<(std::ostream& out, const CommonPoints& value) {
+  PrintedFields corners("CommonPoints");
   for (const Vec3& corner : value.points()) {
     corners.item(printed(corner));
   }

@@ -75,7 +75,7 @@ bool share_corner(const Triangle& s, const Triangle& t) {
 
 /// A triangle turned so that its first corner is alone on its closed side of the other's plane: the
 /// edges from it are those that cross. `above` tells whether that is the positive side.
-struct Crossing {
+struct TurnedTriangle {
   Vec3 tip;
   Vec3 left;
   Vec3 right;
@@ -83,7 +83,7 @@ struct Crossing {
 };
 
 /// \pre `signs` are neither all zero nor strictly one-sided.
-Crossing crossing_of(const Triangle& t, const Signs& signs) {
+TurnedTriangle turned_triangle(const Triangle& t, const Signs& signs) {
   const auto positive = std::count(signs.begin(), signs.end(), Sign::positive);
   const auto negative = std::count(signs.begin(), signs.end(), Sign::negative);
   // Alone on its side, or else alone in the plane with both others beyond it.
@@ -102,8 +102,8 @@ Crossing crossing_of(const Triangle& t, const Signs& signs) {
 /// signs tell whether the intervals meet (Guigue and Devillers).
 bool intervals_meet(const Triangle& s, const Signs& s_signs, const Triangle& t,
                     const Signs& t_signs, Predicates& predicates) {
-  Crossing p = crossing_of(s, s_signs);
-  Crossing q = crossing_of(t, t_signs);
+  TurnedTriangle p = turned_triangle(s, s_signs);
+  TurnedTriangle q = turned_triangle(t, t_signs);
   // Each tip is brought to the positive side by turning the other triangle over.
   if (!p.above) {
     std::swap(q.left, q.right);

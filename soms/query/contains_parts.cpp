@@ -59,7 +59,7 @@ Mesh sorted_by_part(const MeshView& mesh, const std::vector<TriangleId>& order,
 }
 
 /// Parts that a ray crosses an odd number of times or that the point is on, sorted.
-std::vector<PartSide> sides_of(const PartedBody& body, const PointCrossings& met) {
+std::vector<PartSide> sides_of(const DividedBody& body, const PointCrossings& met) {
   std::vector<PartSide> sides;
   for (const TriangleId id : met.crossed) {
     sides.push_back({body.part_of(id), Side::inside});
@@ -89,9 +89,9 @@ std::vector<PartSide> sides_of(const PartedBody& body, const PointCrossings& met
 
 }  // namespace
 
-PartedBody::Found PartedBody::divide(const Body& body, Partition partition,
-                                     const std::vector<std::uint32_t>& number,
-                                     const Parallel& parallel) {
+DividedBody::Found DividedBody::divide(const Body& body, Partition partition,
+                                       const std::vector<std::uint32_t>& number,
+                                       const Parallel& parallel) {
   const MeshView& mesh = body.shape.mesh();
   std::vector<TriangleId> order(mesh.triangles.size());
   std::iota(order.begin(), order.end(), TriangleId{0});
@@ -119,8 +119,8 @@ PartedBody::Found PartedBody::divide(const Body& body, Partition partition,
   return found;
 }
 
-PartedBody::Found PartedBody::find(const Body& body, Partition partition,
-                                   const Parallel& parallel) {
+DividedBody::Found DividedBody::find(const Body& body, Partition partition,
+                                     const Parallel& parallel) {
   const MeshView& mesh = body.shape.mesh();
   std::vector<std::uint32_t> number = numbers_of(mesh, partition, parallel);
   Found found = divide(body, partition, number, parallel);
@@ -145,7 +145,7 @@ PartedBody::Found PartedBody::find(const Body& body, Partition partition,
     part = first == first_of.end() ? part : first->second;
   }
   found = divide(body, partition, number, parallel);
-  for (BodyPart& part : found.parts) {
+  for (DividedPart& part : found.parts) {
     if (const auto others = joined.find(part.named); others != joined.end()) {
       part.joined = others->second;
     }
@@ -153,14 +153,14 @@ PartedBody::Found PartedBody::find(const Body& body, Partition partition,
   return found;
 }
 
-PartedBody::PartedBody(Body body, Partition partition, const Parallel& parallel)
+DividedBody::DividedBody(Body body, Partition partition, const Parallel& parallel)
     : body_(std::move(body)), partition_(partition) {
   const PlainArithmetic plain;
   detail::check_pose(body_.pose, body_.shape);
   found_ = std::make_shared<const Found>(find(body_, partition, parallel));
 }
 
-ContainsParts contains(const PartedBody& body, const Vec3& point, const ContainsOptions& options) {
+ContainsParts contains(const DividedBody& body, const Vec3& point, const ContainsOptions& options) {
   detail::check_point(point);
   return contains(body, std::span(&point, 1), options).at(0);
 }
@@ -174,7 +174,7 @@ ContainsParts ContainsPartsBatch::at(std::size_t point) const {
   return {{row.begin(), row.end()}, coverages[point], costs[point]};
 }
 
-ContainsPartsBatch contains(const PartedBody& body, std::span<const Vec3> points,
+ContainsPartsBatch contains(const DividedBody& body, std::span<const Vec3> points,
                             const ContainsOptions& options, const Parallel& parallel) {
   const PlainArithmetic plain;
   detail::check_points(points);

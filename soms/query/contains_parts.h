@@ -2,11 +2,11 @@
 /// Which parts of a body is a point inside? Each part is a body of its own, decided exactly.
 ///
 /// \code
-/// const soms::PartedBody car(soms::Body{soms::generate_mover(soms::MoverKind::car)});
+/// const soms::DividedBody car(soms::Body{soms::generate_mover(soms::MoverKind::car)});
 /// const soms::Mesh& mesh = car.body().shape.mesh();
 /// std::cout << car.parts().size() << " parts; these hold the point:\n";
 /// for (const soms::PartSide& found : soms::contains(car, {0, 0, 0.6}).parts) {
-///   const soms::BodyPart& part = car.parts()[found.part];
+///   const soms::DividedPart& part = car.parts()[found.part];
 ///   std::cout << mesh.parts[part.named].name << ": " << found.side << '\n';
 /// }
 /// \endcode
@@ -41,7 +41,7 @@ enum class Partition : unsigned char {
 };
 
 /// A part of a body, and whether points can be inside it.
-struct BodyPart {
+struct DividedPart {
   /// Index in Mesh::parts; none for a connected part. The first of several that are one body.
   std::uint32_t named = Part::kNoParent;
   std::vector<std::uint32_t> joined = {};  ///< the others, Part::kNoParent last
@@ -50,20 +50,20 @@ struct BodyPart {
   bool closed = true;           ///< by itself, at the body's pose, as `closedness` decides it
   std::uint64_t odd_edges = 0;  ///< edges that an odd number of its triangles use
 
-  [[nodiscard]] bool operator==(const BodyPart&) const = default;
+  [[nodiscard]] bool operator==(const DividedPart&) const = default;
 };
 
 /// A body whose parts were found and checked, each by itself. A value; copies share what was
 /// found.
-class PartedBody {
+class DividedBody {
  public:
   /// \errors  ErrorKind::not_rigid, not_finite, out_of_range for the pose; cancelled. Open parts
   ///          are no error.
   /// \cost    As `closedness`, once for the whole and once for the parts, and a copy of the mesh
   ///          for as long as it takes. Where named parts are open, as `bodies_of` and twice that.
   ///          Keeps 4 bytes a triangle.
-  explicit PartedBody(Body body, Partition partition = Partition::named,
-                      const Parallel& parallel = {});
+  explicit DividedBody(Body body, Partition partition = Partition::named,
+                       const Parallel& parallel = {});
 
   [[nodiscard]] const Body& body() const { return body_; }
 
@@ -71,7 +71,7 @@ class PartedBody {
 
   /// Named parts in the order of Mesh::parts, triangles without one last; connected ones by first
   /// triangle.
-  [[nodiscard]] std::span<const BodyPart> parts() const { return found_->parts; }
+  [[nodiscard]] std::span<const DividedPart> parts() const { return found_->parts; }
 
   /// How many of them are open.
   [[nodiscard]] std::size_t open_parts() const { return found_->open; }
@@ -81,13 +81,13 @@ class PartedBody {
     return found_->part_of[triangle];
   }
 
-  [[nodiscard]] bool operator==(const PartedBody& other) const {
+  [[nodiscard]] bool operator==(const DividedBody& other) const {
     return body_ == other.body_ && partition_ == other.partition_;
   }
 
  private:
   struct Found {
-    std::vector<BodyPart> parts;
+    std::vector<DividedPart> parts;
     std::vector<std::uint32_t> part_of;
     std::size_t open = 0;
   };
@@ -104,7 +104,7 @@ class PartedBody {
 
 /// A part that holds a point.
 struct PartSide {
-  std::uint32_t part = 0;    ///< index of PartedBody::parts
+  std::uint32_t part = 0;    ///< index of DividedBody::parts
   Side side = Side::inside;  ///< `inside` or `on`
 
   [[nodiscard]] bool operator==(const PartSide&) const = default;
@@ -121,12 +121,12 @@ struct ContainsParts {
 
 /// The parts that a point is inside, or on the surface of, each as `contains` decides it for the
 /// part alone. An open part is listed where a point is on it, and never as one that the point is
-/// inside: PartedBody::parts tells which ones are open.
+/// inside: DividedBody::parts tells which ones are open.
 ///
 /// \errors  ErrorKind::not_finite, out_of_range unless the point is finite and within 2^300.
 /// \cost    As `contains`: one ray for all parts.
 /// \threads Any number of callers.
-[[nodiscard]] ContainsParts contains(const PartedBody& body, const Vec3& point,
+[[nodiscard]] ContainsParts contains(const DividedBody& body, const Vec3& point,
                                      const ContainsOptions& options = {});
 
 /// Answers for a batch of points: those of point k are rows [offsets[k], offsets[k + 1]) of
@@ -155,7 +155,7 @@ struct ContainsPartsBatch {
 /// \shape   `points`: n.
 /// \errors  As for one point; a point at fault is named by its index, before any is answered. Also
 ///          ErrorKind::cancelled.
-[[nodiscard]] ContainsPartsBatch contains(const PartedBody& body, std::span<const Vec3> points,
+[[nodiscard]] ContainsPartsBatch contains(const DividedBody& body, std::span<const Vec3> points,
                                           const ContainsOptions& options = {},
                                           const Parallel& parallel = {});
 

@@ -74,7 +74,7 @@ set(SOMS_SOURCES
   detail/winding/strip_angle.cpp
   detail/winding/winding_tree.cpp
   detail/batched_root_descent.cpp
-  detail/triangle_tests.cpp
+  detail/block_against_box.cpp
   instruction_set.cpp
   overlap.cpp
   overlap_batch.cpp

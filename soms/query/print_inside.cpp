@@ -47,8 +47,8 @@ std::ostream& operator<<(std::ostream& out, Partition value) {
   return out << printed_name("Partition", static_cast<int>(value), {"named", "connected"});
 }
 
-std::ostream& operator<<(std::ostream& out, const BodyPart& value) {
-  PrintedFields fields("BodyPart");
+std::ostream& operator<<(std::ostream& out, const DividedPart& value) {
+  PrintedFields fields("DividedPart");
   if (value.named != Part::kNoParent) {
     fields.add("named", value.named);
   }
@@ -65,8 +65,8 @@ std::ostream& operator<<(std::ostream& out, const PartSide& value) {
   return out << PrintedFields("PartSide").add("part", value.part).add("side", value.side);
 }
 
-std::ostream& operator<<(std::ostream& out, const PartedBody& value) {
-  return out << PrintedFields("PartedBody")
+std::ostream& operator<<(std::ostream& out, const DividedBody& value) {
+  return out << PrintedFields("DividedBody")
                     .item(printed(value.body()))
                     .item(printed_count(value.parts().size(), "part", "parts"))
                     .item(std::to_string(value.open_parts()) + " open");

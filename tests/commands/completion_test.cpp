@@ -31,6 +31,33 @@ TEST(Completion, CompletesVerbsAndOptionsInBash) {
   EXPECT_EQ(complete("soms man ''", 2), complete("soms help ''", 2));
 }
 
+TEST(Completion, CompletesKeysOfAListAndTheirValuesInBash) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "soms.bash").string();
+  write_text(file, soms_run({"completion", "bash"}).out);
+  // Bash makes words of a line at blanks and around "="; the last one is completed.
+  const auto complete = [&](const std::string& words) {
+    return run_program({"bash", "-c",
+                        "source '" + file + "'; COMP_WORDS=(soms " + words +
+                            "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _soms; echo "
+                            "\"${COMPREPLY[@]}\""})
+        .out;
+  };
+  EXPECT_EQ(complete("overlap a b --tree le"), "levels= leaf=\n");
+  EXPECT_EQ(complete("overlap a b --tree des"),
+            "descent=both descent=larger descent=cross descent=fewest\n");
+  EXPECT_EQ(complete("overlap a b --tree rule = qu"), "quality quick\n");
+  EXPECT_EQ(complete("overlap a b --tree rule ="), complete("overlap a b --tree rule = ''"));
+  EXPECT_EQ(complete("overlap a b --tree rule = soms,lea"), "soms,leaf=\n");
+  EXPECT_EQ(complete("overlap a b --tree leaf = 4,rule = qu"), "quality quick\n");
+  EXPECT_EQ(complete("overlap --tree = rule = qu"), "quality quick\n");
+  EXPECT_EQ(complete("overlap --tree = lea"), "leaf=\n");
+  EXPECT_EQ(complete("overlap --tree hel"), "help\n");
+  // A verb has its own keys.
+  EXPECT_EQ(complete("distance a b --tree des"), "\n");
+  EXPECT_EQ(complete("render --tree des"), complete("overlap --tree des"));
+}
+
 // Readline's own completion knows how to quote: an answer of ours would be cut at blanks.
 TEST(Completion, LeavesFilesToTheShellInBash) {
   const TemporaryFolder folder;

@@ -60,7 +60,44 @@ TEST(Json, IsReadAsNlohmannReadsIt) {
     }
     EXPECT_EQ(command::parse_json(text, 8).fault, std::max<std::size_t>(byte, 1)) << text;
   }
-  EXPECT_EQ(command::parse_json("[1e999]", 8).fault, 1U);
+}
+
+/// The line on which the byte of a fault stands.
+std::size_t line_of(const std::string& text, int deepest) {
+  const std::size_t fault = command::parse_json(text, deepest).fault;
+  EXPECT_GT(fault, 0U);
+  return 1 + static_cast<std::size_t>(std::count(
+                 text.begin(), text.begin() + static_cast<std::ptrdiff_t>(fault - 1), '\n'));
+}
+
+TEST(Json, SaysOnWhichLineEachFaultStands) {
+  // What is wrong on line 3, with and without something behind it.
+  for (const std::string behind : {"", "\n", "\n,\n2", " ]\n}\n"}) {
+    for (const std::string fault :
+         {"1e999", "-1e999", "nul", "[[[1", "[[[\"a\"", "[[[{", "[[[[", "{\"a\":[[2"}) {
+      const std::string text = "{\"a\":\n[\n" + fault + behind;
+      EXPECT_EQ(line_of(text, 4), 3U) << text;
+    }
+  }
+}
+
+TEST(Json, OfManyMembersIsReadInTimeThatGrowsWithTheirNumber) {
+  const auto object = [](int members, int names) {
+    std::string text = "{";
+    for (int k = 0; k < members; ++k) {
+      text +=
+          (k == 0 ? "\"name" : ",\"name") + std::to_string(k % names) + "\":" + std::to_string(k);
+    }
+    return text + "}";
+  };
+  // Sought among all before it, each of so many members would take minutes.
+  for (const int names : {400'000, 200'000}) {
+    const command::ParsedJson parsed = command::parse_json(object(400'000, names), 4);
+    ASSERT_EQ(parsed.fault, 0U);
+    ASSERT_EQ(parsed.value.size(), static_cast<std::size_t>(names));
+    EXPECT_EQ(parsed.value.items().back().second.get<int>(), 399'999);
+    EXPECT_EQ(parsed.value.items().back().first, "name" + std::to_string(names - 1));
+  }
 }
 
 TEST(Json, IsRefusedWhereItIsTooDeep) {

@@ -76,6 +76,29 @@ TEST(Man, KeepsExamplesAsTheyAreTyped) {
       << page;
 }
 
+TEST(Man, ListsTheKeysOfAListBelowTheOptions) {
+  for (const std::string verb : {"overlap", "render"}) {
+    const std::string page = with_dashes(soms_run({"man", verb}).out);
+    EXPECT_NE(page.find("\n.SH KEYS OF --TREE\n"), std::string::npos) << verb;
+    EXPECT_NE(page.find("\n.TP\n\\fBleaf=\\fR\\fIN\\fR\nmaximum number of triangles in a leaf"),
+              std::string::npos)
+        << page;
+    EXPECT_EQ(page.find("\\fB--leaf"), std::string::npos) << verb;
+  }
+}
+
+TEST(Man, HasNamesOfASecondModelOnTheLineOfTheFirst) {
+  const std::string page = with_dashes(soms_run({"man", "overlap"}).out);
+  EXPECT_NE(
+      page.find(
+          "\n.TP\n\\fB--scale\\fR, \\fB--scale-b\\fR \\fIX\\fR\nmultiply the coordinates of A "
+          "or B; 1 confirms"),
+      std::string::npos)
+      << page;
+  EXPECT_NE(page.find("\n.SH SYNOPSIS\n\\fBsoms overlap\\fR [OPTIONS] A B\n"), std::string::npos)
+      << page;
+}
+
 TEST(Man, MakesPagesWithoutFaultsToTheFormatter) {
   if (shell("command -v groff").status != 0) {
     GTEST_SKIP() << "groff is not installed";

@@ -52,15 +52,19 @@ TEST(PassedOn, TheProgramGetsTheWordsAndGivesItsStatus) {
   EXPECT_EQ(result.out, "<reproduce>\n<--item>\n<a b>\n<--quick>\n<--help>\n");
 }
 
-TEST(PassedOn, LinesOfBlanksInTheHelpOfAProgramArePassedOver) {
+TEST(PassedOn, AProgramOfAnotherVersionIsTakenForAMissingOne) {
   const TemporaryFolder folder;
   const std::filesystem::path program = folder.path() / "program";
-  write_text(program, "#!/bin/sh\necho '  --size WxH  width'\necho '          '\n");
-  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
-  const RunResult result =
-      shell("export SOMS_VIEW='" + program.string() + "'; $soms completion bash");
-  EXPECT_EQ(result.status, 0) << result.err;
-  EXPECT_NE(result.out.find("--size"), std::string::npos);
+  for (const std::string said : {"", "  --size WxH  width", "{}", "{\"schema\":\"soms.verb/2\"}",
+                                 "{\"schema\":\"soms.verb/1\",\"options\":[{}]}"}) {
+    write_text(program, "#!/bin/sh\necho '" + said + "'\n");
+    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+    const std::string view = "export SOMS_VIEW='" + program.string() + "'; $soms ";
+    const RunResult completion = shell(view + "completion bash");
+    EXPECT_EQ(completion.status, 0) << completion.err;
+    EXPECT_NE(completion.out.find("\"view -\"*) words=\"\" ;;"), std::string::npos) << said;
+    EXPECT_EQ(shell(view + "man view").out, "") << said;
+  }
 }
 
 TEST(PassedOn, TheBuiltProgramSpeaksAsTheCommand) {

@@ -9,7 +9,7 @@ function(soms_page_program page number)
     COMMAND ${Python3_EXECUTABLE} ${script} source ${path} ${number} > ${source}
     DEPENDS ${path} ${script} VERBATIM)
   add_executable(${name} ${source})
-  target_link_libraries(${name} PRIVATE soms::soms soms_options)
+  target_link_libraries(${name} PRIVATE soms::thesis soms_options)
   add_test(NAME docs.${name}
     COMMAND ${Python3_EXECUTABLE} ${script} run ${path} ${number} $<TARGET_FILE:${name}>)
   set_tests_properties(docs.${name} PROPERTIES LABELS docs)

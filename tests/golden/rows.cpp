@@ -4,7 +4,7 @@
 #include "soms/generate/spread.h"
 #include "soms/generate/statue.h"
 #include "soms/generate/teapot.h"
-#include "soms/geometry/crossing_segment.h"
+#include "soms/geometry/common_points.h"
 #include "soms/geometry/defects.h"
 #include "soms/geometry/orientation.h"
 #include "soms/geometry/triangle_overlap.h"
@@ -68,7 +68,7 @@ void add_geometry(const Inputs& inputs, Rows& rows) {
   std::uint64_t exact = 0;
   for (std::size_t i = 0; i + 2 <= inputs.triangles.size(); i += 2) {
     touching << triangles_overlap(inputs.triangles[i], inputs.triangles[i + 1], &exact);
-    crossings << crossing(inputs.triangles[i], inputs.triangles[i + 1]).points();
+    crossings << common_points(inputs.triangles[i], inputs.triangles[i + 1]).points();
   }
   rows["triangles_overlap"] = (touching << exact).value();
   rows["crossing"] = crossings.value();

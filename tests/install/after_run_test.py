@@ -76,6 +76,15 @@ def refused(copy, prefix):
     return command.group(1).split()
 
 
+def check_thesis_is_named(copy):
+    """What `make run` leaves out says how to get it."""
+    for words in (["thesis"], ["thesis", "--help"], ["overlap", "a.ply", "b.ply", "--tree", "traversal=e-node"],
+                  ["simulate", "--tree", "traversal=larger"]):
+        status, said = copy.say("build/release/bin/soms", *words)
+        if status != 3 or "make build" not in said:
+            sys.exit(f"soms {' '.join(words)} without the thesis: exit {status}, {said[-3000:]}")
+
+
 def main():
     source, build, compiler = (pathlib.Path(word).resolve() for word in sys.argv[1:4])
     with tempfile.TemporaryDirectory() as name:
@@ -85,6 +94,7 @@ def main():
         built = copy.source / "build/release"
         if (built / "manual").exists():
             sys.exit("make run builds all of soms: this test begins with the command alone")
+        check_thesis_is_named(copy)
         refused(copy, folder / "early")
         copy.do("make", "install", "PREFIX=/opt/soms", f"DESTDIR={folder / 'root'}")
         check_command(folder / "root/opt/soms", built, folder)

@@ -51,7 +51,8 @@ def install_both(source, static, shared, folder):
     run("cmake", "-S", source, "-B", again, "-G", "Ninja", f"-DCMAKE_INSTALL_LIBDIR={libdir}",
         "-DSOMS_BUILD_APPS=OFF", "-DSOMS_BUILD_VIEW=OFF", "-DSOMS_BUILD_IMPORT=OFF",
         "-DSOMS_BUILD_TESTS=OFF")
-    shutil.copy(static / "libsoms.a", again)
+    for archive in ("libsoms.a", "libsoms-thesis.a"):
+        shutil.copy(static / archive, again)
     prefix = folder / "both"
     run("cmake", "--install", again, "--prefix", prefix, "--component", "development")
     run("cmake", "--install", shared, "--prefix", prefix)

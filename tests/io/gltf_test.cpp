@@ -242,10 +242,11 @@ TEST(Gltf, NeedsLittleStackForDeepNodesAndJson) {
     nodes += R"({"children":[)" + std::to_string(i) + "]},";
   }
   const std::string chain = placed(nodes + R"({"mesh":0}])");
-  const std::string deep = R"({"asset":)" + std::string(100'000, '[');
+  const std::string deep = "{\"asset\":[\"[[\\\"\",[]],\n\"b\":" + std::string(100'000, '[');
   on_small_stack([&] {
     EXPECT_EQ(read_text(chain, "a.glb").triangles.size(), 2U);
-    expect_refused(deep, "a.gltf", ErrorKind::bad_file, "nested more than 128 levels deep");
+    expect_refused(deep, "a.gltf", ErrorKind::bad_file,
+                   "line 2: JSON is nested more than 128 levels deep");
   });
 }
 

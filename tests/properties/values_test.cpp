@@ -34,13 +34,13 @@ static_assert(kValues<Vec3, Triangle, Box, Pose, Rotation, ErrorKind>);
 static_assert(kValues<Clash, ClashKind, ClashList, OpenUnion, PartBody>);
 static_assert(
     kValues<Mesh, Attribute, Part, PartRun, UpAxis, Defects, DefectPlaces, DefectOptions,
-            EdgeCounts, EdgePlace, TriangleCopy, VertexCopy, Crossing, Sign, Projection, Midpoint,
-            CoordinateFrame, FrameDoubt, Closedness, PartClosedness, ClosednessOptions>);
+            EdgeCounts, EdgePlace, TriangleCopy, VertexCopy, CommonPoints, Sign, Projection,
+            Midpoint, CoordinateFrame, FrameDoubt, Closedness, PartClosedness, ClosednessOptions>);
 static_assert(kValues<Tree, Node, TreeStatistics, Visits, ExpectedVisits, BuildOptions, Rule,
                       AxisFrom, EmptySide, Shape, ShapeOptions, Layout>);
 static_assert(kValues<ClosedBody, Contains, ContainsBatch, ContainsOptions, Side>);
-static_assert(kValues<WindingIndex, Winding, WindingBatch, WindingOptions, PartedBody, Partition,
-                      BodyPart, PartSide, ContainsParts, ContainsPartsBatch>);
+static_assert(kValues<WindingIndex, Winding, WindingBatch, WindingOptions, DividedBody, Partition,
+                      DividedPart, PartSide, ContainsParts, ContainsPartsBatch>);
 static_assert(kValues<Solid, SolidBatch, SolidOptions, Relation, Undecided>);
 static_assert(kValues<Body, Cost, Coverage, Overlap, OverlapBatch, OverlapOptions, OverlapMode,
                       TraversalOptions, TraversalCounts, NodePair, Traversal, Descent, EntryOrder,
@@ -109,11 +109,11 @@ TEST(Values, PrintWindingNumbersAndParts) {
   EXPECT_EQ(printed(winding(nothing, std::vector<Vec3>(2))),
             "WindingBatch{0 of 2 points inside, 0 undecided, coverage: complete, cost: " +
                 printed(Cost{}) + "}");
-  const PartedBody parts{Body(small_mesh())};
+  const DividedBody parts{Body(small_mesh())};
   EXPECT_EQ(printed(parts).substr(printed(parts).size() - 18), ", 2 parts, 2 open}");
   EXPECT_EQ(printed(Partition::connected), "connected");
   EXPECT_EQ(printed(parts.parts()[1]),
-            "BodyPart{named: 1, first: 2, triangles: 1, closed: false, odd_edges: 3}");
+            "DividedPart{named: 1, first: 2, triangles: 1, closed: false, odd_edges: 3}");
   EXPECT_EQ(printed(contains(parts, Vec3{0.5, 0.5, 0})).substr(0, 42),
             "ContainsParts{2 parts, coverage: complete,");
   EXPECT_EQ(printed(contains(parts, std::vector<Vec3>(3))).substr(0, 28),
@@ -164,16 +164,16 @@ TEST(Values, PrintMeshesAndWhatIsFoundInThem) {
 TEST(Values, PrintAndCompareCrossings) {
   const Triangle flat{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}};
   const Triangle upright{{0.5, 0.5, -1}, {0.5, 0.5, 1}, {0.25, 0.5, 0}};
-  const Crossing found = crossing(flat, upright);
-  EXPECT_EQ(found, crossing(flat, upright));
-  EXPECT_EQ(printed(found).rfind("Crossing{Vec3{", 0), 0U) << found;
-  EXPECT_EQ(printed(Crossing{}), "Crossing{empty}");
-  EXPECT_FALSE(found == Crossing{});
-  Crossing shorter = found;
+  const CommonPoints found = common_points(flat, upright);
+  EXPECT_EQ(found, common_points(flat, upright));
+  EXPECT_EQ(printed(found).rfind("CommonPoints{Vec3{", 0), 0U) << found;
+  EXPECT_EQ(printed(CommonPoints{}), "CommonPoints{empty}");
+  EXPECT_FALSE(found == CommonPoints{});
+  CommonPoints shorter = found;
   --shorter.count;
   EXPECT_FALSE(found == shorter);
   // What stands beyond the count is no part of the value.
-  Crossing other = found;
+  CommonPoints other = found;
   other.corners[5] = {9, 9, 9};
   EXPECT_EQ(found, other);
 }

@@ -202,7 +202,7 @@ TEST(ContainsPartsProperty, AnswersAsEachPartAlone) {
       alone.push_back(part);
     }
     const Pose pose = winding_pose(rng, mesh);
-    const PartedBody body(Body(mesh, pose));
+    const DividedBody body(Body(mesh, pose));
     RC_ASSERT(body.parts().size() == alone.size());
     const std::vector<Vec3> points = winding_points(rng, body.body(), 20);
     const ContainsPartsBatch batch = contains(body, points);

@@ -39,7 +39,7 @@ def answers_of_bodies():
                     soms.solid(one, b))
     yield from (soms.overlap(a, b, poses), soms.distance(a, b, poses), soms.within(a, b, 1, poses),
                 soms.solid(a, b, poses), soms.overlap(a, b).cost)
-    parted = soms.PartedBody(b)
+    parted = soms.DividedBody(b)
     yield from parted.parts
     for points in (POINTS, POINTS[0]):
         yield from (soms.contains(closed, points), soms.contains(parted, points),

@@ -103,7 +103,7 @@ class Clashes(unittest.TestCase):
         bodies = soms.PartBodies(mesh)
         self.assertEqual((bodies.closed.tolist(), bodies.part.tolist()), ([True], [0]))
         self.assertEqual((bodies.joined, bodies.names), ([[1]], ["front + back"]))
-        parted = soms.PartedBody(mesh)
+        parted = soms.DividedBody(mesh)
         self.assertEqual([(part.named, part.joined, part.closed) for part in parted.parts],
                          [(0, [1], True)])
         self.assertEqual(soms.contains(parted, TETRAHEDRON.mean(axis=0)).parts["part"].tolist(), [0])

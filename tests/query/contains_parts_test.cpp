@@ -42,7 +42,7 @@ Mesh house() {
 using Sides = std::vector<PartSide>;
 
 TEST(ContainsParts, NamesPartsThatHoldThePoint) {
-  const PartedBody body{Body(house())};
+  const DividedBody body{Body(house())};
   EXPECT_EQ(contains(body, Vec3{2, 2, 2}).parts, (Sides{{0}, {1}}));
   EXPECT_EQ(contains(body, Vec3{4, 4, 4}).parts, (Sides{{0}}));
   EXPECT_EQ(contains(body, Vec3{3, 2, 2}).parts, (Sides{{0}, {1, Side::on}}));
@@ -51,13 +51,14 @@ TEST(ContainsParts, NamesPartsThatHoldThePoint) {
 }
 
 TEST(ContainsParts, NamesOpenPartsAndIsNeverInsideOfThem) {
-  const PartedBody body{Body(house())};
+  const DividedBody body{Body(house())};
   ASSERT_EQ(body.parts().size(), 4U);
   EXPECT_EQ(body.open_parts(), 2U);
-  EXPECT_EQ(body.parts()[0], (BodyPart{.named = 0, .first = 0, .triangles = 12}));
+  EXPECT_EQ(body.parts()[0], (DividedPart{.named = 0, .first = 0, .triangles = 12}));
   EXPECT_TRUE(body.parts()[1].closed);
-  EXPECT_EQ(body.parts()[2],
-            (BodyPart{.named = 2, .first = 24, .triangles = 11, .closed = false, .odd_edges = 3}));
+  EXPECT_EQ(
+      body.parts()[2],
+      (DividedPart{.named = 2, .first = 24, .triangles = 11, .closed = false, .odd_edges = 3}));
   EXPECT_EQ(body.parts()[3].named, Part::kNoParent);
   EXPECT_FALSE(body.parts()[3].closed);
   EXPECT_EQ(contains(body, Vec3{6, 6, 6}).parts, (Sides{{0}}));
@@ -65,7 +66,7 @@ TEST(ContainsParts, NamesOpenPartsAndIsNeverInsideOfThem) {
 }
 
 TEST(ContainsParts, TellsConnectedPartsApart) {
-  const PartedBody body(Body(house()), Partition::connected);
+  const DividedBody body(Body(house()), Partition::connected);
   ASSERT_EQ(body.parts().size(), 4U);
   EXPECT_EQ(body.parts()[1].named, Part::kNoParent);
   EXPECT_EQ(body.parts()[1].first, 12U);
@@ -75,7 +76,7 @@ TEST(ContainsParts, TellsConnectedPartsApart) {
 
 TEST(ContainsParts, AnswersBatchesAsSinglePoints) {
   const Pose pose = Pose::about_z(0.4, {3, 2, 1});
-  const PartedBody body(Body(house(), pose));
+  const DividedBody body(Body(house(), pose));
   std::vector<Vec3> points;
   for (int i = 0; i < 1000; ++i) {
     points.push_back(pose.apply({i % 12 - 0.5, i / 12 % 12 - 0.5, i / 144 + 0.5}));
@@ -89,10 +90,10 @@ TEST(ContainsParts, AnswersBatchesAsSinglePoints) {
 }
 
 TEST(ContainsParts, OfNothingAndAfterTheDeadline) {
-  EXPECT_EQ(contains(PartedBody{Body{}}, std::vector<Vec3>(2)).offsets,
+  EXPECT_EQ(contains(DividedBody{Body{}}, std::vector<Vec3>(2)).offsets,
             (std::vector<std::uint64_t>{0, 0, 0}));
-  EXPECT_EQ(PartedBody{Body{}}.parts().size(), 0U);
-  const ContainsParts late = contains(PartedBody{Body(house())}, Vec3{2, 2, 2},
+  EXPECT_EQ(DividedBody{Body{}}.parts().size(), 0U);
+  const ContainsParts late = contains(DividedBody{Body(house())}, Vec3{2, 2, 2},
                                       {.deadline = std::chrono::steady_clock::time_point::min()});
   EXPECT_EQ(late.coverage, Coverage::cut);
   EXPECT_TRUE(late.parts.empty());
@@ -101,7 +102,7 @@ TEST(ContainsParts, OfNothingAndAfterTheDeadline) {
 TEST(ContainsParts, RefusesPoints) {
   try {
     static_cast<void>(
-        contains(PartedBody{Body(house())}, Vec3{0, 0, std::numeric_limits<double>::infinity()}));
+        contains(DividedBody{Body(house())}, Vec3{0, 0, std::numeric_limits<double>::infinity()}));
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::not_finite);
@@ -113,11 +114,11 @@ TEST(ContainsParts, TakePartsThatCloseEachOtherForOne) {
   Mesh halves =
       test::cut_by(box_body({30, 0, 0}, {32, 2, 2}), {0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 0}, 2);
   append(mesh, halves);
-  const PartedBody body{Body(mesh)};
+  const DividedBody body{Body(mesh)};
   const ContainsParts found = contains(body, Vec3{31, 1, 1});
   ASSERT_EQ(found.parts.size(), 1U);
   EXPECT_EQ(found.parts[0].side, Side::inside);
-  const BodyPart& part = body.parts()[found.parts[0].part];
+  const DividedPart& part = body.parts()[found.parts[0].part];
   EXPECT_TRUE(part.closed);
   EXPECT_EQ(part.triangles, 12U);
   ASSERT_EQ(part.joined.size(), 1U);

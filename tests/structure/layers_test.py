@@ -87,6 +87,8 @@ ABOVE = {
 # Headers that take seconds to compile, and the sources above the library that alone see them (docs/decisions/0086).
 ALONE = {"CLI/": {"apps/cli/cli11.cpp"},
          "nlohmann/": {"apps/output/json_text.cpp", "apps/report/script_text.cpp", "thesis/run/manifest.cpp"}}
+# What links soms::thesis, above the library: a command without the thesis' wing is built without all of these (0089).
+NAMES_TRAVERSALS = ("apps/model/traversal_keys.", "apps/soms/thesis/", "apps/view/", "thesis/")
 ANYBODY = {"apps/draw/look.h"}  # colors alone, which all pages and pictures share
 VIEW_ROOMS = ["drawing", "scene", "control", "window", "verbs"]  # the lowest first
 FOREIGN = re.compile(r"^(GL/|GLFW|epoxy|imgui|CLI/)")
@@ -149,6 +151,8 @@ def breaches_above(root):
                 yield f"{inside} includes {name}"
             elif room and not room.startswith("apps/view") and re.match(r"^(GL/|GLFW|epoxy|EGL|imgui|glm/)", name):
                 yield f"{inside} includes {name}"
+            if name.startswith("soms/thesis/") and not inside.startswith(NAMES_TRAVERSALS):
+                yield f"{inside} includes {name}, which is not of soms::soms"
             for costly, sources in ALONE.items():
                 if name.startswith(costly) and inside not in sources:
                     yield f"{inside} includes {name}, which only {' and '.join(sorted(sources))} may"

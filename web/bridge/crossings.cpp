@@ -1,5 +1,5 @@
 // Where pairs of triangles cross, for drawing.
-#include "soms/geometry/crossing_segment.h"
+#include "soms/geometry/common_points.h"
 #include "soms/query/body.h"
 #include "soms/query/detail/moved_triangle.h"
 
@@ -57,9 +57,9 @@ Answer* soms_crossings(const HeldShape* a, const Pose* pose_a, const HeldShape* 
     std::vector<std::uint32_t> offsets{0};
     std::vector<Vec3> corners;
     for (std::uint32_t k = 0; k < count; ++k) {
-      const soms::Crossing common =
-          crossing(soms::detail::moved_triangle(first, pairs[2 * k]),
-                   soms::detail::moved_triangle(second, pairs[2 * k + 1]));
+      const soms::CommonPoints common =
+          common_points(soms::detail::moved_triangle(first, pairs[2 * k]),
+                        soms::detail::moved_triangle(second, pairs[2 * k + 1]));
       const std::span<const Vec3> points = common.points();
       corners.insert(corners.end(), points.begin(), points.end());
       offsets.push_back(static_cast<std::uint32_t>(corners.size()));

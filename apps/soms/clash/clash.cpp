@@ -252,6 +252,7 @@ void add_clash_questions(Parser& parser, ClashVerbOptions& options) {
           },
           "leave out clashes of a class (repeatable): " + word_list(kinds))
       ->option_text(kChoiceText)
+      ->choices(kinds)
       ->group(kQuestionGroup);
   parser
       .add_option("--ignore-pairs", options.ignored_pairs,
@@ -291,6 +292,7 @@ void add_clash_questions(Parser& parser, ClashVerbOptions& options) {
           },
           "list only clashes that are new, active or resolved (repeatable)")
       ->option_text(kChoiceText)
+      ->choices({"new", "active", std::string(kResolved)})
       ->group(kQuestionGroup);
   add_choice<ClashFailure>(
       parser, "--fail-if", options.fail_if,

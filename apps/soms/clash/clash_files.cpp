@@ -55,7 +55,8 @@ void add_clash_file_options(Parser& parser, ClashFileOptions& options) {
             options.bcf_version = text == "3.0" ? BcfVersion::v3_0 : BcfVersion::v2_1;
           },
           "version of BCF archives: 2.1 (the default) or 3.0")
-      ->option_text(kChoiceText);
+      ->option_text(kChoiceText)
+      ->choices({"2.1", "3.0"});
   parser.add_flag("--no-snapshots", options.no_snapshots, "leave the pictures out of BCF archives");
 }
 

@@ -1,7 +1,6 @@
 #include "apps/soms/pairs/overlap.h"
 
 #include "soms/query/reference/overlap.h"
-#include "soms/thesis/overlap.h"
 
 #include "apps/cli/console.h"
 #include "apps/cli/parse.h"
@@ -36,15 +35,14 @@ class OverlapPoses : public PoseRun {
                  .fail_if_found = !options.fail_if.empty(),
                  .has_files =
                      !options.csv.empty() || !options.binary.empty() || !options.report.empty(),
-                 .keep_trees = options.traversal.traversal != Traversal::fast},
+                 .keep_trees = options.traversal->named()},
                 console),
         query_(options.query),
-        traversal_(options.traversal),
+        traversal_(*options.traversal),
         output_(output),
         report_{.pair = report(),
                 .mode = query_.mode,
                 .list_pairs = options.list_pairs,
-                .traversal = traversal_.traversal,
                 .by_part = options.by_part} {
     query_.deadline = console.deadline();
     output_.begin(report_);
@@ -54,8 +52,8 @@ class OverlapPoses : public PoseRun {
   void reserve(std::size_t rows) override { answers_.assign(rows, {}); }
 
   void ask(std::size_t k, const Body& a, const Body& b, const Parallel& parallel) override {
-    if (names_traversal()) {
-      answers_[k] = thesis::overlap(a, b, traversal_, query_, parallel);
+    if (traversal_.named()) {
+      answers_[k] = traversal_.overlap(a, b, query_, parallel);
     } else {
       answers_[k].answer = soms::overlap(a, b, query_, parallel);
     }
@@ -63,9 +61,8 @@ class OverlapPoses : public PoseRun {
 
   void ask(std::size_t begin, const Shape& a, std::span<const Pose> poses, const Body& b,
            const Parallel& parallel) override {
-    if (names_traversal()) {
-      std::vector<thesis::CountedOverlap> answers =
-          thesis::overlap(a, poses, b, traversal_, query_, parallel);
+    if (traversal_.named()) {
+      std::vector<CountedAnswer> answers = traversal_.overlap(a, poses, b, query_, parallel);
       std::move(answers.begin(), answers.end(),
                 answers_.begin() + static_cast<std::ptrdiff_t>(begin));
       return;
@@ -78,7 +75,7 @@ class OverlapPoses : public PoseRun {
 
   [[nodiscard]] std::uint64_t held() const override {
     std::uint64_t pairs = 0;
-    for (const thesis::CountedOverlap& counted : answers_) {
+    for (const CountedAnswer& counted : answers_) {
       pairs += counted.answer.pairs.size();
     }
     return pairs;
@@ -110,13 +107,11 @@ class OverlapPoses : public PoseRun {
 
   void finish_outputs() override { output_.finish(totals()); }
 
-  [[nodiscard]] bool names_traversal() const { return traversal_.traversal != Traversal::fast; }
-
   OverlapOptions query_;
-  TraversalOptions traversal_;
+  const TraversalByName& traversal_;
   OverlapOutput& output_;
   OverlapReport report_;
-  std::vector<thesis::CountedOverlap> answers_;
+  std::vector<CountedAnswer> answers_;
 };
 
 void add_questions(Parser& parser, OverlapVerbOptions& options) {
@@ -205,7 +200,8 @@ Action add_overlap(Parser& parser, Shared&) {
   const auto options = std::make_shared<OverlapVerbOptions>();
   add_posed_models(parser, *options);
   add_questions(parser, *options);
-  add_model_reading(parser, *options, &options->traversal);
+  add_model_reading(parser, *options);
+  options->traversal = add_traversal_by_name(parser);
   parser.footer(
       "Touching counts as overlap: corners and edges belong to their triangles. Only surfaces are\n"
       "tested: a body entirely inside another one does not overlap it." +
@@ -217,7 +213,7 @@ Action add_overlap(Parser& parser, Shared&) {
     if (within) {
       return run_within_of(parser, *options, console);
     }
-    check_traversal(parser, options->traversal);
+    options->traversal->check(parser);
     if (!options->list_pairs && options->query.mode != OverlapMode::all && !console.shared().json) {
       throw Error(ErrorKind::usage,
                   "--no-pairs has no effect: --any and --first list no pairs without --json",

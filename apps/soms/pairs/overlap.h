@@ -3,11 +3,12 @@
 #pragma once
 
 #include "soms/query/overlap.h"
-#include "soms/thesis/traversal_options.h"
 
 #include "apps/cli/verb.h"
 #include "apps/soms/pairs/pair_options.h"
+#include "apps/soms/pairs/traversal_by_name.h"
 
+#include <memory>
 #include <string>
 
 namespace soms::command {
@@ -15,7 +16,7 @@ namespace soms::command {
 /// Options of the verb `overlap`.
 struct OverlapVerbOptions : PairOptions {
   OverlapOptions query;
-  TraversalOptions traversal = {};
+  std::shared_ptr<const TraversalByName> traversal = nullptr;
   bool list_pairs = true;
   std::string report = {};   ///< empty: none
   std::string csv = {};      ///< empty: none

@@ -35,7 +35,7 @@ void OverlapOutput::begin(const OverlapReport& report) {
 }
 
 void OverlapOutput::add(std::uint64_t pose, const Pose& a, const Pose& b,
-                        const thesis::CountedOverlap& result, bool right, Console& console) {
+                        const CountedAnswer& result, bool right, Console& console) {
   const Overlap& answer = result.answer;
   const PosedParts of_a{report_->pair.a, parts_a_, a};
   const PosedParts of_b{report_->pair.b, parts_b_, b};

@@ -24,7 +24,7 @@ class OverlapOutput {
 
   /// Adds the answer of pose number `pose` to each output. `right` is as in `print_answer`.
   /// \errors ErrorKind::cannot_write; ErrorKind::cancelled, before anything is added; ClosedPipe.
-  void add(std::uint64_t pose, const Pose& a, const Pose& b, const thesis::CountedOverlap& result,
+  void add(std::uint64_t pose, const Pose& a, const Pose& b, const CountedAnswer& result,
            bool right, Console& console);
 
   /// Makes the files appear.

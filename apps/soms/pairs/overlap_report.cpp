@@ -1,7 +1,5 @@
 #include "apps/soms/pairs/overlap_report.h"
 
-#include "soms/thesis/traversals.h"
-
 #include "apps/cli/console.h"
 #include "apps/cli/text.h"
 #include "apps/output/json.h"
@@ -35,20 +33,8 @@ void print_pairs_as_json(const std::vector<TrianglePair>& pairs, Console& consol
   console.print(piece + "]");
 }
 
-/// The counts of a named traversal; nothing for the default, which has none.
-std::string traversal_keys(const OverlapReport& report, const TraversalCounts& counts) {
-  return report.traversal == Traversal::fast
-             ? std::string()
-             : fmt::format(
-                   ",\"entered\":{},\"leaf_pairs\":{},\"triangle_pairs\":{},\"first_tests\":{},"
-                   "\"max_stack\":{}",
-                   counts.entered, counts.leaf_pairs, counts.triangle_pairs, counts.first_tests,
-                   counts.max_stack);
-}
-
-void print_json(const OverlapReport& report, std::uint64_t pose,
-                const thesis::CountedOverlap& result, bool right, Console& console,
-                std::span<const PartPair> parts) {
+void print_json(const OverlapReport& report, std::uint64_t pose, const CountedAnswer& result,
+                bool right, Console& console, std::span<const PartPair> parts) {
   const Overlap& answer = result.answer;
   const char* const overlap = is_undecided(answer) ? "null" : answer.any ? "true" : "false";
   std::string text =
@@ -57,7 +43,7 @@ void print_json(const OverlapReport& report, std::uint64_t pose,
   if (report.mode != OverlapMode::any) {
     text += fmt::format(",\"count\":{},\"hash\":\"{:016x}\"", answer.pairs.size(), answer.hash());
   }
-  text += coverage_keys(answer.coverage, answer.cost, traversal_keys(report, result.counts));
+  text += coverage_keys(answer.coverage, answer.cost, result.count_keys);
   console.print(text + report_keys(report.pair, pose, right));
   if (report.by_part) {
     print_parts_as_json(report, parts, console);
@@ -97,22 +83,14 @@ std::string summary(const OverlapReport& report, const Overlap& answer) {
 }
 
 /// What a named traversal did, in a line: who names one wants to compare.
-void print_traversal(const OverlapReport& report, const thesis::CountedOverlap& result,
-                     Console& console) {
-  if (!report.pair.single || report.traversal == Traversal::fast) {
-    return;
+void print_traversal(const OverlapReport& report, const CountedAnswer& result, Console& console) {
+  if (report.pair.single && !result.count_line.empty()) {
+    console.print(result.count_line);
   }
-  const TraversalCounts& counts = result.counts;
-  console.print(fmt::format(
-      "  traversal {}: {}, {} entered, {}, {}, {} of them decided\n", entry(report.traversal).kebab,
-      counted(counts.box_tests, "box test"), counted(counts.entered, "pair"),
-      counted(counts.leaf_pairs, "leaf pair"), counted(counts.triangle_pairs, "triangle pair"),
-      with_commas(result.answer.cost.triangle_tests)));
 }
 
-void print_text(const OverlapReport& report, std::uint64_t pose,
-                const thesis::CountedOverlap& result, Console& console,
-                std::span<const PartPair> parts) {
+void print_text(const OverlapReport& report, std::uint64_t pose, const CountedAnswer& result,
+                Console& console, std::span<const PartPair> parts) {
   const Overlap& answer = result.answer;
   if (report.by_part && answer.any) {
     console.print(report.pair.single ? "" : fmt::format("pose {}: ", pose));
@@ -150,9 +128,8 @@ bool is_undecided(const Overlap& answer) {
   return answer.coverage == Coverage::cut && !answer.any;
 }
 
-void print_answer(const OverlapReport& report, std::uint64_t pose,
-                  const thesis::CountedOverlap& result, bool right, Console& console,
-                  std::span<const PartPair> parts) {
+void print_answer(const OverlapReport& report, std::uint64_t pose, const CountedAnswer& result,
+                  bool right, Console& console, std::span<const PartPair> parts) {
   if (console.shared().json) {
     print_json(report, pose, result, right, console, parts);
   } else {

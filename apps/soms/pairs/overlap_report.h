@@ -3,10 +3,10 @@
 #pragma once
 
 #include "soms/query/overlap.h"
-#include "soms/thesis/overlap.h"
 
 #include "apps/rows/row_run.h"
 #include "apps/soms/pairs/pair_report.h"
+#include "apps/soms/pairs/traversal_by_name.h"
 
 #include <cstdint>
 #include <span>
@@ -21,8 +21,7 @@ struct OverlapReport {
   const PairReport& pair;
   OverlapMode mode = OverlapMode::all;
   bool list_pairs = true;
-  Traversal traversal = Traversal::fast;  ///< counts of any other are reported
-  bool by_part = false;                   ///< pairs of parts are listed, not of triangles
+  bool by_part = false;  ///< pairs of parts are listed, not of triangles
 };
 
 /// True if the answer was cut before any pair was found.
@@ -30,9 +29,8 @@ struct OverlapReport {
 
 /// Prints the answer of pose number `pose`: JSON with --json, text without. `right` says whether
 /// brute force agrees, where requested. `parts` are those of the answer, for `report.by_part`.
-void print_answer(const OverlapReport& report, std::uint64_t pose,
-                  const thesis::CountedOverlap& result, bool right, Console& console,
-                  std::span<const PartPair> parts = {});
+void print_answer(const OverlapReport& report, std::uint64_t pose, const CountedAnswer& result,
+                  bool right, Console& console, std::span<const PartPair> parts = {});
 
 /// Prints a line over all poses as text, where there may be several.
 void print_totals(const OverlapReport& report, const RowTotals& totals, Console& console);

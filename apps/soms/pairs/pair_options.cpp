@@ -30,13 +30,13 @@ void add_verify(Parser& parser, PairOptions& options) {
       ->group(kQuestionGroup);
 }
 
-void add_model_reading(Parser& parser, PairOptions& options, TraversalOptions* traversal) {
+void add_model_reading(Parser& parser, PairOptions& options) {
   add_model_options(parser, options.model_a, "--scale", "--up", "A");
   add_model_options(parser, options.model_b, "--scale-b", "--up-b", "B");
   parser.add_flag("--allow-empty", options.model_a.allow_empty, "accept models without triangles")
       ->group("Models");
   add_strict(parser, options.model_a.strict);
-  add_tree_list(parser, options.build, traversal);
+  add_tree_list(parser, options.build);
 }
 
 void settle(const Parser& parser, PairOptions& options) {

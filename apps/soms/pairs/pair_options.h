@@ -2,7 +2,6 @@
 /// Options of every verb that asks something about two models at rows of poses.
 #pragma once
 
-#include "soms/thesis/traversal_options.h"
 #include "soms/tree/build_options.h"
 
 #include "apps/model/models.h"
@@ -34,9 +33,8 @@ void add_posed_models(Parser& parser, PairOptions& options);
 /// Adds --verify.
 void add_verify(Parser& parser, PairOptions& options);
 
-/// Adds the options that say how models are read, and those of their trees and of a traversal, if
-/// the verb has one.
-void add_model_reading(Parser& parser, PairOptions& options, TraversalOptions* traversal = nullptr);
+/// Adds the options that say how models are read, and those of their trees.
+void add_model_reading(Parser& parser, PairOptions& options);
 
 /// Spreads options that hold for both models.
 /// \errors As `check_build`.

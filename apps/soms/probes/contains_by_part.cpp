@@ -30,7 +30,7 @@ namespace soms::command {
 namespace {
 
 /// Triangles of one part, as a mesh of their own: what `--verify` looks at.
-Mesh triangles_of_part(const PartedBody& body, std::uint32_t part) {
+Mesh triangles_of_part(const DividedBody& body, std::uint32_t part) {
   Mesh mesh;
   const MeshView& whole = body.body().shape.mesh();
   mesh.vertices.assign(whole.vertices.begin(), whole.vertices.end());
@@ -53,12 +53,12 @@ class PartsRun : public ProbeRun<PointSource> {
   }
 
  private:
-  [[nodiscard]] PartedBody body_of(const ContainsVerbOptions& options) {
+  [[nodiscard]] DividedBody body_of(const ContainsVerbOptions& options) {
     Shape shape = load_shape(options.model, options.reading, {.build = options.build}, console());
     const Partition partition =
         options.by == ContainsBy::part ? Partition::named : Partition::connected;
     return console().run("looking for parts that are closed", [&](const Parallel& parallel) {
-      return PartedBody(Body(std::move(shape), pose()), partition, parallel);
+      return DividedBody(Body(std::move(shape), pose()), partition, parallel);
     });
   }
 
@@ -66,7 +66,7 @@ class PartsRun : public ProbeRun<PointSource> {
 
   /// The path of a named part; "the part of triangle 12" of another one. Printable.
   [[nodiscard]] std::string label(std::uint32_t part) const {
-    const BodyPart& found = body_.parts()[part];
+    const DividedPart& found = body_.parts()[part];
     return found.named != Part::kNoParent ? printable(body_label(mesh(), found.named, found.joined))
                                           : fmt::format("the part of triangle {}", found.first);
   }
@@ -162,7 +162,7 @@ class PartsRun : public ProbeRun<PointSource> {
   }
 
   [[nodiscard]] Json part_json(std::uint32_t part) const {
-    const BodyPart& found = body_.parts()[part];
+    const DividedPart& found = body_.parts()[part];
     Json json = body_.partition() == Partition::named
                     ? body_as_json(mesh(), found.named, found.joined)
                     : Json::object();
@@ -202,7 +202,7 @@ class PartsRun : public ProbeRun<PointSource> {
   void finish(End) override { csv_.finish(); }
 
   PartSideCsv& csv_;
-  PartedBody body_;
+  DividedBody body_;
   ContainsPartsBatch answers_;
   std::map<std::uint32_t, std::optional<Body>> alone_;  // parts that brute force has looked at
   std::uint64_t held_ = 0;

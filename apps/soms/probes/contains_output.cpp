@@ -27,14 +27,14 @@ PartSideCsv::PartSideCsv(const std::string& path)
     : AnswerCsv(path, "point,part,name,path,first,side,coverage\n") {
 }
 
-void PartSideCsv::add(std::uint64_t point, const PartedBody& body,
+void PartSideCsv::add(std::uint64_t point, const DividedBody& body,
                       const ContainsPartsBatch& answers, std::size_t k) {
   if (!is_wanted()) {
     return;
   }
   const MeshView& mesh = body.body().shape.mesh();
   for (const PartSide& found : answers.parts_of(k)) {
-    const BodyPart& part = body.parts()[found.part];
+    const DividedPart& part = body.parts()[found.part];
     const std::string path =
         part.named == Part::kNoParent ? "" : csv_field(part_path_label(mesh, part.named));
     put(fmt::format("{},{},{},{},{},{}\n", point, part_csv_fields(mesh, part.named), path,

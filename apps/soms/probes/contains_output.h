@@ -34,7 +34,7 @@ class PartSideCsv : public AnswerCsv {
   explicit PartSideCsv(const std::string& path);
 
   /// Row `k` of the answers is about `point`. \errors ErrorKind::cannot_write; ClosedPipe.
-  void add(std::uint64_t point, const PartedBody& body, const ContainsPartsBatch& answers,
+  void add(std::uint64_t point, const DividedBody& body, const ContainsPartsBatch& answers,
            std::size_t k);
 };
 

@@ -12,35 +12,92 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
+#include <utility>
 
 namespace soms::command {
 
 namespace {
 
+/// The option as its line of --help has it.
+ManRow row_of(const OptionData& option) {
+  return {.names = option.line, .value = option.value, .text = option.meaning};
+}
+
+void add_to(std::vector<ManList>& lists, const std::string& heading, ManRow row) {
+  const auto same = std::find_if(lists.begin(), lists.end(),
+                                 [&](const ManList& list) { return list.heading == heading; });
+  if (same == lists.end()) {
+    lists.push_back({heading, {std::move(row)}});
+  } else {
+    same->rows.push_back(std::move(row));
+  }
+}
+
 std::string page_of_command() {
-  const std::string help = help_of(program());
-  ManPage page{.name = "soms", .version = SOMS_VERSION, .help = help, .see_also = {}};
+  Parser shared("", "soms");
+  Shared values;
+  add_help_option(shared);
+  add_shared_options(shared, values);
+  const Program soms = program();
+  ManPage page{.name = "soms",
+               .version = SOMS_VERSION,
+               .summary = std::string(soms.summary),
+               .command = "soms VERB",
+               .words = "[OPTIONS] ...",
+               .text = about_verbs(soms) + "\n" + kAboutAnswers};
+  for (const OptionData& option : data_of(shared).options) {
+    add_to(page.options, option.group, row_of(option));
+  }
   for (const Verb& verb : verbs()) {
+    add_to(page.lists, "Verbs",
+           {.names = {std::string(verb.name)}, .text = std::string(verb.question)});
     page.see_also.push_back(fmt::format("soms-{}", verb.name));
   }
   return roff(page);
 }
 
-/// The help, and the keys of its list, if it has one.
-std::string help_with_keys(const Verb& verb) {
-  const ParsedVerb parsed("soms", verb);
-  const std::string keys = parsed.parser().keys();
-  return keys.empty() ? parsed.help() : parsed.help() + "\n" + keys;
+/// "FILE..." of an argument; in brackets, if it may be left out.
+std::string usage_of(const OptionData& argument) {
+  const std::string name = argument.names.front() + (argument.takes_several ? "..." : "");
+  return argument.is_required ? " " + name : " [" + name + "]";
+}
+
+/// Sorts an option to its place on the page.
+void add_option(ManPage& page, const OptionData& option) {
+  if (option.is_argument) {
+    page.words += usage_of(option);
+    page.arguments.push_back(row_of(option));
+  } else if (option.group == kSharedGroup) {
+    page.shared += (page.shared.empty() ? "Shared options (soms --help): " : ", ") +
+                   option.names.front() + (option.value.empty() ? "" : " ") + option.value;
+  } else if (!option.list.empty()) {
+    add_to(page.lists, "Keys of " + option.list,
+           {.names = {option.names.front().substr(2) + "="},
+            .value = option.value,
+            .text = option.meaning});
+  } else if (!option.line.empty()) {
+    add_to(page.options, option.group, row_of(option));
+  }
 }
 
 /// Empty for a verb of another program that is missing.
 std::string page_of(const Verb& verb) {
-  const std::string help = verb.pass_on != nullptr ? passed_help(verb) : help_with_keys(verb);
-  return help.empty() ? help
-                      : roff({.name = fmt::format("soms-{}", verb.name),
-                              .version = SOMS_VERSION,
-                              .help = help,
-                              .see_also = {"soms"}});
+  const std::optional<VerbData> data = data_of(verb);
+  if (!data) {
+    return {};
+  }
+  ManPage page{.name = fmt::format("soms-{}", verb.name),
+               .version = SOMS_VERSION,
+               .summary = data->question,
+               .command = data->name,
+               .words = "[OPTIONS]",
+               .text = data->footer,
+               .see_also = {"soms"}};
+  for (const OptionData& option : data->options) {
+    add_option(page, option);
+  }
+  return roff(page);
 }
 
 void write_page(const std::string& folder, const std::string& name, const std::string& text) {

@@ -76,25 +76,19 @@ std::vector<Lines> blocks_of(std::string_view text) {
   return blocks;
 }
 
-/// A row under a heading: a name, and what is said of it.
-struct Row {
-  std::string name;
-  std::string text;
-};
-
-Row row_of(std::string_view line) {
+/// A line below a heading of the text: a name, and behind two blanks what is said of it.
+ManRow row_of(std::string_view line) {
   line.remove_prefix(indent_of(line));
   const std::size_t end = std::min(line.find("  "), line.size());
-  std::string_view name = line.substr(0, end);
   std::string_view text = line.substr(end);
   text.remove_prefix(indent_of(text));
-  return {std::string(name), std::string(text)};
+  return {.names = {std::string(line.substr(0, end))}, .text = std::string(text)};
 }
 
 /// Rows of a block's indented lines; deeper ones continue the row before.
-std::vector<Row> rows_of(const Lines& lines) {
+std::vector<ManRow> rows_of(const Lines& lines) {
   constexpr std::size_t kIndent = 2;
-  std::vector<Row> rows;
+  std::vector<ManRow> rows;
   for (const std::string_view line : lines) {
     const std::size_t indent = indent_of(line);
     if (indent <= kIndent || rows.empty()) {
@@ -102,29 +96,24 @@ std::vector<Row> rows_of(const Lines& lines) {
       continue;
     }
     std::string& text = rows.back().text;
-    text.append(text.empty() || text.ends_with('|') ? "" : " ").append(line.substr(indent));
+    text.append(text.empty() ? "" : " ").append(line.substr(indent));
   }
   return rows;
 }
 
-/// "-o,--output FILE": dashes in bold, values in italics.
-std::string tag_of(const std::string& name) {
-  const bool option = name.starts_with('-');
-  const std::string_view view = name;
-  const std::size_t space = option ? std::min(view.find(' '), view.size()) : view.size();
+/// "-o, --output FILE": names in bold, values in italics. Of a key "rule=NAME".
+std::string tag_of(const ManRow& row) {
   std::string tag;
-  for (std::string_view rest = view.substr(0, space); !rest.empty();) {
-    const std::string_view one = rest.substr(0, rest.find(','));
-    rest.remove_prefix(std::min(one.size() + 1, rest.size()));
-    tag.append(tag.empty() ? "" : ", ").append(bold(one));
+  for (const std::string& name : row.names) {
+    tag.append(tag.empty() ? "" : ", ").append(bold(name));
   }
-  return space == view.size() ? tag : tag + " " + italic(view.substr(space + 1));
+  return row.value.empty() ? tag : tag + (tag.ends_with("=\\fR") ? "" : " ") + italic(row.value);
 }
 
-std::string list(const Lines& lines) {
+std::string list(const std::vector<ManRow>& rows) {
   std::string out;
-  for (const Row& row : rows_of(lines)) {
-    out += fmt::format(".TP\n{}\n{}\n", tag_of(row.name), plain(row.text));
+  for (const ManRow& row : rows) {
+    out += fmt::format(".TP\n{}\n{}\n", tag_of(row), plain(row.text));
   }
   return out;
 }
@@ -164,21 +153,19 @@ std::string in_capitals(std::string_view text) {
   return out;
 }
 
-/// The sections of a page, filled block by block.
+/// The sections that a text fills block by block.
 struct Sections {
   std::string description;
-  std::string arguments;
-  std::string options;
   std::string others;
   std::string example;
 };
 
-/// "Options:", but not the end of a sentence that leads to a list.
+/// "Statuses:", but not the end of a sentence that leads to a list.
 bool is_heading(std::string_view line) {
   return line.ends_with(':') && line.find(". ") == std::string_view::npos;
 }
 
-/// A block under a heading: options, an example, or a list of its own.
+/// A block under a heading: an example, or a list of its own.
 void add_headed(Sections& sections, const Lines& block) {
   const std::string_view heading = block.front().substr(0, block.front().size() - 1);
   const auto end = std::find_if(block.begin() + 1, block.end(),
@@ -186,26 +173,18 @@ void add_headed(Sections& sections, const Lines& block) {
   const Lines rows(block.begin() + 1, end);
   if (heading.starts_with("Example")) {
     sections.example += as_written(rows);
-  } else if (rows.front().substr(indent_of(rows.front())).starts_with('-')) {
-    sections.options += fmt::format(".SS {}\n{}", plain(heading), list(rows));
-  } else if (heading == "Arguments") {
-    sections.arguments += list(rows);
   } else {
-    sections.others += fmt::format(".SH {}\n{}", plain(in_capitals(heading)), list(rows));
+    sections.others += fmt::format(".SH {}\n{}", plain(in_capitals(heading)), list(rows_of(rows)));
   }
   if (end != block.end()) {
     sections.description += paragraph(Lines(end, block.end()));
   }
 }
 
-Sections sections_of(const std::vector<Lines>& blocks) {
+Sections sections_of(std::string_view text) {
   Sections sections;
-  for (const Lines& block : blocks) {
+  for (const Lines& block : blocks_of(text)) {
     const bool indented = block.front().starts_with(' ');
-    if (block.front().starts_with("Shared options (")) {
-      sections.options += paragraph(block);
-      continue;
-    }
     if (indented && !sections.example.empty()) {
       sections.example += as_written(block);
     } else if (block.size() > 1 && is_heading(block[0]) && block[1].starts_with(' ')) {
@@ -217,38 +196,33 @@ Sections sections_of(const std::vector<Lines>& blocks) {
   return sections;
 }
 
+std::string options_of(const ManPage& page) {
+  std::string out;
+  for (const ManList& group : page.options) {
+    out += fmt::format(".SS {}\n{}", plain(group.heading), list(group.rows));
+  }
+  return page.shared.empty() ? out : out + ".PP\n" + plain(page.shared) + "\n";
+}
+
 }  // namespace
 
 std::string roff(const ManPage& page) {
-  std::vector<Lines> blocks = blocks_of(page.help);
-  Lines& first = blocks.front();
-  std::string_view summary = first.front();
-  if (const std::string start = page.name + ": "; summary.starts_with(start)) {
-    summary.remove_prefix(start.size());
-  }
   std::string out =
-      fmt::format(".TH {} 1 \"\" \"soms {}\"\n.SH NAME\n{} \\- {}\n.SH SYNOPSIS\n",
-                  plain(in_capitals(page.name)), page.version, plain(page.name), plain(summary));
-  constexpr std::string_view kUsage = "Usage: ";
-  first.erase(first.begin());
-  while (!first.empty() && first.front().starts_with(kUsage)) {
-    const std::string_view usage = first.front().substr(kUsage.size());
-    const std::size_t end = std::min(usage.find_first_of("[<"), usage.size());
-    out += fmt::format("{}{}\n", bold(usage.substr(0, end)), plain(usage.substr(end)));
-    first.erase(first.begin());
-  }
-  if (first.empty()) {
-    blocks.erase(blocks.begin());
-  }
-  const Sections sections = sections_of(blocks);
+      fmt::format(".TH {} 1 \"\" \"soms {}\"\n.SH NAME\n{} \\- {}\n.SH SYNOPSIS\n{} {}\n",
+                  plain(in_capitals(page.name)), page.version, plain(page.name),
+                  plain(page.summary), bold(page.command), plain(page.words));
+  const Sections sections = sections_of(page.text);
   const auto add = [&out](std::string_view heading, const std::string& text) {
     if (!text.empty()) {
       out += fmt::format(".SH {}\n{}", heading, text);
     }
   };
   add("DESCRIPTION", sections.description);
-  add("ARGUMENTS", sections.arguments);
-  add("OPTIONS", sections.options);
+  add("ARGUMENTS", list(page.arguments));
+  add("OPTIONS", options_of(page));
+  for (const ManList& one : page.lists) {
+    add(plain(in_capitals(one.heading)), list(one.rows));
+  }
   out += sections.others;
   add("EXAMPLE", sections.example);
   std::string others;

@@ -1,24 +1,40 @@
 /// \file
-/// From the text of --help to a page of the manual.
+/// A page of the manual in the language of man (roff).
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace soms::command {
 
-/// A page of section 1.
-struct ManPage {
-  std::string name;                   ///< as in the page's file name, without the section
-  std::string version;                ///< of the program
-  std::string_view help;              ///< the text of --help
-  std::vector<std::string> see_also;  ///< names of other pages
+/// An option, an argument, a key or a verb, and what is said of it.
+struct ManRow {
+  std::vector<std::string> names;
+  std::string value = {};  ///< what stands for its value; empty: it has none
+  std::string text = {};
 };
 
-/// The page in the language of man (roff). All of the help's text is in it: its first line as the
-/// page's name, "Usage:" as the synopsis, blocks under headings as sections, the rest as the
-/// description.
+/// Rows under a heading.
+struct ManList {
+  std::string heading;
+  std::vector<ManRow> rows = {};
+};
+
+/// A page of section 1.
+struct ManPage {
+  std::string name;     ///< as in the page's file name, without the section
+  std::string version;  ///< of the program
+  std::string summary;  ///< one line
+  std::string command;  ///< of the synopsis, such as "soms ray"
+  std::string words;    ///< behind it: "[OPTIONS] MODEL"
+  std::vector<ManRow> arguments = {};
+  std::vector<ManList> options = {};       ///< by heading
+  std::string shared = {};                 ///< a paragraph below them; empty: none
+  std::vector<ManList> lists = {};         ///< sections of their own: verbs, keys of a list
+  std::string text = {};                   ///< paragraphs, lists and an example, as --help has them
+  std::vector<std::string> see_also = {};  ///< names of other pages
+};
+
 [[nodiscard]] std::string roff(const ManPage& page);
 
 }  // namespace soms::command

@@ -3,11 +3,6 @@
 #include "soms/base/error.h"
 
 #include "apps/cli/child.h"
-#include "apps/cli/parse.h"
-
-#include <regex>
-#include <sstream>
-#include <utility>
 
 namespace soms::command {
 
@@ -39,61 +34,29 @@ int pass_to_reproduce(std::string_view verb, const std::vector<std::string>& wor
 }
 
 std::filesystem::path program_of(const Verb& verb) {
+  if (verb.pass_on != pass_to_reproduce && verb.pass_on != pass_to_viewer) {
+    (void)verb.pass_on(verb.name, {});  // says what was not built
+  }
   return verb.pass_on == pass_to_reproduce ? reproduce_program() : viewer_program();
 }
 
 std::string_view program_name_of(const Verb& verb) {
-  return verb.pass_on == pass_to_reproduce ? "soms-reproduce" : "soms-view";
+  return verb.pass_on == pass_to_reproduce ? "soms-reproduce"
+         : verb.pass_on == pass_to_viewer  ? "soms-view"
+                                           : verb.name;
 }
 
-std::string passed_help(const Verb& verb) {
+std::optional<VerbData> passed_data(const Verb& verb) {
   try {
-    return output_of(program_of(verb), {std::string(verb.name), "--help"}, "soms");
+    return data_from_json(
+        output_of(program_of(verb), {std::string(verb.name), std::string(kDataWord)}, "soms"));
   } catch (const Error&) {
-    return {};
+    return std::nullopt;
   }
 }
 
-std::vector<OptionWords> passed_options(const Verb& verb) {
-  std::istringstream help(passed_help(verb));
-  // An option begins a line, "  -o,--output FILE    picture to write"; its meaning may go on below,
-  // far to the right.
-  static const std::regex option_line("  (?:(-[a-z]),)?(--[a-z][a-z-]*)(?: (\\S+))?(?:  +(.*))?");
-  constexpr std::size_t kIndent = 6;
-  std::vector<OptionWords> options;
-  std::string label;
-  std::string meaning;
-  const auto end_option = [&] {
-    if (label == kChoiceText && meaning.find('|') != std::string::npos) {
-      options.back().values = listed_words(meaning);
-    }
-    meaning.clear();
-    label.clear();
-  };
-  for (std::string line; std::getline(help, line);) {
-    std::smatch parts;
-    if (std::regex_match(line, parts, option_line)) {
-      end_option();
-      OptionWords option{{parts[2]}, {}, parts[3].matched};
-      if (parts[1].matched) {
-        option.names.push_back(parts[1]);
-      }
-      options.push_back(std::move(option));
-      label = parts[3];
-      meaning = parts[4];
-    } else if (const std::size_t text = line.find_first_not_of(' ');
-               text != line.npos && text >= kIndent) {
-      meaning += line.substr(text);
-    } else {
-      end_option();  // another heading, an empty line, or one of blanks
-    }
-  }
-  if (!options.empty()) {
-    for (OptionWords& shared : shared_option_words()) {  // which the help only names
-      options.push_back(std::move(shared));
-    }
-  }
-  return options;
+std::optional<VerbData> data_of(const Verb& verb) {
+  return verb.pass_on != nullptr ? passed_data(verb) : data_of(ParsedVerb("soms", verb).parser());
 }
 
 }  // namespace soms::command

@@ -3,8 +3,10 @@
 #pragma once
 
 #include "apps/cli/verb.h"
+#include "apps/cli/verb_data.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,10 +26,10 @@ namespace soms::command {
 /// The name of that program.
 [[nodiscard]] std::string_view program_name_of(const Verb& verb);
 
-/// What --help says of a verb that is passed on; empty where its program is missing.
-[[nodiscard]] std::string passed_help(const Verb& verb);
+/// The verb as its program describes it; nothing where that is missing, or of another version.
+[[nodiscard]] std::optional<VerbData> passed_data(const Verb& verb);
 
-/// Its options, as --help tells them; none where its program is missing.
-[[nodiscard]] std::vector<OptionWords> passed_options(const Verb& verb);
+/// A verb of the command or of another program.
+[[nodiscard]] std::optional<VerbData> data_of(const Verb& verb);
 
 }  // namespace soms::command

@@ -20,7 +20,7 @@
 #include "apps/soms/shell/version.h"
 #include "apps/soms/simulate/simulate.h"
 #include "apps/soms/solid/solid.h"
-#include "apps/soms/thesis/thesis.h"
+#include "apps/soms/thesis/thesis_verb.h"
 
 #include <array>
 
@@ -28,48 +28,40 @@ namespace soms::command {
 
 namespace {
 
-constexpr std::array kVerbs {
-  Verb{"bench", "compare soms with the installed peers on your own two models", add_bench},
-      Verb{"build", "save a model with its tree, to be opened without being read or built again",
-           add_build},
-      Verb{"clash", "list the parts of models that cross, contain, touch or come near each other",
-           add_clash},
-      Verb{"clearance", "find how near a model comes to others along a path, between stations, too",
-           add_clearance},
-      Verb{"closest",
-           "find the points of a model nearest to given points, and the triangles near them",
-           add_closest},
-      Verb{"completion", "print a shell completion script", add_completion},
-      Verb{"contains", "decide which points are inside a closed model", add_contains},
-      Verb{"convert", "convert a model to PLY, 3DS, STL, OFF, OBJ or GLB", add_convert},
-      Verb{"distance", "find how far apart two models are, and where they are nearest",
-           add_distance},
-      Verb{"generate", "create a model with an exact number of triangles", add_generate},
-      Verb{"info", "report triangles, bounds, parts, defects and trees of models", add_info},
-      Verb{"man", "print the man page of the command or of a verb", add_man},
-      Verb{"overlap", "find the triangles of two models that touch or intersect", add_overlap},
-      Verb{"ray", "find what rays, or segments between two points, hit in a model", add_ray},
-      Verb{"render", "draw a city, its movers and contacts to a PNG file, without a screen",
-           nullptr, pass_to_viewer},
-#if SOMS_WITH_THESIS
-      Verb{"reproduce", "rerun the experiments of the thesis: tables, figures and a page", nullptr,
-           pass_to_reproduce},
-#endif
-      Verb{"robot", "decide in which states a robot touches itself or its cell, and how near it is",
-           add_robot},
-      Verb{"simulate", "move objects through a city and report what touches what, frame by frame",
-           add_simulate},
-      Verb{"solid",
-           "decide whether two closed models are clear, touch, cross or contain each other",
-           add_solid},
-#if SOMS_WITH_THESIS
-      Verb{"thesis", "run the orientation tests of the thesis: counts, times and contacts by frame",
-           add_thesis},
-#endif
-      Verb{"version", "print the version, the instruction set and the file formats", add_version},
-      Verb{"view", "fly through a city and see what touches what, and why", nullptr,
-           pass_to_viewer},
-      Verb{"within", "decide whether two models are within a clearance of each other", add_within},
+const std::array kVerbs{
+    Verb{"bench", "compare soms with the installed peers on your own two models", add_bench},
+    Verb{"build", "save a model with its tree, to be opened without being read or built again",
+         add_build},
+    Verb{"clash", "list the parts of models that cross, contain, touch or come near each other",
+         add_clash},
+    Verb{"clearance", "find how near a model comes to others along a path, between stations, too",
+         add_clearance},
+    Verb{"closest",
+         "find the points of a model nearest to given points, and the triangles near them",
+         add_closest},
+    Verb{"completion", "print a shell completion script", add_completion},
+    Verb{"contains", "decide which points are inside a closed model", add_contains},
+    Verb{"convert", "convert a model to PLY, 3DS, STL, OFF, OBJ or GLB", add_convert},
+    Verb{"distance", "find how far apart two models are, and where they are nearest", add_distance},
+    Verb{"generate", "create a model with an exact number of triangles", add_generate},
+    Verb{"info", "report triangles, bounds, parts, defects and trees of models", add_info},
+    Verb{"man", "print the man page of the command or of a verb", add_man},
+    Verb{"overlap", "find the triangles of two models that touch or intersect", add_overlap},
+    Verb{"ray", "find what rays, or segments between two points, hit in a model", add_ray},
+    Verb{"render", "draw a city, its movers and contacts to a PNG file, without a screen", nullptr,
+         pass_to_viewer},
+    Verb{"reproduce", "rerun the experiments of the thesis: tables, figures and a page", nullptr,
+         pass_to_reproduce},
+    Verb{"robot", "decide in which states a robot touches itself or its cell, and how near it is",
+         add_robot},
+    Verb{"simulate", "move objects through a city and report what touches what, frame by frame",
+         add_simulate},
+    Verb{"solid", "decide whether two closed models are clear, touch, cross or contain each other",
+         add_solid},
+    thesis_verb(),
+    Verb{"version", "print the version, the instruction set and the file formats", add_version},
+    Verb{"view", "fly through a city and see what touches what, and why", nullptr, pass_to_viewer},
+    Verb{"within", "decide whether two models are within a clearance of each other", add_within},
 };
 
 }  // namespace

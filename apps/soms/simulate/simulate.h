@@ -3,9 +3,11 @@
 #pragma once
 
 #include "apps/cli/verb.h"
+#include "apps/soms/pairs/traversal_by_name.h"
 #include "apps/world/world_options.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +24,7 @@ enum class FailIf {
 /// Options of the verb `simulate`.
 struct SimulateOptions {
   WorldOptions world = {};
+  std::shared_ptr<const TraversalByName> traversal = nullptr;
   std::uint64_t frames = 600;  ///< unless given, routes of poses change it
   bool verify = false;
   std::string map = {};       ///< empty: none

@@ -48,7 +48,8 @@ std::vector<std::string> words_of_trees(const Parser& parser) {
 Action add_simulate(Parser& parser, Shared&) {
   const auto options = std::make_shared<SimulateOptions>();
   add_world_options(parser, options->world);
-  add_world_tree_options(parser, options->world);
+  add_tree_list(parser, options->world.build);
+  options->traversal = add_traversal_by_name(parser);
   const Option* frames =
       add_count(parser, "--frames", options->frames, 1, kMostFrames,
                 "number of frames (600; with --route of poses, as many as the longest has rows)");
@@ -95,7 +96,8 @@ Action add_simulate(Parser& parser, Shared&) {
   return [options, frames, &parser](Console& console) {
     options->frames_given = frames->count() > 0;
     check_build(parser, options->world.build);
-    check_traversal(parser, options->world.traversal);
+    options->traversal->check(parser);
+    options->world.keep_trees = options->traversal->named();
     options->tree_words = words_of_trees(parser);
     return run_simulate(*options, console);
   };

@@ -2,7 +2,6 @@
 
 #include "soms/base/error.h"
 #include "soms/base/hash.h"
-#include "soms/thesis/overlap.h"
 
 #include "apps/cli/machine_use.h"
 #include "apps/report/placing.h"
@@ -10,6 +9,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -63,8 +63,8 @@ class Run {
         poses_(world.routes.size()),
         lines_(world.routes.size()),
         pause_(std::max<std::uint64_t>(1, options.frames / kPlacesOfATrack)) {
-    if (options.world.traversal.traversal != Traversal::fast) {
-      method_.emplace(options.world.traversal);
+    if (options.traversal->named()) {
+      method_ = options.traversal->method();
     }
     outcome_.tracks.resize(world.routes.size());
     if (options.verify) {
@@ -115,7 +115,7 @@ class Run {
     const Parallel parallel = console_.limited();
     const StepReport report = run_frame(scene_, world_, frame,
                                         {.mover_mover = world_.filter.between,
-                                         .method = method_ ? &*method_ : nullptr,
+                                         .method = method_.get(),
                                          .clearance = options_.clearance},
                                         parallel, poses_, lines_, seconds);
     VerifiedGaps gaps;
@@ -167,8 +167,8 @@ class Run {
   std::vector<Pose> poses_;
   std::vector<std::size_t> lines_;  ///< of the routes, on which the movers are
   std::uint64_t pause_;
-  std::optional<thesis::TraversalMethod> method_;  ///< none: the default
-  bool near_ = false;                              ///< a mover was near the city
+  std::unique_ptr<OverlapMethod> method_;  ///< none: the default
+  bool near_ = false;                      ///< a mover was near the city
   std::optional<Verifier> verifier_;
   std::optional<GapVerifier> gap_verifier_;
   Outcome outcome_;

@@ -7,12 +7,14 @@
 #include "apps/cli/parse.h"
 #include "apps/cli/parser.h"
 #include "apps/cli/text.h"
+#include "apps/model/traversal_keys.h"
 #include "apps/output/output.h"
 #include "apps/soms/thesis/thesis_lists.h"
 #include "apps/soms/thesis/thesis_output.h"
 #include "apps/soms/thesis/thesis_picture.h"
 #include "apps/soms/thesis/thesis_run.h"
 #include "apps/soms/thesis/thesis_trips.h"
+#include "apps/soms/thesis/thesis_verb.h"
 
 #include <fmt/format.h>
 
@@ -195,8 +197,6 @@ std::vector<ThesisResult> run_trips(std::vector<ThesisTrip> trips, const ThesisO
   return results;
 }
 
-}  // namespace
-
 Action add_thesis(Parser& parser, Shared&) {
   const auto options = std::make_shared<ThesisOptions>();
   add_tests(parser, *options);
@@ -212,6 +212,12 @@ Action add_thesis(Parser& parser, Shared&) {
     settle(parser, *options);
     return run_thesis(*options, console);
   };
+}
+
+}  // namespace
+
+Verb thesis_verb() {
+  return {.name = kThesisVerb, .question = kThesisQuestion, .add = add_thesis};
 }
 
 int run_thesis(const ThesisOptions& options, Console& console) {

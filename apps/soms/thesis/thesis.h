@@ -37,9 +37,6 @@ struct ThesisOptions {
   std::vector<std::string> outputs = {};
 };
 
-/// Adds the options of `thesis`.
-[[nodiscard]] Action add_thesis(Parser& parser, Shared& shared);
-
 /// Runs the tests and reports them; returns the exit status.
 [[nodiscard]] int run_thesis(const ThesisOptions& options, Console& console);
 

@@ -24,7 +24,7 @@ std::vector<Vec3> places_of(const std::vector<Touch>& touches, const ViewScene& 
   std::vector<Vec3> places;
   const std::size_t count = std::min(touches.size(), kMost);
   for (std::size_t k = 0; k < count; ++k) {
-    const Crossing crossing = scene.crossing(touches[k * touches.size() / count]);
+    const CommonPoints crossing = scene.common_points(touches[k * touches.size() / count]);
     const auto points = crossing.points();
     Vec3 sum;
     for (const Vec3& p : points) {

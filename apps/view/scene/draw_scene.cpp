@@ -224,7 +224,7 @@ class Drawing {
   }
 
   void add_crossing(const Touch& touch, bool segments, bool glow, bool on_top) {
-    const Crossing crossing = scene_.crossing(touch);
+    const CommonPoints crossing = scene_.common_points(touch);
     const auto p = crossing.points();
     if (p.size() == 1 && segments) {
       list_.points.push_back({p[0], options_.colors.segment, 3 * kCurve, on_top, palette::kPaper});
@@ -245,7 +245,7 @@ class Drawing {
 
   /// A line from the middle of the mover to what it touches.
   void add_line(const Touch& touch) {
-    const Crossing crossing = scene_.crossing(touch);
+    const CommonPoints crossing = scene_.common_points(touch);
     if (!crossing.empty()) {
       list_.lines.push_back({scene_.bounds(touch.a).center(), crossing.corners[0],
                              options_.colors.line, 1, options_.contacts.on_top});
@@ -258,7 +258,7 @@ class Drawing {
     const auto note = [&](BodyRef body, const Touch& touch) {
       auto& [count, box] = places[body.index];
       if (body.role == Role::mover && ++count <= kMostOfMarker) {
-        for (const Vec3& p : scene_.crossing(touch).points()) {
+        for (const Vec3& p : scene_.common_points(touch).points()) {
           box.grow(p);
         }
       }

@@ -93,7 +93,7 @@ bool goes_through(const Triangle& a, const Triangle& b, const Explanation& e) {
   }
   // They meet in a segment unless the pieces of the common line meet end to end: at a corner of one
   // on the other, or where two edges cross.
-  if (e.crossing.count == 2) {
+  if (e.common.count == 2) {
     return true;
   }
   const std::array<Vec3, 3> ca{a.a, a.b, a.c};
@@ -119,7 +119,7 @@ TouchKind kind_of(const Triangle& a, const Triangle& b, const Explanation& e) {
     case Stage::flat:
       return TouchKind::without_area;
     case Stage::coplanar:
-      return e.crossing.count > 2 ? TouchKind::common_area : TouchKind::touching;
+      return e.common.count > 2 ? TouchKind::common_area : TouchKind::touching;
     default:
       return goes_through(a, b, e) ? TouchKind::crossing : TouchKind::touching;
   }
@@ -136,20 +136,20 @@ std::string describe(const std::array<CornerSide, 3>& s) {
   return fmt::format("{}, {}, {}", describe(s[0]), describe(s[1]), describe(s[2]));
 }
 
-double segment_length(const Crossing& crossing) {
-  const Vec3 d = crossing.corners[1] - crossing.corners[0];
+double segment_length(const CommonPoints& common) {
+  const Vec3 d = common.corners[1] - common.corners[0];
   return std::hypot(d.x, d.y, d.z);
 }
 
-std::string describe(const Crossing& crossing) {
-  const Vec3& p = crossing.corners[0];
-  switch (crossing.count) {
+std::string describe(const CommonPoints& common) {
+  const Vec3& p = common.corners[0];
+  switch (common.count) {
     case 1:
       return fmt::format("in the point ({:.9g}, {:.9g}, {:.9g})", p.x, p.y, p.z);
     case 2:
-      return fmt::format("in a segment of length {:.4g}", segment_length(crossing));
+      return fmt::format("in a segment of length {:.4g}", segment_length(common));
     default:
-      return fmt::format("in an area with {} corners", crossing.count);
+      return fmt::format("in an area with {} corners", common.count);
   }
 }
 
@@ -158,13 +158,13 @@ std::string verdict(const Explanation& e) {
     case TouchKind::none:
       return "They do not touch";
     case TouchKind::crossing:
-      return "They cross " + describe(e.crossing);
+      return "They cross " + describe(e.common);
     case TouchKind::common_area:
-      return "They lie in one plane and overlap " + describe(e.crossing);
+      return "They lie in one plane and overlap " + describe(e.common);
     case TouchKind::touching:
-      return "They touch, without going through each other, " + describe(e.crossing);
+      return "They touch, without going through each other, " + describe(e.common);
     case TouchKind::without_area:
-      return "They meet " + describe(e.crossing);
+      return "They meet " + describe(e.common);
   }
   return {};
 }
@@ -217,7 +217,7 @@ Explanation explain(const Triangle& a, const Triangle& b) {
   e.a_above_b = sides(b, a);
   e.b_above_a = sides(a, b);
   e.stage = deciding_stage(a, b, e);
-  e.crossing = crossing(a, b);
+  e.common = common_points(a, b);
   e.kind = kind_of(a, b, e);
   e.text = text_of(e);
   return e;

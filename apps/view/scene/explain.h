@@ -3,7 +3,7 @@
 #pragma once
 
 #include "soms/base/vector.h"
-#include "soms/geometry/crossing_segment.h"
+#include "soms/geometry/common_points.h"
 #include "soms/geometry/orientation.h"
 
 #include <array>
@@ -47,7 +47,7 @@ struct Explanation {
   std::array<CornerSide, 3> a_above_b;  ///< corners of the first against the second's plane
   std::array<CornerSide, 3> b_above_a;
   bool exact_arithmetic = false;  ///< a sign was too close to zero for plain doubles
-  Crossing crossing;              ///< what they have in common
+  CommonPoints common;            ///< what they have in common
   std::string text;               ///< some sentences for people, without a line break at the end
 };
 

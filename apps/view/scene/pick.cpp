@@ -119,7 +119,7 @@ std::optional<Touch> ViewScene::pick_contact(const Ray& ray, double angle) const
   double least = std::tan(angle);
   std::optional<Touch> best;
   for (const Touch& touch : contacts()) {
-    const Crossing common = crossing(touch);
+    const CommonPoints common = common_points(touch);
     const auto p = common.points();
     for (std::size_t k = 0; k < p.size(); ++k) {
       const double seen = slope(ray, p[k], p[(k + 1) % p.size()]);

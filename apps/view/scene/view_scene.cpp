@@ -404,8 +404,8 @@ Triangle ViewScene::triangle(BodyRef ref, TriangleId i) const {
   return {b.pose.apply(t.a), b.pose.apply(t.b), b.pose.apply(t.c)};
 }
 
-Crossing ViewScene::crossing(const Touch& touch) const {
-  return soms::crossing(triangle(touch.a, touch.i), triangle(touch.b, touch.j));
+CommonPoints ViewScene::common_points(const Touch& touch) const {
+  return soms::common_points(triangle(touch.a, touch.i), triangle(touch.b, touch.j));
 }
 
 Explanation ViewScene::explain(const Touch& pair) const {

@@ -182,7 +182,7 @@ class ViewScene {
   [[nodiscard]] Triangle triangle(BodyRef ref, TriangleId i) const;
 
   /// What two touching triangles have in common.
-  [[nodiscard]] Crossing crossing(const Touch& touch) const;
+  [[nodiscard]] CommonPoints common_points(const Touch& touch) const;
 
   /// Why a pair of triangles touches or does not.
   [[nodiscard]] Explanation explain(const Touch& pair) const;

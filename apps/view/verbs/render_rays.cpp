@@ -5,6 +5,7 @@
 #include "apps/cli/length_unit.h"
 #include "apps/cli/text.h"
 #include "apps/model/georeference.h"
+#include "apps/model/models.h"
 #include "apps/output/json.h"
 #include "apps/view/verbs/ray_picture.h"
 #include "apps/view/verbs/sight_map.h"
@@ -160,6 +161,10 @@ void check_ray_picture(const command::Parser& parser, const RenderOptions& optio
       }
     }
   };
+  // Trees are shown by --level and --trace, which a picture by rays does not have either.
+  if (const std::string trees = command::given_of_trees(parser); !trees.empty()) {
+    refuse({trees.c_str()}, name_of_mode(options));
+  }
   refuse({"--level", "--level-of", "--boxes", "--trace", "--no-prune", "--colors", "--see-through",
           "--edges", "--contacts-on-top", "--spots", "--no-gap", "--no-markers", "--title",
           "--no-key", "--no-ground", "--no-shadow"},

@@ -6,6 +6,7 @@
 #include "apps/cli/console.h"
 #include "apps/cli/parse.h"
 #include "apps/cli/text.h"
+#include "apps/model/traversal_keys.h"
 #include "apps/output/json.h"
 #include "apps/rows/pose_source.h"
 #include "apps/view/drawing/gl/gl_renderer.h"
@@ -115,7 +116,7 @@ class FrameClock {
              const Parallel& parallel)
       : options_(options),
         still_pose_(timed.still.pose),
-        query_(timed.still.shape, timed.mover, options.world.traversal),
+        query_(timed.still.shape, timed.mover, options.traversal),
         scene_(two_bodies(timed.still, Body(timed.mover, first, timed.mover_name)), parallel),
         camera_(place_camera({}, scene_, options.size, {}, parallel)) {}
 
@@ -245,7 +246,6 @@ void report(const TimeFramesOptions& options, const std::vector<FrameTime>& fram
 command::Action add_time_frames(command::Parser& parser, command::Shared&) {
   const auto options = std::make_shared<TimeFramesOptions>();
   options->world.build.rule = Rule::soms;
-  options->world.traversal = {.traversal = Traversal::e_node, .descent = Descent::larger};
   command::add_world_options(parser, options->world);
   parser.add_option("--pose", options->pose, "CSV file of the mover's poses, a frame each")
       ->required()
@@ -262,16 +262,17 @@ command::Action add_time_frames(command::Parser& parser, command::Shared&) {
                      "passes over all frames; each time is the median of them (3)");
   command::add_count(parser, "--mover-levels", options->mover_levels, 0, 64,
                      "as --levels, for the tree of the mover (as --levels)");
-  command::add_world_tree_options(parser, options->world);
+  command::add_tree_list(parser, options->world.build);
+  command::add_traversal_keys(parser, options->traversal);
   parser.footer(kTimeFramesFooter);
   return [options, &parser](command::Console& console) {
     command::check_build(parser, options->world.build);
-    command::check_traversal(parser, options->world.traversal);
+    command::check_traversal(parser, options->traversal);
     if (parser.count("--traversal") > 0 && parser.count("--descent") == 0) {
-      options->world.traversal.descent = TraversalOptions{}.descent;
+      options->traversal.descent = TraversalOptions{}.descent;
     }
-    options->world.traversal = without_idle(options->world.traversal);
-    if (options->world.traversal.traversal == Traversal::fast) {
+    options->traversal = without_idle(options->traversal);
+    if (options->traversal.traversal == Traversal::fast) {
       throw Error(ErrorKind::usage, "--traversal fast has no boxes to move",
                   "choose another traversal, or leave it out");
     }

@@ -2,6 +2,8 @@
 /// The verb `time-frames`: what each frame of a moving model takes, drawing and without.
 #pragma once
 
+#include "soms/thesis/traversal_options.h"
+
 #include "apps/cli/verb.h"
 #include "apps/view/drawing/camera.h"
 #include "apps/world/world_options.h"
@@ -13,6 +15,7 @@ namespace soms::view {
 /// Options of the verb `time-frames`.
 struct TimeFramesOptions {
   command::WorldOptions world = {};
+  TraversalOptions traversal{.traversal = Traversal::e_node, .descent = Descent::larger};
   std::string pose = {};  ///< CSV file of poses, a frame each
   int mover_levels = -1;  ///< of the mover's tree; below 0: those of the city's
   Size size{640, 480};    ///< a usual size when the thesis was written

@@ -2,6 +2,7 @@
 
 #include "apps/cli/parser.h"
 #include "apps/model/models.h"
+#include "apps/model/traversal_keys.h"
 
 namespace soms::view {
 
@@ -15,7 +16,8 @@ void add_tree_options(command::Parser& parser, BuildOptions& build, TraversalOpt
       },
       "tree and traversal of the thesis: --tree rule=soms,midpoint=thesis,leaf=1,\n"
       "empty-side=stop,levels=15,traversal=e-node,descent=both");
-  command::add_tree_list(parser, build, &traversal);
+  command::add_tree_list(parser, build);
+  command::add_traversal_keys(parser, traversal);
   thesis->group(parser.option("--tree")->group());
 }
 

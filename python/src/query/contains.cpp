@@ -23,12 +23,12 @@ constexpr const char* kContainsDoc =
 
 Is a point inside a closed body? Decided exactly; orientation of the triangles plays no part.
 
-body: a ClosedBody, or a Body, Shape or Mesh, which is checked first each time; or a PartedBody, for
+body: a ClosedBody, or a Body, Shape or Mesh, which is checked first each time; or a DividedBody, for
 the parts that hold each point. points: (3,) or (n, 3). seconds: ends the call, with coverage 'cut',
 after that time. threads: 0 for all processors. progress: called with the share done.
 
 Returns Contains for one point, ContainsBatch for n; ContainsParts and ContainsPartsBatch of a
-PartedBody. Raises Error of kind not_closed, not_finite, out_of_range, usage.
+DividedBody. Raises Error of kind not_closed, not_finite, out_of_range, usage.
 Cost: typically a microsecond a point and less.
 Source: Edelsbrunner and Muecke 1990, Simulation of Simplicity.)";
 
@@ -48,7 +48,7 @@ py::object query_contains(const py::object& body, const py::object& points,
   if (const auto* const closed = inside<ClosedBody>(body)) {
     return ask(*closed);
   }
-  if (const auto* const parted = inside<PartedBody>(body)) {
+  if (const auto* const parted = inside<DividedBody>(body)) {
     return ask(*parted);
   }
   return ask(BodyArgument(body, "body", threads).get());
@@ -84,16 +84,16 @@ Raises Error of kind not_closed, which counts the odd edges and names the first.
 }
 
 void bind_parted_body(py::module_& module) {
-  AnswerClass<BodyPart> part(module, "BodyPart", "A part of a PartedBody.");
+  AnswerClass<DividedPart> part(module, "DividedPart", "A part of a DividedBody.");
   part.derived(
           "named",
-          [](const BodyPart& p) {
+          [](const DividedPart& p) {
             return p.named == Part::kNoParent ? std::optional<std::uint32_t>() : p.named;
           },
           "Index in Mesh.parts, or None.")
       .derived(
           "joined",
-          [](const BodyPart& p) {
+          [](const DividedPart& p) {
             std::vector<std::optional<std::uint32_t>> others;
             for (const std::uint32_t other : p.joined) {
               others.push_back(other == Part::kNoParent ? std::nullopt : std::optional(other));
@@ -101,12 +101,13 @@ void bind_parted_body(py::module_& module) {
             return others;
           },
           "A list: the other parts of a body of several, by their indices; None for no part.")
-      .field("first", &BodyPart::first, "Its first triangle.")
-      .field("triangles", &BodyPart::triangles, "How many it has.")
-      .field("closed", &BodyPart::closed, "By itself, at the body's pose.")
-      .field("odd_edges", &BodyPart::odd_edges, "Edges of an odd number of its triangles.");
-  py::class_<PartedBody> parted(module, "PartedBody",
-                                R"(PartedBody(body, partition='named', *, threads=1, progress=None)
+      .field("first", &DividedPart::first, "Its first triangle.")
+      .field("triangles", &DividedPart::triangles, "How many it has.")
+      .field("closed", &DividedPart::closed, "By itself, at the body's pose.")
+      .field("odd_edges", &DividedPart::odd_edges, "Edges of an odd number of its triangles.");
+  py::class_<DividedBody> parted(
+      module, "DividedBody",
+      R"(DividedBody(body, partition='named', *, threads=1, progress=None)
 
 A body whose parts were found and checked, each by itself. Open parts are no error.
 
@@ -116,21 +117,24 @@ partition: 'named' by the parts of the file, or 'connected' by vertices in one p
                const BodyArgument given(body, "body", threads);
                const auto chosen = enum_of<Partition>(partition, "partition");
                return run(Work::many, threads, progress, [&](const Parallel& parallel) {
-                 return PartedBody(given.get(), chosen, parallel);
+                 return DividedBody(given.get(), chosen, parallel);
                });
              }),
              py::arg("body"), py::arg("partition") = "named", py::kw_only(), py::arg("threads") = 1,
              py::arg("progress") = py::none());
-  parted.def_property_readonly("body", &PartedBody::body, "The Body.");
+  parted.def_property_readonly("body", &DividedBody::body, "The Body.");
   parted.def_property_readonly(
       "parts",
-      [](const PartedBody& b) { return std::vector<BodyPart>(b.parts().begin(), b.parts().end()); },
-      "A list of BodyPart.");
-  parted.def_property_readonly("open_parts", &PartedBody::open_parts, "How many are open.");
+      [](const DividedBody& b) {
+        return std::vector<DividedPart>(b.parts().begin(), b.parts().end());
+      },
+      "A list of DividedPart.");
+  parted.def_property_readonly("open_parts", &DividedBody::open_parts, "How many are open.");
   parted.def(
-      "__eq__", [](const PartedBody& a, const PartedBody& b) { return a == b; }, py::is_operator());
+      "__eq__", [](const DividedBody& a, const DividedBody& b) { return a == b; },
+      py::is_operator());
   parted.attr("__hash__") = py::none();
-  parted.def("__repr__", &printed<PartedBody>);
+  parted.def("__repr__", &printed<DividedBody>);
 }
 
 void bind_point_answers(py::module_& module) {
@@ -149,7 +153,7 @@ void bind_point_answers(py::module_& module) {
 void bind_part_answers(py::module_& module) {
   AnswerClass<ContainsParts> one(module, "ContainsParts", "The parts that hold a point.");
   one.column("parts", &ContainsParts::parts,
-             "(k,) with fields part, an index of PartedBody.parts, and side: inside or on.")
+             "(k,) with fields part, an index of DividedBody.parts, and side: inside or on.")
       .field("coverage", &ContainsParts::coverage, "Coverage.")
       .field("cost", &ContainsParts::cost, "Cost.");
   AnswerClass<ContainsPartsBatch> batch(module, "ContainsPartsBatch",

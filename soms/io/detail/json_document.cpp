@@ -143,6 +143,27 @@ class DocumentBuilder {
   bool too_deep_ = false;
 };
 
+/// The bracket that opens more than `kDeepest` levels, in JSON that is right up to there.
+std::size_t too_deep_at(std::string_view text) {
+  std::size_t depth = 0;
+  bool in_string = false;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const char c = text[at];
+    if (in_string && c == '\\') {
+      ++at;
+    } else if (c == '"') {
+      in_string = !in_string;
+    } else if (!in_string && (c == '[' || c == '{')) {
+      if (depth++ == kDeepest) {
+        return at;
+      }
+    } else if (!in_string && (c == ']' || c == '}')) {
+      --depth;
+    }
+  }
+  return 0;
+}
+
 const json& known(const void* value) {
   return *static_cast<const json*>(value);
 }
@@ -179,9 +200,8 @@ JsonDocument::JsonDocument(Source& source, std::string_view text, std::size_t of
       JsonValue(*this, builder.repeated()).fail("this name occurs twice in its object");
     }
     if (builder.too_deep()) {
-      source.fail(ErrorKind::bad_file,
-                  "JSON is nested more than " + std::to_string(kDeepest) + " levels deep",
-                  std::string(kRepair));
+      fail(too_deep_at(text), ErrorKind::bad_file,
+           "JSON is nested more than " + std::to_string(kDeepest) + " levels deep");
     }
     if (builder.too_large()) {
       fail(builder.position(), ErrorKind::not_finite, "a number is too large for a double");

@@ -268,7 +268,7 @@ void RelativePose::single_box(SingleBox& box) const {
   box.sum = (box.half[0] + box.half[1]) + box.half[2];
 }
 
-void RelativePose::turn(const layout::Axes& x, const layout::Axes& y, Relation& relation) const {
+void RelativePose::turn(const layout::Axes& x, const layout::Axes& y, BoxRelation& relation) const {
   const F4 x0 = {x[0], x[1], x[2], 0};
   const F4 x1 = {x[3], x[4], x[5], 0};
   const F4 x2 = {x[6], x[7], x[8], 0};

@@ -129,11 +129,11 @@ struct Turn {
 
 /// A node of tree x seen from one in tree y, in y's units and along the nodes' axes: what tests
 /// of boxes need.
-struct Relation {
-  Relation() = default;
-  Relation(const Relation&) = delete;
-  Relation& operator=(const Relation&) = delete;
-  ~Relation() = default;
+struct BoxRelation {
+  BoxRelation() = default;
+  BoxRelation(const BoxRelation&) = delete;
+  BoxRelation& operator=(const BoxRelation&) = delete;
+  ~BoxRelation() = default;
 
   const Turn* turn;             // M of the proof
   std::array<float, 3> offset;  // d of the proof
@@ -174,7 +174,7 @@ class RelativePose {
 
   /// Where `x`, a node or block of tree x, is as seen from `y`, one of tree y.
   template <class X, class Y>
-  void relate(const X& x, const Y& y, Relation& relation) const {
+  void relate(const X& x, const Y& y, BoxRelation& relation) const {
     relation.offset = numbers_.offset(x.origin, y.origin);
     relation.turn = &turn_;
     if (is_oriented(x) || is_oriented(y)) {
@@ -187,7 +187,7 @@ class RelativePose {
 
  private:
   /// M and Q_y^T d for nodes with axes of their own.
-  void turn(const layout::Axes& x, const layout::Axes& y, Relation& relation) const;
+  void turn(const layout::Axes& x, const layout::Axes& y, BoxRelation& relation) const;
 
   PoseNumbers numbers_;
   std::array<double, 9> matrix_;  // rows of N

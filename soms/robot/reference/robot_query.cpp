@@ -73,7 +73,7 @@ bool has_corner_inside(const Body& inner, const Body& outer, const Box& outer_bo
 /// Whether a connected part of a body is in the box of an open one, or goes through what closes it.
 bool may_be_inside(const Body& inner, const Body& open, const Box& open_box) {
   const MeshView& mesh = inner.shape.mesh();
-  const PartedBody parts(Body(inner.shape), Partition::connected);
+  const DividedBody parts(Body(inner.shape), Partition::connected);
   std::vector<Box> boxes(parts.parts().size());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     for (const std::uint32_t v : mesh.triangles[i]) {

@@ -1,7 +1,7 @@
 #include "soms/scene/detail/contact_place.h"
 
 #include "soms/base/common_box.h"
-#include "soms/geometry/crossing_segment.h"
+#include "soms/geometry/common_points.h"
 
 #include <limits>
 
@@ -19,7 +19,7 @@ double square_of_distance(const Vec3& a, const Vec3& b) {
 }
 
 /// Their set is convex, so it holds the mean of its corners.
-Vec3 middle_of(const Crossing& crossing) {
+Vec3 middle_of(const CommonPoints& crossing) {
   Vec3 sum;
   for (const Vec3& corner : crossing.points()) {
     sum = sum + corner;
@@ -44,7 +44,7 @@ ContactPlace contact_place(std::span<const std::pair<Triangle, Triangle>> pairs)
     }
   }
   const auto& [first, second] = pairs[place.pair];
-  const Crossing common = crossing(first, second);
+  const CommonPoints common = common_points(first, second);
   // Only where triangles were given that do not touch.
   place.point = common.empty() ? common_box_of(pairs[place.pair]).center() : middle_of(common);
   return place;

@@ -130,7 +130,7 @@ TEST(DrawScene, DrawsSegmentsWhereTrianglesCross) {
   EXPECT_TRUE(list.marks.empty());
   std::size_t segments = 0;
   for (const Touch& touch : scene.contacts()) {
-    segments += scene.crossing(touch).count == 2 ? 1U : 0U;
+    segments += scene.common_points(touch).count == 2 ? 1U : 0U;
   }
   EXPECT_GT(segments, 4U);
   // With rims, without, and pale where surfaces hide them.

@@ -133,7 +133,7 @@ TEST(Pick, FindsNothingInAnEmptyScene) {
 }
 
 /// Least tangent of the angle between a ray and 10,001 points along the outline of a crossing.
-double sampled_slope(const Ray& ray, const Crossing& crossing) {
+double sampled_slope(const Ray& ray, const CommonPoints& crossing) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < crossing.count; ++k) {
     const Vec3 a = crossing.corners[k];
@@ -154,14 +154,14 @@ TEST(Pick, FindsTheContactThatIsSeenNearestToTheRay) {
   ASSERT_GT(scene.contacts().size(), 20U);
   const Vec3 eye{6, -7, 5};
   for (const Touch& touch : scene.contacts()) {
-    const Crossing crossing = scene.crossing(touch);
+    const CommonPoints crossing = scene.common_points(touch);
     const Vec3 middle = (crossing.corners[0] + crossing.corners[crossing.count - 1]) * 0.5;
     const Vec3 d = middle - eye;
     const Ray ray{eye, d * (1 / std::sqrt(dot(d, d)))};
     const std::optional<Touch> found = scene.pick_contact(ray, 0.01);
     ASSERT_TRUE(found.has_value());
     // Another may lie behind it on the ray, but none is farther off.
-    EXPECT_LT(sampled_slope(ray, scene.crossing(*found)), 1e-5);
+    EXPECT_LT(sampled_slope(ray, scene.common_points(*found)), 1e-5);
     EXPECT_FALSE(scene.pick_contact({eye, ray.direction * -1.0}, 0.01).has_value());
   }
   EXPECT_FALSE(scene.pick_contact({{50, 50, 50}, {0, 0, 1}}, 0.01).has_value());

@@ -198,7 +198,7 @@ TEST(ViewScene, IsExactFarFromTheOrigin) {
   for (const Touch& touch : scene.contacts()) {
     const Explanation e = scene.explain(touch);
     EXPECT_TRUE(e.touch);
-    EXPECT_EQ(scene.crossing(touch).corners[0].x >= at.x, true);
+    EXPECT_EQ(scene.common_points(touch).corners[0].x >= at.x, true);
   }
 }
 

@@ -234,6 +234,13 @@ TEST_F(RayPictureVerb, RefusesWhatMakesNoSense) {
   fails({"--depth", "--edges", "-o", path("a.png")}, "--edges has no effect with --depth");
   fails({"--visible-from", "1,2,3", "--size", "9x9", "-o", path("a.svg")},
         "--size has no effect with a map");
+  // A remedy must not name what is refused in turn, as --level is.
+  for (const std::string mode : {"--depth", "--visible-from=1,2,3"}) {
+    const std::string named = mode.substr(0, mode.find('='));
+    for (const std::string tree : {"--tree=leaf=1", "--tree=traversal=larger", "--thesis"}) {
+      fails({mode, tree, "-o", path("a.png")}, " has no effect with " + named + "; leave it out");
+    }
+  }
 }
 
 }  // namespace

@@ -4,10 +4,10 @@
 #pragma once
 
 #include "soms/query/answer.h"
+#include "soms/query/detail/block_against_box.h"
 #include "soms/query/detail/engine/node_id.h"
 #include "soms/query/detail/engine/pair_list.h"
 #include "soms/query/detail/relative_pose.h"
-#include "soms/query/detail/triangle_tests.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -33,7 +33,7 @@ class LargeLeaf {
   /// leaf.
   [[nodiscard]] bool meets(const NodeRefPair& pair, const WideNode& x, const WideNode& y,
                            float reach, Cost& cost) {
-    Relation relation;
+    BoxRelation relation;
     if (is_lane(pair.x)) {
       const std::uint32_t lane = lane_of(pair.x);
       return half_of(x, lane) * relative_.ratio() <= y.l1_radius ||

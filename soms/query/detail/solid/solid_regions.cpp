@@ -23,7 +23,7 @@ bool by_id(const MovedTriangle& s, const MovedTriangle& t) {
 
 }  // namespace
 
-soms::Relation SolidRegions::relation(bool surfaces_meet) const {
+Relation SolidRegions::relation(bool surfaces_meet) const {
   if (!both) {
     return surfaces_meet ? soms::Relation::touching : soms::Relation::clear;
   }

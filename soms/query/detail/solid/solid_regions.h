@@ -52,7 +52,7 @@ struct SolidRegions {
   }
 
   /// What they make of two bodies, if there are no others.
-  [[nodiscard]] soms::Relation relation(bool surfaces_meet) const;
+  [[nodiscard]] Relation relation(bool surfaces_meet) const;
 
   [[nodiscard]] bool operator==(const SolidRegions&) const = default;
 

@@ -1,9 +1,9 @@
 #include "soms/query/detail/kernels/kernels.h"
 
 #include "soms/base/error.h"
+#include "soms/query/detail/block_against_box.h"
 #include "soms/query/detail/kernels/instruction_set.h"
 #include "soms/query/detail/relative_pose.h"
-#include "soms/query/detail/triangle_tests.h"
 #include "soms/tree/shape.h"
 
 #include "tests/query/margins/touch.h"
@@ -147,7 +147,7 @@ TEST(Kernels, HoldBoxesAgainstTrianglesTheSameOnEveryInstructionSet) {
     const WideTree& x = pair.other.layout();
     const WideTree& y = pair.reference.layout();
     for (int repeat = 0; repeat < 20; ++repeat) {
-      Relation relation;
+      BoxRelation relation;
       const TriangleBlock& block_x = pick(rng, x.blocks());
       const TriangleBlock& block_y = pick(rng, y.blocks());
       const WideNode& node_x = pick(rng, x.nodes());

@@ -1,4 +1,4 @@
-#include "soms/query/detail/triangle_tests.h"
+#include "soms/query/detail/block_against_box.h"
 
 #include "soms/query/detail/kernels/instruction_set.h"
 
@@ -21,7 +21,7 @@ void finish(SeenBox& box) {
 
 }  // namespace
 
-SeenBox seen_by_y(const Relation& relation, const std::array<float, 3>& half_x, float reach) {
+SeenBox seen_by_y(const BoxRelation& relation, const std::array<float, 3>& half_x, float reach) {
   const float ratio = relation.ratio;
   SeenBox box;
   box.center = relation.offset;
@@ -33,7 +33,7 @@ SeenBox seen_by_y(const Relation& relation, const std::array<float, 3>& half_x, 
   return box;
 }
 
-SeenBox seen_by_x(const Relation& relation, const std::array<float, 3>& half_y, float reach) {
+SeenBox seen_by_x(const BoxRelation& relation, const std::array<float, 3>& half_y, float reach) {
   const auto& n = relation.turn->entry;
   const auto& d = relation.offset;
   SeenBox box;
@@ -48,12 +48,12 @@ SeenBox seen_by_x(const Relation& relation, const std::array<float, 3>& half_y, 
   return box;
 }
 
-std::uint32_t box_against_y(const Relation& relation, const std::array<float, 3>& half_x,
+std::uint32_t box_against_y(const BoxRelation& relation, const std::array<float, 3>& half_x,
                             const TriangleBlock& y, float reach) {
   return kernels().meet_box(seen_by_y(relation, half_x, reach), y, 1);
 }
 
-std::uint32_t box_against_x(const Relation& relation, const TriangleBlock& x,
+std::uint32_t box_against_x(const BoxRelation& relation, const TriangleBlock& x,
                             const std::array<float, 3>& half_y, float reach) {
   return kernels().meet_box(seen_by_x(relation, half_y, reach), x, relation.ratio);
 }

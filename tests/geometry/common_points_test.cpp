@@ -1,4 +1,4 @@
-#include "soms/geometry/crossing_segment.h"
+#include "soms/geometry/common_points.h"
 
 #include "soms/base/box.h"
 #include "soms/base/random.h"
@@ -74,7 +74,7 @@ long double to_triangle(const Vec3& point, const Triangle& t) {
 }
 
 /// Distance of a point from a crossing.
-long double to_crossing(const Vec3& point, const Crossing& crossing) {
+long double to_crossing(const Vec3& point, const CommonPoints& crossing) {
   const auto p = crossing.points();
   long double best = std::numeric_limits<long double>::infinity();
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -117,7 +117,7 @@ std::optional<Vec3> meet(const Vec3& p, const Vec3& q, const Triangle& t) {
 }
 
 void expect_sound(const Triangle& s, const Triangle& t, std::size_t& touching) {
-  const Crossing found = crossing(s, t);
+  const CommonPoints found = common_points(s, t);
   touching += found.empty() ? 0U : 1U;
   ASSERT_EQ(!found.empty(), triangles_overlap(s, t));
   const double near = tolerance(s, t);
@@ -129,7 +129,7 @@ void expect_sound(const Triangle& s, const Triangle& t, std::size_t& touching) {
 
 /// Every point where an edge of one meets the other belongs to the crossing.
 void expect_whole(const Triangle& s, const Triangle& t) {
-  const Crossing found = crossing(s, t);
+  const CommonPoints found = common_points(s, t);
   for (const auto& [of, other] : {std::pair(s, t), std::pair(t, s)}) {
     for (const auto& [p, q] :
          {std::pair(of.a, of.b), std::pair(of.b, of.c), std::pair(of.c, of.a)}) {
@@ -143,7 +143,7 @@ void expect_whole(const Triangle& s, const Triangle& t) {
 constexpr Triangle kFlat{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
 
 TEST(CrossingSegment, GivesTheSegmentOfACrossing) {
-  const Crossing found = crossing(kFlat, {{1, 1, -1}, {1, 1, 1}, {2, 1, 1}});
+  const CommonPoints found = common_points(kFlat, {{1, 1, -1}, {1, 1, 1}, {2, 1, 1}});
   ASSERT_EQ(found.count, 2U);
   const Vec3 first = std::min(found.corners[0].x, found.corners[1].x) == found.corners[0].x
                          ? found.corners[0]
@@ -154,31 +154,31 @@ TEST(CrossingSegment, GivesTheSegmentOfACrossing) {
 }
 
 TEST(CrossingSegment, GivesThePointOfATouch) {
-  const Crossing corner = crossing(kFlat, {{1, 1, 0}, {1, 1, 1}, {2, 1, 1}});
+  const CommonPoints corner = common_points(kFlat, {{1, 1, 0}, {1, 1, 1}, {2, 1, 1}});
   ASSERT_EQ(corner.count, 1U);
   EXPECT_EQ(corner.corners[0], (Vec3{1, 1, 0}));
-  const Crossing edges = crossing(kFlat, {{2, -1, -1}, {2, 1, 1}, {9, -8, 8}});
+  const CommonPoints edges = common_points(kFlat, {{2, -1, -1}, {2, 1, 1}, {9, -8, 8}});
   ASSERT_EQ(edges.count, 1U);
   EXPECT_EQ(edges.corners[0], (Vec3{2, 0, 0}));
 }
 
 TEST(CrossingSegment, GivesTheSegmentThatEdgesShare) {
-  const Crossing found = crossing(kFlat, {{1, 0, 0}, {3, 0, 0}, {2, -1, 5}});
+  const CommonPoints found = common_points(kFlat, {{1, 0, 0}, {3, 0, 0}, {2, -1, 5}});
   ASSERT_EQ(found.count, 2U);
   EXPECT_EQ(std::abs(found.corners[1].x - found.corners[0].x), 2);
 }
 
 TEST(CrossingSegment, GivesTheOutlineOfACommonArea) {
-  const Crossing star =
-      crossing({{0, 0, 5}, {6, 0, 5}, {3, 6, 5}}, {{0, 4, 5}, {3, -2, 5}, {6, 4, 5}});
+  const CommonPoints star =
+      common_points({{0, 0, 5}, {6, 0, 5}, {3, 6, 5}}, {{0, 4, 5}, {3, -2, 5}, {6, 4, 5}});
   EXPECT_EQ(star.count, 6U);
   double area = 0;
   for (std::size_t i = 1; i + 1 < star.count; ++i) {
     area += 0.5 * cross(star.corners[i] - star.corners[0], star.corners[i + 1] - star.corners[0]).z;
   }
   EXPECT_NEAR(std::abs(area), 12, 1e-12);
-  EXPECT_EQ(crossing(kFlat, kFlat).count, 3U);
-  EXPECT_EQ(crossing(kFlat, {{1, 1, 0}, {2, 1, 0}, {1, 2, 0}}).count, 3U);
+  EXPECT_EQ(common_points(kFlat, kFlat).count, 3U);
+  EXPECT_EQ(common_points(kFlat, {{1, 1, 0}, {2, 1, 0}, {1, 2, 0}}).count, 3U);
 }
 
 TEST(CrossingSegment, TakesTrianglesWithoutAreaAsSegmentsAndPoints) {
@@ -188,18 +188,18 @@ TEST(CrossingSegment, TakesTrianglesWithoutAreaAsSegmentsAndPoints) {
   for (const auto& [s, t] :
        {std::pair(kFlat, upright), std::pair(kFlat, point), std::pair(upright, flat),
         std::pair(point, upright), std::pair(point, point)}) {
-    ASSERT_EQ(crossing(s, t).count, 1U);
-    EXPECT_EQ(crossing(s, t).corners[0], (Vec3{1, 1, 0}));
+    ASSERT_EQ(common_points(s, t).count, 1U);
+    EXPECT_EQ(common_points(s, t).corners[0], (Vec3{1, 1, 0}));
   }
-  const Crossing within = crossing(kFlat, flat);
+  const CommonPoints within = common_points(kFlat, flat);
   ASSERT_EQ(within.count, 2U);
   EXPECT_EQ(std::abs(within.corners[1].x - within.corners[0].x), 3);
-  EXPECT_EQ(crossing(flat, {{3, 1, 0}, {20, 1, 0}, {4, 1, 0}}).count, 2U);
+  EXPECT_EQ(common_points(flat, {{3, 1, 0}, {20, 1, 0}, {4, 1, 0}}).count, 2U);
 }
 
 TEST(CrossingSegment, IsEmptyExactlyWhereTrianglesAreApart) {
-  EXPECT_TRUE(crossing(kFlat, {{1, 1, 0x1p-60}, {1, 1, 1}, {2, 1, 1}}).empty());
-  EXPECT_FALSE(crossing(kFlat, {{1, 1, -0x1p-60}, {1, 1, 1}, {2, 1, 1}}).empty());
+  EXPECT_TRUE(common_points(kFlat, {{1, 1, 0x1p-60}, {1, 1, 1}, {2, 1, 1}}).empty());
+  EXPECT_FALSE(common_points(kFlat, {{1, 1, -0x1p-60}, {1, 1, 1}, {2, 1, 1}}).empty());
 }
 
 TEST(CrossingSegment, ServesTheLargestAndSmallestCoordinates) {
@@ -207,14 +207,15 @@ TEST(CrossingSegment, ServesTheLargestAndSmallestCoordinates) {
     const auto scaled = [scale](const Triangle& t) {
       return Triangle{t.a * scale, t.b * scale, t.c * scale};
     };
-    const Crossing found = crossing(scaled(kFlat), scaled({{1, 1, -1}, {1, 1, 1}, {2, 1, 1}}));
+    const CommonPoints found =
+        common_points(scaled(kFlat), scaled({{1, 1, -1}, {1, 1, 1}, {2, 1, 1}}));
     ASSERT_EQ(found.count, 2U);
     EXPECT_EQ(std::abs(found.corners[1].x - found.corners[0].x), 0.5 * scale);
-    EXPECT_EQ(crossing(scaled(kFlat), scaled({{1, 1, 0}, {2, 1, 0}, {1, 2, 0}})).count, 3U);
+    EXPECT_EQ(common_points(scaled(kFlat), scaled({{1, 1, 0}, {2, 1, 0}, {1, 2, 0}})).count, 3U);
   }
   const double high = 0x1p299;
-  const Crossing flat = crossing({{0, 0, high}, {0x1p-700, 0, high}, {0, 0x1p-700, high}},
-                                 {{0, 0, high}, {0x1p-700, 0, high}, {0, 0x1p-701, high}});
+  const CommonPoints flat = common_points({{0, 0, high}, {0x1p-700, 0, high}, {0, 0x1p-700, high}},
+                                          {{0, 0, high}, {0x1p-700, 0, high}, {0, 0x1p-701, high}});
   EXPECT_EQ(flat.count, 1U);  // two roundings of the height are far more than the extent
 }
 
@@ -229,7 +230,7 @@ TEST(CrossingSegment, FindsWherePlanesCrossThatNearlyCoincide) {
     const Triangle t{scaled(above), scaled(b + c - above), scaled(b - above)};
     const Vec3 first = scaled(0.5 * b);
     const Vec3 last = scaled(0.5 * (b + c));
-    for (const Crossing& found : {crossing(s, t), crossing(t, s)}) {
+    for (const CommonPoints& found : {common_points(s, t), common_points(t, s)}) {
       ASSERT_EQ(found.count, 2U);
       const bool turned = found.corners[0] == last;
       EXPECT_EQ(found.corners[turned ? 1 : 0], first) << scale;
@@ -243,7 +244,7 @@ TEST(CrossingSegment, GivesThePointWhereEdgesCrossThatAreUnlikeInLength) {
   for (const double tiny : {0x1p-100, 0x1p-120, 0x1p-800}) {
     const Triangle s{{tiny, 0, 0}, {-tiny, 0, 0}, {-tiny, 0, 0}};
     const Triangle t{far * -1, far, far};
-    for (const Crossing& found : {crossing(s, t), crossing(t, s)}) {
+    for (const CommonPoints& found : {common_points(s, t), common_points(t, s)}) {
       ASSERT_EQ(found.count, 1U) << tiny;
       EXPECT_LE(std::abs(found.corners[0].x), tiny);
       EXPECT_LE(std::abs(found.corners[0].y), tiny);
@@ -312,7 +313,7 @@ TEST(CrossingSegment, ExistsExactlyForTouchingPairsOfTheTruthSet) {
     if (pair.kind == "huge") {
       continue;
     }
-    const Crossing found = crossing(pair.s, pair.t);
+    const CommonPoints found = common_points(pair.s, pair.t);
     ASSERT_EQ(!found.empty(), pair.overlap);
     touching += pair.overlap ? 1U : 0U;
     for (const Vec3& p : found.points()) {

@@ -1,4 +1,4 @@
-#include "soms/geometry/crossing_segment.h"
+#include "soms/geometry/common_points.h"
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/box.h"
@@ -116,8 +116,8 @@ std::pair<Vec3, Vec3> piece(const Triangle& s, const Signs& signs, const Triangl
           zero_between(c[tip], at_tip, right, height(right, t))};
 }
 
-Crossing segment(const Vec3& a, const Vec3& b, const Measure& measure) {
-  Crossing result;
+CommonPoints segment(const Vec3& a, const Vec3& b, const Measure& measure) {
+  CommonPoints result;
   if (length(b - a) <= measure.merge) {
     result.corners[0] = a;
     result.count = 1;
@@ -130,7 +130,8 @@ Crossing segment(const Vec3& a, const Vec3& b, const Measure& measure) {
 }
 
 /// General position: both triangles cut the common line of their planes in a piece each.
-Crossing common_piece(std::pair<Vec3, Vec3> p, std::pair<Vec3, Vec3> q, const Measure& measure) {
+CommonPoints common_piece(std::pair<Vec3, Vec3> p, std::pair<Vec3, Vec3> q,
+                          const Measure& measure) {
   const Vec3 along_p = p.second - p.first;
   const Vec3 along_q = q.second - q.first;
   const Vec3 along = (length(along_p) >= length(along_q) ? along_p : along_q) * measure.scale;
@@ -224,7 +225,7 @@ std::vector<Vec3> distinct(const std::vector<Vec3>& points, const Measure& measu
   return kept;
 }
 
-Crossing farthest(const std::vector<Vec3>& points, const Measure& measure) {
+CommonPoints farthest(const std::vector<Vec3>& points, const Measure& measure) {
   std::pair<Vec3, Vec3> ends{points[0], points[0]};
   double most = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -240,7 +241,7 @@ Crossing farthest(const std::vector<Vec3>& points, const Measure& measure) {
 }
 
 /// Corners of a convex outline in the plane of `t`, in order around it.
-Crossing outline(std::vector<Vec3> points, const Triangle& t, const Measure& measure) {
+CommonPoints outline(std::vector<Vec3> points, const Triangle& t, const Measure& measure) {
   const Vec3 u = (t.b - t.a) * measure.scale;
   const Vec3 n = cross(u, (t.c - t.a) * measure.scale);
   if (length(n) == 0) {
@@ -258,7 +259,7 @@ Crossing outline(std::vector<Vec3> points, const Triangle& t, const Measure& mea
   };
   std::sort(points.begin(), points.end(),
             [&](const Vec3& p, const Vec3& q) { return angle(p) < angle(q); });
-  Crossing result;
+  CommonPoints result;
   result.count = std::min(points.size(), result.corners.size());
   std::copy_n(points.begin(), result.count, result.corners.begin());
   return result;
@@ -266,7 +267,7 @@ Crossing outline(std::vector<Vec3> points, const Triangle& t, const Measure& mea
 
 }  // namespace
 
-Crossing crossing(const Triangle& s, const Triangle& t) {
+CommonPoints common_points(const Triangle& s, const Triangle& t) {
   const PlainArithmetic plain;
   if (!triangles_overlap(s, t)) {
     return {};

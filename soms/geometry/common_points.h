@@ -1,5 +1,5 @@
 /// \file
-/// Where two triangles cross: the point, segment or outline that they have in common, for drawing.
+/// What two triangles have in common: a point, a segment or an outline, for drawing.
 #pragma once
 
 #include "soms/base/vector.h"
@@ -12,7 +12,7 @@
 namespace soms {
 
 /// What two triangles have in common, by its corners.
-struct Crossing {
+struct CommonPoints {
   std::array<Vec3, 6> corners;
   std::size_t count = 0;  ///< 0 nothing, 1 a point, 2 a segment, 3 to 6 the outline of an area
 
@@ -22,7 +22,7 @@ struct Crossing {
   [[nodiscard]] bool empty() const { return count == 0; }
 
   /// The same corners, in the same order.
-  [[nodiscard]] bool operator==(const Crossing& other) const {
+  [[nodiscard]] bool operator==(const CommonPoints& other) const {
     return std::equal(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(count),
                       other.corners.begin(),
                       other.corners.begin() + static_cast<std::ptrdiff_t>(other.count));
@@ -41,6 +41,6 @@ struct Crossing {
 /// \errors  None but memory.
 /// \cost    About 1 us in general position, 5 us where coordinates are of very unlike size; 20 us
 ///          where corners or edges touch.
-[[nodiscard]] Crossing crossing(const Triangle& s, const Triangle& t);
+[[nodiscard]] CommonPoints common_points(const Triangle& s, const Triangle& t);
 
 }  // namespace soms
