@@ -43,12 +43,6 @@ std::string excluded(const Parser& parser, const Option& option) {
   return text;
 }
 
-/// What stands for the value of an option, as --help has it.
-std::string value_of(const Option& option) {
-  const bool unnamed = option.option_text().empty() && !option.is_argument();
-  return !option.has_value() ? "" : unnamed ? "TEXT" : option.option_text();
-}
-
 OptionData option_data(const Parser& parser, const Option& option) {
   OptionData data{
       .names = option.dashed_names(),

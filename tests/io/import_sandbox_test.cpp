@@ -24,6 +24,7 @@ namespace {
 
 /// Status of run_program for a process that the filter killed.
 constexpr int kKilledByFilter = 128 + SIGSYS;
+constexpr int kNoSuchCall = 128 + SIGSEGV;
 /// Statuses of import_attempt.
 constexpr int kWorked = 0;
 constexpr int kNotPermitted = 1;
@@ -56,7 +57,11 @@ TEST(ImportSandbox, RefusesWhatAHostileFileWouldTry) {
       EXPECT_EQ(bare.status, kWorked) << name << " without the sandbox: " << bare.out;
     }
     const RunResult guarded = attempt(name);
-    EXPECT_EQ(guarded.status, foreign ? kKilledByFilter : kNotPermitted)
+    // A kernel without calls of 32 bits ends the program before any filter.
+    const bool unknown = foreign && attempt(name + " bare").status == kNoSuchCall;
+    EXPECT_EQ(guarded.status, unknown   ? kNoSuchCall
+                              : foreign ? kKilledByFilter
+                                        : kNotPermitted)
         << name << ": " << guarded.out;
   }
 }

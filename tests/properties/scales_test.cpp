@@ -100,7 +100,7 @@ std::vector<Ray> rays_at(const Body& body, const Scales& scales, Rng& rng) {
   return rays;
 }
 
-Body body_of(const MeshView& mesh, const Pose& pose, Rng& rng) {
+Body body_of(const Mesh& mesh, const Pose& pose, Rng& rng) {
   return Body(Shape(mesh, {.build = test::awkward_options(rng),
                            .layout = rng.below(3) == 0 ? Layout::compact : Layout::wide}),
               pose);

@@ -392,7 +392,7 @@ PickedFacts SceneSubject::contact_facts(const Touch& touch) const {
   facts.numbers.emplace_back("kind", std::string(name(why.kind)));
   facts.numbers.emplace_back("decided by", std::string(name(why.stage)));
   facts.numbers.emplace_back("arithmetic", why.exact_arithmetic ? "exact" : "plain doubles");
-  for (const Vec3& point : why.crossing.points()) {
+  for (const Vec3& point : why.common.points()) {
     facts.numbers.emplace_back("common", in_words(point));
     facts.bounds.grow(point);
   }

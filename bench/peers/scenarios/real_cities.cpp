@@ -14,7 +14,7 @@ namespace soms::bench {
 
 namespace {
 
-Box city_bounds(const Mesh& mesh) {
+Box city_bounds(const MeshView& mesh) {
   Box box;
   for (TriangleId i = 0; i < mesh.triangles.size(); ++i) {
     box.grow(bounds(mesh.triangle(i)));
@@ -33,7 +33,7 @@ double height_at(const Triangle& t, double x, double y) {
   return covers ? t.a.z + s * u.z + r * v.z : std::numeric_limits<double>::infinity();
 }
 
-double lowest_surface(const Mesh& mesh, double x, double y, double otherwise) {
+double lowest_surface(const MeshView& mesh, double x, double y, double otherwise) {
   double lowest = std::numeric_limits<double>::infinity();
   for (TriangleId i = 0; i < mesh.triangles.size(); ++i) {
     lowest = std::min(lowest, height_at(mesh.triangle(i), x, y));

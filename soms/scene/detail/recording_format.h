@@ -2,8 +2,8 @@
 /// The bytes that writer and reader of recordings agree on; docs/recording.md describes them.
 #pragma once
 
-#include "soms/base/hash.h"
 #include "soms/base/byte_fields.h"
+#include "soms/base/hash.h"
 
 #include <array>
 #include <cstddef>

@@ -62,7 +62,7 @@ bool strictly_one_sided(const std::array<CornerSide, 3>& sides) {
 /// What an explanation claims, against what can be queried without it.
 void expect_true(const Explanation& e, const Triangle& a, const Triangle& b) {
   ASSERT_EQ(e.kind == TouchKind::none, !e.touch);
-  ASSERT_EQ(e.crossing.empty(), !e.touch);
+  ASSERT_EQ(e.common.empty(), !e.touch);
   ASSERT_FALSE(e.text.empty());
   switch (e.stage) {
     case Stage::boxes:

@@ -121,7 +121,8 @@ TEST(PlaceCamera, SeesAContactThatAWallHidesFromMostSides) {
 // Two spheres that touch in a closed box: from outside, its walls hide them on every side.
 TEST(PlaceCamera, CutsAwayWhatHidesAContactOnEverySide) {
   const Body sphere(generate_sphere(200));
-  const Mesh room = test::joined(test::box_body({-9, -9, -9}, {9, 9, 9}), sphere.shape.mesh());
+  const Mesh room =
+      test::joined(test::box_body({-9, -9, -9}, {9, 9, 9}), Mesh(sphere.shape.mesh()));
   const ViewScene scene(two_bodies(Body(room), Body(sphere.shape, Pose::translation(1.5, 0, 0))));
   CameraChoice choice = parse_camera("contact");
   const Size size{300, 200};

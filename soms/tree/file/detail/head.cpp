@@ -1,8 +1,8 @@
 #include "soms/tree/file/detail/head.h"
 
+#include "soms/base/byte_fields.h"
 #include "soms/base/error.h"
 #include "soms/base/lanes_hash.h"
-#include "soms/base/byte_fields.h"
 #include "soms/geometry/mesh.h"
 #include "soms/tree/file/shape_bytes.h"
 #include "soms/tree/layout/compact_node.h"
