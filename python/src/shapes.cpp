@@ -56,6 +56,9 @@ Layout layout_of(const Shape& shape) {
   return shape.layout().compact() != nullptr ? Layout::compact : Layout::wide;
 }
 
+/// What a pickle keeps of a shape: its mesh and how it was built, from which it is built again. A
+/// shape that is read from a file of its own is to be kept by path and hash: another form here and
+/// in `shape_from`.
 py::tuple shape_state(const Shape& shape) {
   const BuildOptions& options = shape.build_options();
   return py::make_tuple(std::const_pointer_cast<Mesh>(shape.shared_mesh()),
@@ -71,6 +74,12 @@ ShapeOptions shape_options(const py::object& rule, const py::object& layout, int
   options.build.level = level;
   options.layout = enum_of<Layout>(layout, "layout");
   return options;
+}
+
+Shape shape_from(const py::tuple& state) {
+  return make_shape(state[0],
+                    shape_options(state[1], state[2], state[3].cast<int>(), state[4].cast<int>()),
+                    1, py::none());
 }
 
 void bind_shape(py::module_& module) {
@@ -105,10 +114,7 @@ void bind_shape(py::module_& module) {
   shape.attr("__hash__") = py::none();
   def_notebook_page(shape);
   shape.def("__repr__", &printed<Shape>);
-  shape.def(py::pickle(&shape_state, [](const py::tuple& s) {
-    return make_shape(s[0], shape_options(s[1], s[2], s[3].cast<int>(), s[4].cast<int>()), 1,
-                      py::none());
-  }));
+  shape.def(py::pickle(&shape_state, &shape_from));
 }
 
 void bind_body(py::module_& module) {
