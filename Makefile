@@ -126,7 +126,7 @@ asan-python:
 	@tools/install_packages.sh run test
 	cmake --preset asan -D SOMS_BUILD_PYTHON=ON $(STRICT)
 	cmake --build --preset asan -j $(JOBS) --target soms_python_package
-	for test in answers clash errors index interrupts misuse notebook page recording robot scene truth values; do \
+	for test in answers clash errors index interrupts misuse notebook page pickles recording robot scene truth values; do \
 	  LD_PRELOAD=$(SANITIZERS) ASAN_OPTIONS=malloc_context_size=2:allocator_may_return_null=1 PYTHONMALLOC=malloc \
 	    LSAN_OPTIONS=suppressions=tests/python/leaks.txt:print_suppressions=0 \
 	    UBSAN_OPTIONS=print_stacktrace=1 PYTHONPATH=build/asan/python \
