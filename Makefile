@@ -13,7 +13,7 @@ FIRST = $(if $(wildcard build/release/CMakeCache.txt),,-D SOMS_BUILD_THESIS=OFF)
 # All of soms, whatever `make run` left out.
 ALL = -D SOMS_BUILD_THESIS=ON
 
-.PHONY: help run build view thesis install python test long headers large check wheel asan asan-library asan-python tsan tidy arm64 wasm-configured wasm live wasm-test determinism memcheck endurance packages bare fuzz faults bench format clean
+.PHONY: help run build view thesis install python cluster test long headers large check wheel asan asan-library asan-python tsan tidy arm64 wasm-configured wasm live wasm-test determinism memcheck endurance packages bare fuzz faults bench format clean
 
 help:
 	@echo "make run     install what is missing, build, and run the embedded city (ARGS='--frames 60')"
@@ -23,6 +23,7 @@ help:
 	@echo "             page, tables and PDF go to OUT=soms-thesis (ARGS=--quick: a few minutes)"
 	@echo "make install  install what is missing, build all of soms, and put it into PREFIX=/usr/local"
 	@echo "make python  install what is missing, and leave the wheel of the Python package in build/python"
+	@echo "make cluster install Dask, build the Python package, and share poses out over the processors (ARGS=100000)"
 	@echo "make test    install what is missing, build, and run the tests of the release build but those that take long"
 	@echo "make long    make test, then those"
 	@echo "             (WERROR=ON, here and below: warnings of the compiler are errors)"
@@ -84,6 +85,13 @@ python:
 	@tools/install_packages.sh python
 	@tools/build_wheel.sh "$(CURDIR)/build/python"
 
+# Where a car stands free in a city, by Dask.
+cluster:
+	@tools/install_packages.sh run python cluster
+	cmake --preset release -D SOMS_BUILD_TESTS=OFF -D SOMS_BUILD_PYTHON=ON
+	cmake --build --preset release -j $(JOBS) --target soms_python_package
+	PYTHONPATH=build/release/python /usr/bin/python3 python/examples/many_poses.py $(ARGS)
+
 test:
 	@tools/install_packages.sh run view import test
 	cmake --preset release -D SOMS_BUILD_TESTS=ON $(ALL) -D SOMS_BUILD_PYTHON=ON $(STRICT)
@@ -123,7 +131,7 @@ asan-python:
 	@tools/install_packages.sh run test
 	cmake --preset asan -D SOMS_BUILD_PYTHON=ON $(STRICT)
 	cmake --build --preset asan -j $(JOBS) --target soms_python_package
-	for test in answers clash errors index interrupts misuse notebook page recording robot scene truth values; do \
+	for test in answers clash errors index interrupts misuse notebook page pickles recording robot scene truth values; do \
 	  LD_PRELOAD=$(SANITIZERS) ASAN_OPTIONS=malloc_context_size=2:allocator_may_return_null=1 PYTHONMALLOC=malloc \
 	    LSAN_OPTIONS=suppressions=tests/python/leaks.txt:print_suppressions=0 \
 	    UBSAN_OPTIONS=print_stacktrace=1 PYTHONPATH=build/asan/python \

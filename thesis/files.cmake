@@ -182,8 +182,6 @@ set(SOMS_THESIS_FILES
   trips/models.h
   trips/object_meshes.cpp
   trips/object_meshes.h
-  trips/sha256.cpp
-  trips/sha256.h
   trips/stand_ins.cpp
   trips/stand_ins.h
   trips/statistics.cpp

@@ -11,8 +11,12 @@ set(SOMS_OUTPUT_FILES
   output.h
   png_file.cpp
   png_file.h
+  sha256.cpp
+  sha256.h
   spooled_bytes.cpp
   spooled_bytes.h
+  temporary_file.cpp
+  temporary_file.h
   zip_file.cpp
   zip_file.h
 )

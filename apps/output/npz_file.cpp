@@ -132,6 +132,9 @@ void NpzFile::finish() {
   for (const auto& [name, words] : words_) {
     archive.add(name + ".npy", [&](const auto& put) { put(npy_words(words)); });
   }
+  for (const auto& [name, bytes] : copied_) {
+    archive.add_stored(name + ".npy", bytes);
+  }
   archive.finish();
   file_.commit();
 }

@@ -14,6 +14,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace soms::command {
@@ -31,6 +32,9 @@ class NpzColumn {
   void add(bool value);          ///< \pre Kind::flag
   void add(std::uint8_t value);  ///< \pre Kind::code
   void add(const Vec3& value);   ///< three numbers
+
+  /// Adds the bytes of whole numbers of this kind, little-endian.
+  void add_bytes(std::string_view bytes) { bytes_.add(bytes); }
 
   [[nodiscard]] const std::string& name() const { return name_; }
 
@@ -66,6 +70,11 @@ class NpzFile {
   /// Adds an array of one text.
   void text(const std::string& name, const std::string& text) { words_.push_back({name, {text}}); }
 
+  /// Adds an array as the bytes of its file, which stands behind all columns.
+  void copy(const std::string& name, std::string bytes) {
+    copied_.emplace_back(name, std::move(bytes));
+  }
+
   /// Writes all columns and makes the file appear. \errors ErrorKind::cannot_write; ClosedPipe.
   void finish();
 
@@ -79,6 +88,7 @@ class NpzFile {
   OutputFile file_;
   std::vector<std::unique_ptr<NpzColumn>> columns_;
   std::vector<Words> words_;
+  std::vector<std::pair<std::string, std::string>> copied_;
 };
 
 }  // namespace soms::command

@@ -131,6 +131,13 @@ OutputFile::OutputFile(const std::filesystem::path& path)
   stream_ = std::make_unique<FileStream>(descriptor, name_);
 }
 
+void OutputFile::sync() {
+  stream_->finish();
+  if (::fsync(file_.descriptor()) != 0) {
+    throw_cannot_write(name_, errno);
+  }
+}
+
 void OutputFile::commit() {
   stream_->finish();
   if (file_.descriptor() < 0) {
@@ -138,6 +145,21 @@ void OutputFile::commit() {
   }
   if (const int error = file_.commit(); error != 0) {
     throw_cannot_write(name_, error);
+  }
+}
+
+void make_durable(const std::filesystem::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  int error = descriptor < 0 ? errno : 0;
+  // Some file systems have no such thing for folders, and say EINVAL.
+  if (descriptor >= 0 && ::fsync(descriptor) != 0 && errno != EINVAL) {
+    error = errno;
+  }
+  if (descriptor >= 0) {
+    ::close(descriptor);
+  }
+  if (error != 0) {
+    throw_cannot_write(path.string(), error);
   }
 }
 

@@ -77,6 +77,10 @@ class OutputFile {
   /// Throws if something could not be written so far. \errors As `commit`.
   void check() { stream_->finish(); }
 
+  /// Has the system put what is written so far where a loss of power leaves it. \errors As
+  /// `commit`.
+  void sync();
+
   /// Makes the file appear. \errors ErrorKind::cannot_write; ClosedPipe.
   void commit();
 
@@ -85,6 +89,10 @@ class OutputFile {
   NewFile file_;
   std::unique_ptr<FileStream> stream_;
 };
+
+/// Has the system put a file, or the names in a folder, where a loss of power leaves them.
+/// \errors ErrorKind::cannot_write.
+void make_durable(const std::filesystem::path& path);
 
 /// Options, or their meanings, with the files that they name.
 using NamedFiles = std::vector<std::pair<std::string, std::string>>;

@@ -2,23 +2,21 @@
 /// Bytes that wait to be written, in a temporary file where they are many.
 #pragma once
 
+#include "apps/output/temporary_file.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
 namespace soms::command {
 
 /// Bytes in the order in which they are added: the last few in memory, the others in a nameless
-/// file of the folder for temporary files (TMPDIR).
+/// file of the folder for temporary files.
 class SpooledBytes {
  public:
-  SpooledBytes() = default;
-  ~SpooledBytes();
-  SpooledBytes(const SpooledBytes&) = delete;
-  SpooledBytes& operator=(const SpooledBytes&) = delete;
-
   /// \errors ErrorKind::cannot_write.
   void add(std::string_view bytes) {
     if (bytes_.size() + bytes.size() > kInMemory) {
@@ -39,7 +37,7 @@ class SpooledBytes {
 
   std::string bytes_;          ///< behind those of the file
   std::uint64_t spooled_ = 0;  ///< bytes in the file
-  int file_ = -1;
+  std::optional<TemporaryFile> file_;
 };
 
 }  // namespace soms::command

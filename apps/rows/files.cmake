@@ -1,6 +1,8 @@
 set(SOMS_ROWS_FILES
   json_list.cpp
   json_list.h
+  npy_part.cpp
+  npy_part.h
   point_source.cpp
   point_source.h
   pose_source.cpp
@@ -11,4 +13,6 @@ set(SOMS_ROWS_FILES
   row_run.h
   row_source.cpp
   row_source.h
+  shard.cpp
+  shard.h
 )

@@ -4,6 +4,7 @@
 
 #include "apps/cli/console.h"
 #include "apps/cli/standard_input.h"
+#include "apps/rows/npy_part.h"
 
 #include <fmt/format.h>
 
@@ -51,11 +52,7 @@ PoseSource::PoseSource(const std::string& option, const std::string& text, const
   if (text == "-") {
     check_standard_input("poses");
   }
-  try {
-    reader_.emplace(text == "-" ? kStandardInput : text, console_->limited());
-  } catch (const Error& error) {
-    fail(error);
-  }
+  open(text == "-" ? std::string(kStandardInput) : text);
   first_ = read();
   if (!first_ && no_rows == NoRows::refused) {
     throw Error(ErrorKind::bad_file, name_ + ": no rows",
@@ -64,6 +61,31 @@ PoseSource::PoseSource(const std::string& option, const std::string& text, const
   if (!first_) {
     console_->note(printable(name_) + ": no rows");
     constant_ = false;
+  }
+}
+
+PoseSource::PoseSource(const std::string& option, const std::string& text, const Console& console,
+                       const RowRange& part)
+    : name_(text), console_(&console) {
+  const std::optional<NpyLayout> layout = npy_layout(text);
+  if (!layout) {
+    *this = PoseSource(option, text, console, NoRows::no_poses);
+    for (std::uint64_t row = 0; row < part.begin && next(); ++row) {
+    }
+    return;
+  }
+  part_.emplace(npy_part(text, *layout, part));
+  part_begin_ = part.begin;
+  open(part_->path());
+  first_ = read();
+  constant_ = false;
+}
+
+void PoseSource::open(const std::string& path) {
+  try {
+    reader_.emplace(path, console_->limited());
+  } catch (const Error& error) {
+    fail(error);
   }
 }
 
@@ -87,7 +109,23 @@ void PoseSource::fail(const Error& error) const {
   if (error.kind() == ErrorKind::cannot_open) {
     throw Error(error.kind(), error.place(), "name a file, or give a pose as \"x y z\"");
   }
-  throw error;
+  throw of_whole_file(error);
+}
+
+/// An error that names the part, and a row of it, as one of the file that it is from.
+Error PoseSource::of_whole_file(const Error& error) const {
+  std::string place = error.place();
+  if (!part_ || !place.starts_with(part_->path())) {
+    return error;
+  }
+  constexpr std::string_view kRow = ", row ";
+  place = place.substr(part_->path().size());
+  if (std::uint64_t row = 0; place.starts_with(kRow)) {
+    const auto [end, unread] =
+        std::from_chars(place.data() + kRow.size(), place.data() + place.size(), row);
+    place = fmt::format("{}{}{}", kRow, part_begin_ + row, end);
+  }
+  return {error.kind(), name_ + place, error.remedy()};
 }
 
 bool PoseSource::is_constant() {
@@ -127,7 +165,26 @@ bool PoseSource::ready() {
   return !first_given_ || second_ || error_ || constant_.value_or(false) || reader_->ready();
 }
 
+std::optional<std::uint64_t> count_poses(const std::string& option, const std::string& text,
+                                         const Console& console) {
+  if (const std::optional<NpyLayout> layout = npy_layout(text)) {
+    return layout->rows == 1 ? std::nullopt : std::optional(layout->rows);
+  }
+  PoseSource poses(option, text, console, NoRows::no_poses);
+  if (poses.is_stated() || poses.is_constant()) {
+    return std::nullopt;
+  }
+  std::uint64_t rows = 0;
+  while (poses.next()) {
+    ++rows;
+  }
+  return rows;
+}
+
 std::optional<std::pair<Pose, Pose>> PosePairs::next() {
+  if (rows_ == most_) {
+    return std::nullopt;
+  }
   if (rows_ == 1 && is_single()) {
     return std::nullopt;
   }

@@ -6,8 +6,12 @@
 #include "soms/base/pose.h"
 #include "soms/io/poses.h"
 
+#include "apps/output/temporary_file.h"
+#include "apps/rows/shard.h"
+
 #include <cstdint>
 #include <exception>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -37,6 +41,11 @@ class PoseSource {
   PoseSource(const std::string& option, const std::string& text, const Console& console,
              NoRows no_rows = NoRows::refused);
 
+  /// The same, of these rows of a file of several. Those before are passed over in an array file,
+  /// and read in others; errors name rows of the whole file.
+  PoseSource(const std::string& option, const std::string& text, const Console& console,
+             const RowRange& part);
+
   /// True if the option itself has the pose, and no file.
   [[nodiscard]] bool is_stated() const { return !reader_.has_value(); }
 
@@ -55,11 +64,15 @@ class PoseSource {
   [[nodiscard]] const std::string& name() const { return name_; }
 
  private:
+  void open(const std::string& path);
   std::optional<Pose> read();
   [[noreturn]] void fail(const Error& error) const;
+  [[nodiscard]] Error of_whole_file(const Error& error) const;
 
   std::string name_;
-  const Console* console_ = nullptr;  ///< none where nothing is read
+  std::optional<TemporaryFile> part_;  ///< the rows that are read, as a file of their own
+  std::uint64_t part_begin_ = 0;       ///< the first of them in the whole file
+  const Console* console_ = nullptr;   ///< none where nothing is read
   std::optional<PoseReader> reader_;
   std::optional<Pose> first_ = Pose::identity();  ///< none: the file has no rows
   bool first_given_ = false;                      ///< by `next`
@@ -68,11 +81,20 @@ class PoseSource {
   std::exception_ptr error_;  ///< of the second row, thrown when it is requested
 };
 
+/// The rows that the file of an option has, read to the end unless it is an array file; nothing
+/// where one pose serves all rows. \errors As `PoseSource`.
+[[nodiscard]] std::optional<std::uint64_t> count_poses(const std::string& option,
+                                                       const std::string& text,
+                                                       const Console& console);
+
 /// Poses of both bodies, row by row: two files of equal length, or one file and a single pose; two
 /// single poses are one row.
 class PosePairs {
  public:
-  PosePairs(PoseSource a, PoseSource b) : a_(std::move(a)), b_(std::move(b)) {}
+  /// At most `most` of them.
+  PosePairs(PoseSource a, PoseSource b,
+            std::uint64_t most = std::numeric_limits<std::uint64_t>::max())
+      : a_(std::move(a)), b_(std::move(b)), most_(most) {}
 
   /// True if no file has a pose: there is one row.
   [[nodiscard]] bool is_stated() const { return a_.is_stated() && b_.is_stated(); }
@@ -101,6 +123,7 @@ class PosePairs {
  private:
   PoseSource a_;
   PoseSource b_;
+  std::uint64_t most_;
   std::uint64_t rows_ = 0;
 };
 

@@ -133,8 +133,7 @@ bool RowRun::verify(std::size_t k) {
   const std::optional<std::string> found = difference(k);
   if (found) {
     ++totals_.wrong;
-    print_error("soms " + options_.verb,
-                fmt::format("{} {}: {}", options_.noun, totals_.rows, *found));
+    print_error("soms " + options_.verb, fmt::format("{} {}: {}", options_.noun, number(), *found));
   }
   return !found;
 }

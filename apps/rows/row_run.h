@@ -63,6 +63,12 @@ class RowRun {
 
   [[nodiscard]] const RowTotals& totals() const { return totals_; }
 
+  /// What the row that is printed next is called: how many rows come before it in the input.
+  [[nodiscard]] std::uint64_t number() const { return first_ + totals_.rows; }
+
+  /// The first row of the run is not that of the input.
+  void begin_at(std::uint64_t first) { first_ = first; }
+
   /// Shows how far the only row has come; of many rows, how many are answered.
   void show_progress(double share);
 
@@ -83,7 +89,7 @@ class RowRun {
   [[nodiscard]] virtual Outcome outcome(std::size_t k) const = 0;
   /// What brute force finds otherwise; nothing if it agrees. \errors ErrorKind::timed_out.
   [[nodiscard]] virtual std::optional<std::string> difference(std::size_t k) = 0;
-  /// Prints row number `totals().rows`. `right` is false where brute force differs; `last` is true
+  /// Prints row `number()`. `right` is false where brute force differs; `last` is true
   /// where time ended in this row.
   virtual void print_row(std::size_t k, bool right, bool last) = 0;
   /// Prints a line over all rows, where there may be several. Not called with --json.
@@ -106,6 +112,7 @@ class RowRun {
   Console& console_;
   Progress* bar_ = nullptr;  ///< while it runs
   RowTotals totals_;
+  std::uint64_t first_ = 0;
   std::size_t in_block_ = 0;  ///< rows
   std::exception_ptr error_;
   bool over_ = false;

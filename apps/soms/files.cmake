@@ -142,6 +142,8 @@ set(SOMS_COMMAND_FILES
   robot/robot_output.h
   robot/robot_states.cpp
   robot/robot_states.h
+  shards/join.cpp
+  shards/join.h
   shell/bench.cpp
   shell/bench.h
   shell/completion.cpp

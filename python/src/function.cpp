@@ -3,6 +3,7 @@
 #include <memory>
 #include <new>
 #include <stdexcept>
+#include <utility>
 
 namespace soms::python {
 
@@ -18,6 +19,56 @@ struct Function {
   std::function<py::object(const Passed&)> body;
   PyMethodDef method = {};
 };
+
+/// What a function of C gets as its self: a module of its own that holds a pointer. CPython pickles
+/// a function whose self is a module by its name, and one that has a capsule not at all.
+py::object self_with(void* pointer) {
+  static PyModuleDef definition = {PyModuleDef_HEAD_INIT,
+                                   "soms",
+                                   nullptr,
+                                   sizeof(void*),
+                                   nullptr,
+                                   nullptr,
+                                   nullptr,
+                                   nullptr,
+                                   nullptr};
+  py::object self = py::reinterpret_steal<py::object>(PyModule_Create(&definition));
+  if (!self) {
+    throw py::error_already_set();
+  }
+  *static_cast<void**>(PyModule_GetState(self.ptr())) = pointer;
+  return self;
+}
+
+template <class T>
+T& in_self(PyObject* self) {
+  return *static_cast<T*>(*static_cast<void**>(PyModule_GetState(self)));
+}
+
+/// The call with names has four arguments; CPython casts it back, as the flags say.
+template <class Call>
+PyMethodDef method_of(const std::string& name, Call* call, const std::string& doc) {
+  return {name.c_str(), reinterpret_cast<PyCFunction>(reinterpret_cast<void (*)()>(call)),
+          METH_FASTCALL | METH_KEYWORDS, doc.c_str()};
+}
+
+void set_function(const py::module_& module, PyMethodDef& method, const py::object& self) {
+  module.attr(method.ml_name) = py::reinterpret_steal<py::object>(
+      PyCFunction_NewEx(&method, self.ptr(), module.attr("__name__").ptr()));
+}
+
+/// A function of pybind11, by its name.
+struct Named {
+  std::string name;
+  std::string doc;
+  py::object function;
+  PyMethodDef method = {};
+};
+
+PyObject* pass_on(PyObject* self, PyObject* const* arguments, Py_ssize_t count, PyObject* names) {
+  return PyObject_Vectorcall(in_self<Named>(self).function.ptr(), arguments,
+                             static_cast<std::size_t>(count), names);
+}
 
 /// All of them, never given back, as modules are not unloaded.
 Function& keep(Function function) {
@@ -72,7 +123,7 @@ Passed passed_to(const Function& function, PyObject* const* arguments, std::size
 }
 
 PyObject* enter(PyObject* self, PyObject* const* arguments, Py_ssize_t count, PyObject* names) {
-  const auto& function = *static_cast<Function*>(PyCapsule_GetPointer(self, nullptr));
+  const auto& function = in_self<const Function>(self);
   try {
     const Passed passed = passed_to(function, arguments, static_cast<std::size_t>(count), names);
     return function.body(passed).release().ptr();
@@ -107,13 +158,24 @@ void add_function(py::module_& module, const char* name, std::string doc, Parame
     function->names.push_back(PyUnicode_InternFromString(parameter.name));
     function->by_place += parameter.is_named_only ? 0U : 1U;
   }
-  // The call with names has four arguments; CPython casts it back, as the flags say.
-  function->method = {function->name.c_str(),
-                      reinterpret_cast<PyCFunction>(reinterpret_cast<void (*)()>(&enter)),
-                      METH_FASTCALL | METH_KEYWORDS, function->doc.c_str()};
-  const py::capsule self(function, static_cast<const char*>(nullptr));
-  module.attr(name) = py::reinterpret_steal<py::object>(
-      PyCFunction_NewEx(&function->method, self.ptr(), module.attr("__name__").ptr()));
+  function->method = method_of(function->name, &enter, function->doc);
+  set_function(module, function->method, self_with(function));
+}
+
+void name_functions(const py::module_& module) {
+  static auto* const all = new std::vector<std::unique_ptr<Named>>;
+  const py::dict there = module.attr("__dict__").attr("copy")();
+  for (const auto& [name, value] : there) {
+    if (PyCFunction_Check(value.ptr()) != 0 &&
+        PyCapsule_CheckExact(PyCFunction_GetSelf(value.ptr())) != 0) {
+      Named& named = *all->emplace_back(std::make_unique<Named>());
+      named.name = name.cast<std::string>();
+      named.doc = value.attr("__doc__").is_none() ? "" : py::str(value.attr("__doc__"));
+      named.function = py::reinterpret_borrow<py::object>(value);
+      named.method = method_of(named.name, &pass_on, named.doc);
+      set_function(module, named.method, self_with(&named));
+    }
+  }
 }
 
 void refuse_argument(const char* function, const char* parameter, PyObject* given) {

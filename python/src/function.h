@@ -45,6 +45,10 @@ using Passed = std::array<PyObject*, kMostParameters>;
 void add_function(py::module_& module, const char* name, std::string doc, Parameters parameters,
                   std::function<py::object(const Passed&)> body);
 
+/// Makes the module's other functions ones that are pickled by their names, as those of
+/// `add_function` are. Once, when all are there.
+void name_functions(const py::module_& module);
+
 /// \errors py::type_error, always: an argument that is of another type.
 [[noreturn]] void refuse_argument(const char* function, const char* parameter, PyObject* given);
 

@@ -3,6 +3,7 @@
 #include "python/src/call.h"
 #include "python/src/enums.h"
 #include "python/src/errors.h"
+#include "python/src/function.h"
 
 PYBIND11_MODULE(_soms, module) {
   using namespace soms::python;
@@ -39,4 +40,5 @@ PYBIND11_MODULE(_soms, module) {
   bind_robots(module);
   bind_robot_model(module);
   bind_enum_words(module);
+  name_functions(module);
 }

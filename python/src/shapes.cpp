@@ -161,6 +161,15 @@ ShapeOptions shape_options(const py::object& rule, const py::object& layout, int
   return options;
 }
 
+Shape shape_from(const py::tuple& state) {
+  if (state.size() == 2) {
+    return shape_of_file(state[0].cast<Text>(), state[1].cast<std::uint64_t>());
+  }
+  return make_shape(state[0],
+                    shape_options(state[1], state[2], state[3].cast<int>(), state[4].cast<int>()),
+                    1, py::none());
+}
+
 void bind_shape(py::module_& module) {
   py::class_<Shape> shape(module, "Shape", kShapeDoc);
   shape.def(py::init([](const py::object& mesh, const py::object& rule, const py::object& layout,
@@ -205,13 +214,7 @@ void bind_shape(py::module_& module) {
   shape.attr("__hash__") = py::none();
   def_notebook_page(shape);
   shape.def("__repr__", &printed<Shape>);
-  shape.def(py::pickle(&shape_state, [](const py::tuple& s) {
-    if (s.size() == 2) {
-      return shape_of_file(s[0].cast<Text>(), s[1].cast<std::uint64_t>());
-    }
-    return make_shape(s[0], shape_options(s[1], s[2], s[3].cast<int>(), s[4].cast<int>()), 1,
-                      py::none());
-  }));
+  shape.def(py::pickle(&shape_state, &shape_from));
 }
 
 void bind_body(py::module_& module) {

@@ -1,3 +1,4 @@
+#include "soms/base/lanes_hash.h"
 #include "soms/generate/city.h"
 #include "soms/generate/routes.h"
 #include "soms/generate/shapes.h"
@@ -18,6 +19,7 @@
 #include "soms/thesis/traversals.h"
 #include "soms/tree/build.h"
 #include "soms/tree/check.h"
+#include "soms/tree/file/shape_bytes.h"
 #include "soms/tree/layout/compact_node.h"
 #include "soms/tree/refit.h"
 #include "soms/tree/rule/rules.h"
@@ -137,6 +139,12 @@ void add_trees(const Inputs& inputs, const Parallel& parallel, Rows& rows) {
       }
       rows["tree " + name + " " + std::string(rule.name)] = hash.value();
     }
+    Hash files;
+    for (const Layout layout : {Layout::wide, Layout::compact}) {
+      write_tree_file(Shape(mesh, {.layout = layout}, parallel),
+                      [&](std::span<const std::byte> bytes) { files << lanes_hash(bytes); });
+    }
+    rows["tree file " + name] = files.value();
   }
   const Shape ring(inputs.models.at("ring"), {.keep_tree = true}, parallel);
   const Shape bent = refit(ring, inputs.bent.vertices, parallel);

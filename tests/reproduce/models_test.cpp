@@ -6,9 +6,9 @@
 #include "soms/io/read_mesh.h"
 #include "soms/io/write_mesh.h"
 
+#include "apps/output/sha256.h"
 #include "tests/generate/closed.h"
 #include "tests/support/support.h"
-#include "thesis/trips/sha256.h"
 
 #include <gtest/gtest.h>
 
@@ -22,6 +22,10 @@
 #include <vector>
 
 namespace soms::reproduce {
+
+using command::sha256;
+using command::sha256_of_file;
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -1,9 +1,9 @@
 #include "thesis/run/provenance.h"
 
+#include "apps/output/sha256.h"
 #include "tests/reproduce/well_formed.h"
 #include "tests/support/support.h"
 #include "thesis/run/build.h"
-#include "thesis/trips/sha256.h"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +14,10 @@
 #include <vector>
 
 namespace soms::reproduce {
+
+using command::sha256;
+using command::sha256_of_file;
+
 namespace {
 
 TEST(Sha256, IsThatOfTheStandard) {

@@ -56,6 +56,7 @@ ALLOWED = {
     "tests/view/window/display.cpp": (("seconds of a child",), "for ViewerTest.RestsWhenPaused"),
     "tests/view/window/viewer_test.cpp": (("pause", "seconds of a child"),
                                           "waits until no processor time is taken, for as long as that needs"),
+    "tests/python/cluster_models.py": (("sleep",), "looks again and again at what processes have written"),
     "tests/report/look.py": (("sleep", "clock"), "looks at a page again and again, within a guard"),
     "tests/docs/examples_test.py": (("clock", "program timeout"), "seconds that are printed, and a guard"),
     "tests/install/bare_debian_test.py": (("clock",), "printed, not judged"),

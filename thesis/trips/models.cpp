@@ -7,7 +7,7 @@
 #include "soms/io/read_mesh.h"
 #include "soms/io/write_mesh.h"
 
-#include "thesis/trips/sha256.h"
+#include "apps/output/sha256.h"
 #include "thesis/trips/stand_ins.h"
 
 #include <algorithm>
@@ -169,7 +169,7 @@ std::string Finder::read(const fs::path& path, Model& model) {
     return error.what();
   }
   model.file = path.filename().string();
-  model.sha256 = sha256_of_file(path);
+  model.sha256 = command::sha256_of_file(path);
   if (last_change(path) != before) {
     model.sha256.clear();  // perhaps of other bytes than those that were read
     models_.remarks.push_back(joined({path.string(), ": changed while it was read"}));
@@ -307,7 +307,7 @@ Model Finder::generated_scene(const KnownScene& known) {
   model.title = joined({known.title, " (stand-in: generated, written as .3ds and read back)"});
   model.stand_in = true;
   model.bytes = file.size();
-  model.sha256 = sha256(file);
+  model.sha256 = command::sha256(file);
   Mesh mesh =
       read_mesh(std::as_bytes(std::span(file)), joined({known.name, ".3ds"}), {}, for_one());
   mesh.up = made.up;  // 3DS keeps neither

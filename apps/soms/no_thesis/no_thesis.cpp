@@ -37,6 +37,8 @@ class NoTraversal final : public TraversalByName {
 
   [[nodiscard]] bool named() const override { return false; }
 
+  [[nodiscard]] std::string text() const override { return {}; }
+
   void check(const Parser&) const override {}
 
   [[nodiscard]] CountedAnswer overlap(const Body&, const Body&, const OverlapOptions&,

@@ -243,8 +243,12 @@ Action add_distance(Parser& parser, Shared&) {
 
 int run_distance(const DistanceVerbOptions& options, Console& console) {
   const DistanceOptions query{.at_most = options.at_most, .deadline = console.deadline()};
-  return run_near(options, {.verb = "distance", .doubts_gaps = false}, DistanceQuestion(query),
-                  console);
+  Json terms{{"verb", "distance"}};
+  if (std::isfinite(options.at_most)) {
+    terms["at_most"] = options.at_most;
+  }
+  return run_near(options, {.verb = "distance", .terms = std::move(terms), .doubts_gaps = false},
+                  DistanceQuestion(query), console);
 }
 
 }  // namespace soms::command

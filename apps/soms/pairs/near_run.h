@@ -4,6 +4,7 @@
 
 #include "apps/cli/console.h"
 #include "apps/output/output.h"
+#include "apps/shards/shard_files.h"
 #include "apps/soms/answers/answer_columns.h"
 #include "apps/soms/pairs/near_options.h"
 #include "apps/soms/pairs/near_output.h"
@@ -92,7 +93,7 @@ class NearRun : public PoseRun {
 
   void print_answer(std::size_t k, bool right) override {
     const Answer& answer = answers_[k];
-    const std::uint64_t pose = totals().rows;
+    const std::uint64_t pose = number();
     const NearPair pair{answer.triangles, answer.point_a, answer.point_b};
     if (console().shared().json) {
       console().print(fmt::format("{{\"schema\":\"{}\",\"pose\":{},{}{}{}{}}}\n", Question::kSchema,
@@ -101,7 +102,7 @@ class NearRun : public PoseRun {
                                   report_keys(report(), pose, right)));
     } else if (report().single) {
       console().print(question_.text(answer) + near_text(report(), pair) + "\n");
-    } else {
+    } else if (report().lists_rows) {
       table_.add(report(), pose, question_.title(), question_.cell(answer), pair, console());
     }
     files_.csv.add(pose, fmt::format("{},{}", question_.csv(answer), name(answer.coverage)), pair);
@@ -140,7 +141,12 @@ class NearRun : public PoseRun {
 
 /// Answers every pose; the exit status.
 template <class Question>
-int run_near(const NearOptions& options, PoseQuestion about, Question question, Console& console) {
+int run_near(const NearOptions& given, PoseQuestion about, Question question, Console& console) {
+  NearOptions options = given;
+  if (!begin_shard(options, about.terms,
+                   {options.csv, options.binary, options.report, about.fail_if_found}, console)) {
+    return 0;
+  }
   check_files(options,
               {{"--csv", options.csv}, {"--binary", options.binary}, {"--report", options.report}});
   check_extension("--report", options.report, {".html", ".htm"});

@@ -5,6 +5,7 @@
 #include "apps/cli/console.h"
 #include "apps/cli/parse.h"
 #include "apps/cli/text.h"
+#include "apps/shards/shard_files.h"
 #include "apps/soms/answers/answer_columns.h"
 #include "apps/soms/pairs/overlap_output.h"
 #include "apps/soms/pairs/overlap_report.h"
@@ -15,6 +16,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -35,7 +37,8 @@ class OverlapPoses : public PoseRun {
                  .fail_if_found = !options.fail_if.empty(),
                  .has_files =
                      !options.csv.empty() || !options.binary.empty() || !options.report.empty(),
-                 .keep_trees = options.traversal->named()},
+                 .keep_trees = options.traversal->named(),
+                 .is_free = options.query.mode == OverlapMode::any},
                 console),
         query_(options.query),
         traversal_(*options.traversal),
@@ -100,7 +103,7 @@ class OverlapPoses : public PoseRun {
   }
 
   void print_answer(std::size_t k, bool right) override {
-    output_.add(totals().rows, pose_a(k), pose_b(k), answers_[k], right, console());
+    output_.add(number(), pose_a(k), pose_b(k), answers_[k], right, console());
   }
 
   void print_totals() override { command::print_totals(report_, totals(), console()); }
@@ -155,6 +158,7 @@ void add_questions(Parser& parser, OverlapVerbOptions& options) {
       ->excludes(no_pairs)
       ->group(group);
   add_binary(parser, options.binary);
+  add_shard(parser, options, kQuestionGroup);
   add_length(
       parser, "--within", options.within,
       "only decide whether they are within D, as soms within does; not with options of pairs")
@@ -172,6 +176,24 @@ void check_condition(const std::string& condition, bool within) {
     throw Error(ErrorKind::usage, "--fail-if within has no effect without --within",
                 "also give --within D");
   }
+}
+
+/// The question, for receipts of shards.
+Json terms_of(const OverlapVerbOptions& options) {
+  constexpr std::array<const char*, 3> kModes{"all", "any", "first"};
+  Json question{{"verb", "overlap"},
+                {"mode", kModes[static_cast<std::size_t>(options.query.mode)]},
+                {"pairs", options.list_pairs}};
+  if (options.by_part) {
+    question["by"] = "part";
+  }
+  if (options.query.limit != OverlapOptions().limit) {
+    question["limit"] = options.query.limit;
+  }
+  if (options.traversal->named()) {
+    question["traversal"] = options.traversal->text();
+  }
+  return question;
 }
 
 /// The question of `soms within`.
@@ -214,16 +236,23 @@ Action add_overlap(Parser& parser, Shared&) {
       return run_within_of(parser, *options, console);
     }
     options->traversal->check(parser);
-    if (!options->list_pairs && options->query.mode != OverlapMode::all && !console.shared().json) {
+    if (!options->list_pairs && options->query.mode != OverlapMode::all && !console.shared().json &&
+        options->binary.empty()) {
       throw Error(ErrorKind::usage,
                   "--no-pairs has no effect: --any and --first list no pairs without --json",
-                  "leave it out, or also give --json");
+                  "leave it out, or also give --json or --binary");
     }
     return run_overlap(*options, console);
   };
 }
 
-int run_overlap(const OverlapVerbOptions& options, Console& console) {
+int run_overlap(const OverlapVerbOptions& given, Console& console) {
+  OverlapVerbOptions options = given;
+  if (!begin_shard(options, terms_of(options),
+                   {options.csv, options.binary, options.report, !options.fail_if.empty()},
+                   console)) {
+    return 0;
+  }
   check_files(options,
               {{"--report", options.report}, {"--csv", options.csv}, {"--binary", options.binary}});
   check_extension("--report", options.report, {".html", ".htm"});

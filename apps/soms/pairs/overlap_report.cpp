@@ -132,7 +132,7 @@ void print_answer(const OverlapReport& report, std::uint64_t pose, const Counted
                   bool right, Console& console, std::span<const PartPair> parts) {
   if (console.shared().json) {
     print_json(report, pose, result, right, console, parts);
-  } else {
+  } else if (report.pair.lists_rows) {
     print_text(report, pose, result, console, parts);
   }
 }

@@ -4,10 +4,9 @@
 
 #include "soms/tree/build_options.h"
 
-#include "apps/model/models.h"
 #include "apps/output/output.h"
+#include "apps/shards/posed_models.h"
 
-#include <optional>
 #include <string>
 
 namespace soms::command {
@@ -16,16 +15,7 @@ namespace soms::command {
 inline constexpr const char* kQuestionGroup = "Question";
 
 /// Two models, their poses, and what every verb does with its answers.
-struct PairOptions {
-  std::string a;
-  std::string b;
-  std::optional<std::string> pose_a;  ///< unset: not moved
-  std::optional<std::string> pose_b;
-  ModelOptions model_a;
-  ModelOptions model_b;
-  BuildOptions build;
-  bool verify = false;
-};
+struct PairOptions : PosedModels {};
 
 /// Adds A, B, --pose and --pose-b.
 void add_posed_models(Parser& parser, PairOptions& options);

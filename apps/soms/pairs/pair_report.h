@@ -19,8 +19,9 @@ namespace soms::command {
 struct PairReport {
   MeshView a;
   MeshView b;
-  bool single = true;     ///< one pose: reported at length; else a line a pose
-  bool verified = false;  ///< compared with brute force
+  bool single = true;      ///< one pose: reported at length; else a line a pose
+  bool verified = false;   ///< compared with brute force
+  bool lists_rows = true;  ///< an answer a row is printed; else it is in files alone
   bool interrupted = false;
   bool timed_out = false;                   ///< --timeout ended the run; there may be more poses
   std::vector<std::string> notes = {};      ///< of the models' files; JSON gives them with pose 0

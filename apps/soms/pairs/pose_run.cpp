@@ -6,6 +6,7 @@
 #include "apps/model/shapes.h"
 #include "apps/model/stated_options.h"
 #include "apps/report/placing.h"
+#include "apps/shards/shard_files.h"
 
 #include <fmt/format.h>
 
@@ -35,15 +36,16 @@ PoseRun::PoseRun(const PairOptions& options, PoseQuestion question, Console& con
              console),
       options_(options),
       question_(std::move(question)),
-      poses_(source("--pose", options.pose_a, console),
-             source("--pose-b", options.pose_b, console)),
+      poses_(poses_of(options, console)),
       a_(load(options.a, options.model_a)),
       b_(load(options.b, options.model_b)),
       report_{.a = a_.mesh(),
               .b = b_.mesh(),
               // Whoever reads a program's answers needs no other form for a single row.
-              .single = poses_.is_stated() || (!console.shared().json && poses_.is_single()),
+              .single = !options.files &&
+                        (poses_.is_stated() || (!console.shared().json && poses_.is_single())),
               .verified = options.verify,
+              .lists_rows = !options.files || console.shared().json,
               .read_a = stated_options(options.model_a, "--scale", "--up"),
               .read_b = stated_options(options.model_b, "--scale-b", "--up-b")} {
   const std::array<MeshView, 2> meshes{report_.a, report_.b};
@@ -56,6 +58,16 @@ PoseRun::PoseRun(const PairOptions& options, PoseQuestion question, Console& con
     unmoved.push_back(report_.b);
   }
   report_.georeference = georeference_of(unmoved);
+  if (options.files) {
+    begin_at(options.files->rows().begin);
+  }
+}
+
+PosePairs PoseRun::poses_of(const PairOptions& options, const Console& console) {
+  if (options.files) {
+    return options.files->poses(options, console);
+  }
+  return {source("--pose", options.pose_a, console), source("--pose-b", options.pose_b, console)};
 }
 
 PoseSource PoseRun::source(const std::string& option, const std::optional<std::string>& text,
@@ -107,14 +119,15 @@ void PoseRun::check_pose(const Pose& pose, const Shape& shape, const std::string
 
 /// The place of an error, in row `k` of the block.
 std::string PoseRun::place_of(std::size_t k, const std::string& file, const Error& error) const {
-  return fmt::format("{}: pose {}: {}", file, totals().rows + k, without_subject(error.place()));
+  return fmt::format("{}: pose {}: {}", file, number() + k, without_subject(error.place()));
 }
 
-/// One pose uses the threads inside its query, several share them out.
+/// One pose uses the threads inside its query, several share them out. Answers of which several
+/// would be right are those of one thread, so that they do not depend on what a block holds.
 std::uint64_t PoseRun::answer_block() {
   reserve(block_.size());
   Parallel parallel = console().parallel();
-  if (block_.size() == 1) {
+  if (block_.size() == 1 && (report_.single || !question_.is_free)) {
     parallel.progress = [this](double share) { show_progress(share); };
     Body a(a_);
     Body b(b_);
@@ -212,7 +225,17 @@ void PoseRun::doubt_all_boxes() {
 void PoseRun::finish(End end) {
   report_.interrupted = end == End::interrupted;
   report_.timed_out = end == End::out_of_time;
+  if (options_.files && end == End::interrupted) {
+    return;
+  }
+  if (options_.files && end == End::out_of_time) {
+    throw Error(ErrorKind::timed_out, "the shard is not complete",
+                "allow more time with --timeout");
+  }
   finish_outputs();
+  if (options_.files) {
+    options_.files->finish(report_.a, report_.b, console());
+  }
 }
 
 }  // namespace soms::command

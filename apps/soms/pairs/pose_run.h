@@ -4,6 +4,7 @@
 
 #include "soms/query/body.h"
 
+#include "apps/output/json.h"
 #include "apps/rows/pose_source.h"
 #include "apps/rows/row_run.h"
 #include "apps/soms/pairs/pair_options.h"
@@ -22,11 +23,13 @@ namespace soms::command {
 /// What a verb says of its question.
 struct PoseQuestion {
   std::string verb;            ///< as messages name it
+  Json terms = {};             ///< the options of the question, for receipts of shards
   bool fail_if_found = false;  ///< --fail-if is given
   bool has_files = false;      ///< answers go to files, too
   bool keep_trees = false;     ///< a named traversal needs the canonical trees
   bool doubts_gaps = true;     ///< boxes that are far apart make the answer doubtful
   double expected_gap = 0;     ///< up to here they do not
+  bool is_free = false;        ///< several answers would be right
 };
 
 /// A run whose rows are poses of two models. A verb adds its question and its output.
@@ -63,7 +66,7 @@ class PoseRun : public RowRun {
   /// How many things the answers of the block hold.
   [[nodiscard]] virtual std::uint64_t held() const { return 0; }
 
-  /// Prints the answer of row `k`, of pose number `totals().rows`, by `report()`.
+  /// Prints the answer of row `k`, of pose `number()`, by `report()`.
   virtual void print_answer(std::size_t k, bool right) = 0;
   /// Finishes the files of answers, by `report()`.
   virtual void finish_outputs() = 0;
@@ -82,6 +85,7 @@ class PoseRun : public RowRun {
   void doubt() final;
   void finish(End end) final;
 
+  static PosePairs poses_of(const PairOptions& options, const Console& console);
   static PoseSource source(const std::string& option, const std::optional<std::string>& text,
                            const Console& console);
   Shape load(const std::string& path, const ModelOptions& model) const;

@@ -35,6 +35,9 @@ class TraversalByName {
   /// True if another traversal than the default is named. Such ones need canonical trees.
   [[nodiscard]] virtual bool named() const = 0;
 
+  /// The traversal with its options, as text. \pre `named`.
+  [[nodiscard]] virtual std::string text() const = 0;
+
   /// \errors ErrorKind::usage for keys that do not go together.
   virtual void check(const Parser& parser) const = 0;
 

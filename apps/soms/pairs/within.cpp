@@ -229,6 +229,7 @@ Action add_within(Parser& parser, Shared&) {
 int run_within(const WithinVerbOptions& options, Console& console) {
   return run_near(options,
                   {.verb = options.verb,
+                   .terms = {{"verb", "within"}, {"clearance", options.clearance}},
                    .fail_if_found = options.fail_if_within,
                    .expected_gap = options.clearance},
                   WithinQuestion(options.clearance, {.deadline = console.deadline()}), console);

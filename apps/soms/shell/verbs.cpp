@@ -13,6 +13,7 @@
 #include "apps/soms/probes/contains.h"
 #include "apps/soms/probes/ray.h"
 #include "apps/soms/robot/robot.h"
+#include "apps/soms/shards/join.h"
 #include "apps/soms/shell/bench.h"
 #include "apps/soms/shell/completion.h"
 #include "apps/soms/shell/man.h"
@@ -45,6 +46,8 @@ const std::array kVerbs{
     Verb{"distance", "find how far apart two models are, and where they are nearest", add_distance},
     Verb{"generate", "create a model with an exact number of triangles", add_generate},
     Verb{"info", "report triangles, bounds, parts, defects and trees of models", add_info},
+    Verb{"join", "put the answers of all shards together, as one run would have written them",
+         add_join},
     Verb{"man", "print the man page of the command or of a verb", add_man},
     Verb{"overlap", "find the triangles of two models that touch or intersect", add_overlap},
     Verb{"ray", "find what rays, or segments between two points, hit in a model", add_ray},

@@ -1,6 +1,7 @@
 #include "apps/soms/pairs/traversal_by_name.h"
 
 #include "soms/thesis/overlap.h"
+#include "soms/thesis/print.h"
 #include "soms/thesis/traversals.h"
 
 #include "apps/cli/text.h"
@@ -8,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include <sstream>
+#include <string>
 #include <utility>
 
 namespace soms::command {
@@ -19,6 +22,12 @@ class ThesisTraversal final : public TraversalByName {
   explicit ThesisTraversal(Parser& parser) { add_traversal_keys(parser, options_); }
 
   [[nodiscard]] bool named() const override { return options_.traversal != Traversal::fast; }
+
+  [[nodiscard]] std::string text() const override {
+    std::ostringstream out;
+    out << options_;
+    return out.str();
+  }
 
   void check(const Parser& parser) const override { check_traversal(parser, options_); }
 

@@ -135,6 +135,11 @@ partition: 'named' by the parts of the file, or 'connected' by vertices in one p
       py::is_operator());
   parted.attr("__hash__") = py::none();
   parted.def("__repr__", &printed<DividedBody>);
+  parted.def(py::pickle(
+      [](const DividedBody& b) { return py::make_tuple(b.body(), member(b.partition())); },
+      [](const py::tuple& s) {
+        return DividedBody(s[0].cast<Body>(), enum_of<Partition>(s[1], "partition"));
+      }));
 }
 
 void bind_point_answers(py::module_& module) {

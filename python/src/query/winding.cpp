@@ -71,6 +71,8 @@ A body, and what its winding numbers are made of. Made once, queried often. O(n 
       py::is_operator());
   index.attr("__hash__") = py::none();
   index.def("__repr__", &printed<WindingIndex>);
+  index.def(py::pickle([](const WindingIndex& i) { return py::make_tuple(i.body()); },
+                       [](const py::tuple& s) { return WindingIndex(s[0].cast<Body>()); }));
 }
 
 }  // namespace

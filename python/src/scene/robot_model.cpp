@@ -77,6 +77,8 @@ struct HeldRobotModel {
   SharedRobot robot;
   RobotModel model;
   std::vector<std::string> cell_names;
+  std::vector<PosedMesh> cell;  ///< what it was made of, beside the robot
+  RobotModelOptions options;
 };
 
 using SharedModel = std::shared_ptr<HeldRobotModel>;
@@ -169,15 +171,12 @@ RobotModelOptions model_options(const Robot& robot, const py::object& base,
   return options;
 }
 
-SharedModel make_model(const SharedRobot& robot, const py::object& cell, const py::object& base,
-                       const py::iterable& ignored, const py::iterable& off_cell, int threads,
-                       const py::object& progress) {
-  const std::vector<PosedMesh> models = posed_meshes_of(cell, "cell");
-  const RobotModelOptions options = model_options(robot->robot, base, ignored, off_cell);
+SharedModel model_of(const SharedRobot& robot, std::vector<PosedMesh> cell,
+                     const RobotModelOptions& options, int threads, const py::object& progress) {
   return run(Work::many, threads, progress, [&](const Parallel& parallel) {
-    const std::vector<Mesh> meshes = placed(models);
-    auto held = std::make_shared<HeldRobotModel>(
-        HeldRobotModel{robot, RobotModel(robot->robot, meshes, options, parallel), {}});
+    const std::vector<Mesh> meshes = placed(cell);
+    auto held = std::make_shared<HeldRobotModel>(HeldRobotModel{
+        robot, RobotModel(robot->robot, meshes, options, parallel), {}, std::move(cell), options});
     for (const RobotBody& body : held->model.cell_bodies()) {
       std::string name = part_text(meshes[body.mesh], body.part.part);
       for (const RobotMeshPart& other : body.joined) {
@@ -187,6 +186,32 @@ SharedModel make_model(const SharedRobot& robot, const py::object& cell, const p
     }
     return held;
   });
+}
+
+SharedModel make_model(const SharedRobot& robot, const py::object& cell, const py::object& base,
+                       const py::iterable& ignored, const py::iterable& off_cell, int threads,
+                       const py::object& progress) {
+  std::vector<PosedMesh> models = posed_meshes_of(cell, "cell");
+  return model_of(robot, std::move(models), model_options(robot->robot, base, ignored, off_cell),
+                  threads, progress);
+}
+
+py::tuple model_state(const HeldRobotModel& held) {
+  py::list cell;
+  for (const PosedMesh& model : held.cell) {
+    cell.append(py::make_tuple(std::const_pointer_cast<Mesh>(model.mesh), model.pose));
+  }
+  return py::make_tuple(held.robot, cell, packed(held.options));
+}
+
+SharedModel model_from(const py::tuple& state) {
+  std::vector<PosedMesh> cell;
+  for (const py::handle model : state[1]) {
+    const auto pair = py::reinterpret_borrow<py::object>(model).cast<py::tuple>();
+    cell.push_back({pair[0].cast<std::shared_ptr<Mesh>>(), pair[1].cast<Pose>()});
+  }
+  return model_of(state[0].cast<SharedRobot>(), std::move(cell),
+                  unpacked<RobotModelOptions>(py::tuple(state[2])), 1, py::none());
 }
 
 /// Bodies that are not closed, so that what may lie in them is undecided.
@@ -234,6 +259,7 @@ void bind_model(py::module_& module) {
       "open", &open_bodies,
       "A list of str: links and bodies of the cell that are not closed; what may lie in one of "
       "them is undecided.");
+  model.def(py::pickle(&model_state, &model_from));
   model.def("__repr__", [](const HeldRobotModel& h) {
     return "RobotModel{" + std::to_string(h.model.link_names().size()) + " links, " +
            std::to_string(h.model.compared().size()) + " pairs compared, " +

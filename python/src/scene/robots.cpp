@@ -241,6 +241,9 @@ many.)");
       py::is_operator());
   robot.attr("__hash__") = py::none();
   robot.def("__repr__", [](const HeldRobot& h) { return printed(h.robot); });
+  robot.def(py::pickle(
+      [](const HeldRobot& h) { return packed(h.robot); },
+      [](const py::tuple& state) { return std::make_shared<HeldRobot>(unpacked<Robot>(state)); }));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "thesis/trips/sha256.h"
+#include "apps/output/sha256.h"
 
 #include <sha2.h>
 
@@ -7,7 +7,7 @@
 #include <fstream>
 #include <vector>
 
-namespace soms::reproduce {
+namespace soms::command {
 
 namespace {
 
@@ -50,4 +50,4 @@ std::string sha256_of_file(const std::filesystem::path& path) {
   return in.eof() ? hash.digits() : std::string();
 }
 
-}  // namespace soms::reproduce
+}  // namespace soms::command

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace soms::reproduce {
+namespace soms::command {
 
 /// 64 hexadecimal digits, as `sha256sum` prints them.
 [[nodiscard]] std::string sha256(std::string_view bytes);
@@ -14,4 +14,4 @@ namespace soms::reproduce {
 /// The same of a file, whose bytes are not kept in memory; empty if it cannot be read.
 [[nodiscard]] std::string sha256_of_file(const std::filesystem::path& path);
 
-}  // namespace soms::reproduce
+}  // namespace soms::command

@@ -1,0 +1,9 @@
+set(SOMS_SHARDS_FILES
+  npz_join.cpp
+  npz_join.h
+  posed_models.h
+  receipt.cpp
+  receipt.h
+  shard_files.cpp
+  shard_files.h
+)

@@ -1,0 +1,202 @@
+#include "apps/shards/shard_files.h"
+
+#include "soms/base/error.h"
+#include "soms/base/text.h"
+#include "soms/tree/print.h"
+
+#include "apps/cli/console.h"
+#include "apps/cli/parser.h"
+#include "apps/model/models.h"
+#include "apps/output/output.h"
+#include "apps/shards/receipt.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+#include <system_error>
+#include <tuple>
+#include <utility>
+
+namespace soms::command {
+
+namespace {
+
+constexpr const char* kOption = "--shard";
+
+std::optional<std::uint64_t> count(const std::string& option,
+                                   const std::optional<std::string>& text, const Console& console) {
+  return text ? count_poses(option, *text, console) : std::nullopt;
+}
+
+/// The folder of --csv and --binary. \errors ErrorKind::usage.
+std::filesystem::path folder_of(const std::string& csv, const std::string& binary,
+                                const Shard& shard) {
+  const std::string& folder = binary.empty() ? csv : binary;
+  if (folder.empty()) {
+    throw Error(ErrorKind::usage,
+                fmt::format("{} {}: nothing says where its answers go", kOption, shard.text()),
+                "also give --binary DIR or --csv DIR, the folder of all shards");
+  }
+  if (!csv.empty() && !binary.empty() && csv != binary) {
+    throw Error(ErrorKind::usage,
+                fmt::format("{} with --csv {} and --binary {}", kOption, csv, binary),
+                "give both the same folder");
+  }
+  std::error_code failed;
+  if (!std::filesystem::is_directory(folder, failed)) {
+    std::filesystem::create_directories(folder, failed);
+    if (failed) {
+      throw Error(ErrorKind::cannot_write,
+                  fmt::format("{}: cannot be made a folder: {}", folder, failed.message()),
+                  "give the folder of all shards");
+    }
+  }
+  return folder;
+}
+
+/// A share is one of several runs, of which some may find their answers there.
+void refuse_others(const PosedModels& options, const ShardedOutputs& outputs) {
+  for (const auto& [given, name] :
+       {std::pair(options.verify, "--verify"), std::pair(outputs.has_condition, "--fail-if"),
+        std::pair(!outputs.report.empty(), "--report")}) {
+    if (given) {
+      throw Error(ErrorKind::usage, fmt::format("{} does not go with {}", name, kOption),
+                  "leave one of them out");
+    }
+  }
+  const std::array<std::string, 4> inputs{options.a, options.b, options.pose_a.value_or(""),
+                                          options.pose_b.value_or("")};
+  if (std::find(inputs.begin(), inputs.end(), "-") != inputs.end()) {
+    throw Error(ErrorKind::usage, std::string(kOption) + ": standard input is read by one program",
+                "give files, which the program of each shard reads");
+  }
+}
+
+}  // namespace
+
+ShardFiles::ShardFiles(const PosedModels& options, Json question, const ShardedOutputs& outputs,
+                       const Console& console)
+    : shard_(options.shard.value()),
+      question_(std::move(question)),
+      csv_(!outputs.csv.empty()),
+      binary_(!outputs.binary.empty()) {
+  refuse_others(options, outputs);
+  if (options.build != BuildOptions()) {
+    std::ostringstream tree;
+    tree << options.build;
+    question_["tree"] = tree.str();
+  }
+  rows_a_ = count("--pose", options.pose_a, console);
+  rows_b_ = count("--pose-b", options.pose_b, console);
+  if (!rows_a_ && !rows_b_) {
+    throw Error(ErrorKind::usage, fmt::format("{} {}: there is one pose", kOption, shard_.text()),
+                "give --pose a file of several");
+  }
+  if (rows_a_ && rows_b_ && *rows_a_ != *rows_b_) {
+    throw Error(ErrorKind::bad_file,
+                fmt::format("{} has {} poses, {} has {}", *options.pose_a, *rows_a_,
+                            *options.pose_b, *rows_b_),
+                "give the same number of poses in both, or a single pose for one of them");
+  }
+  of_ = rows_a_ ? *rows_a_ : *rows_b_;
+  rows_ = shard_.rows_of(of_);
+  poses_ = {{"a", poses_entry(options.pose_a, rows_a_)},
+            {"b", poses_entry(options.pose_b, rows_b_)}};
+  stem_ = folder_of(outputs.csv, outputs.binary, shard_) / fmt::format("shard-{}", shard_.number);
+  for (const auto& [wanted, name, kind] :
+       {std::tuple(csv_, &outputs.csv, ".csv"), std::tuple(binary_, &outputs.binary, ".npz")}) {
+    if (wanted) {
+      *name = stem_.string() + kind;
+    }
+  }
+}
+
+Json ShardFiles::receipt(const MeshView& a, const MeshView& b) const {
+  return {{"schema", kShardSchema},
+          {"version", SOMS_VERSION},
+          {"question", question_},
+          {"models", {{"a", model_entry(a)}, {"b", model_entry(b)}}},
+          {"poses", poses_},
+          {"of", of_},
+          {"rows", Json::array({rows_.begin, rows_.end})}};
+}
+
+bool ShardFiles::are_there(const PosedModels& options, const Console& console) const {
+  const std::string path = stem_.string() + ".json";
+  std::error_code missing;
+  if (!std::filesystem::exists(path, missing)) {
+    return false;
+  }
+  const Receipt there = read_receipt(path);
+  const Mesh a = read_model(options.a, options.model_a, console);
+  const Mesh b = read_model(options.b, options.model_b, console);
+  const Json wanted = receipt(a, b);
+  const bool same_rows = there.value["rows"] == wanted["rows"];
+  if (const auto other =
+          same_rows ? difference(there.value, wanted) : std::optional<std::string>("rows")) {
+    throw Error(ErrorKind::bad_file,
+                fmt::format("{}: is of another run: its {} differs", path, *other),
+                "give another folder, or remove what is in this one");
+  }
+  if ((csv_ && !there.is_whole("csv")) || (binary_ && !there.is_whole("npz"))) {
+    return false;
+  }
+  console.note(fmt::format("{}: is there and whole", printable(path)));
+  return true;
+}
+
+PosePairs ShardFiles::poses(const PosedModels& options, const Console& console) const {
+  const auto source = [&](const std::string& option, const std::optional<std::string>& text,
+                          const std::optional<std::uint64_t>& rows) {
+    return rows   ? PoseSource(option, *text, console, rows_)
+           : text ? PoseSource(option, *text, console, NoRows::no_poses)
+                  : PoseSource();
+  };
+  return {source("--pose", options.pose_a, rows_a_), source("--pose-b", options.pose_b, rows_b_),
+          rows_.size()};
+}
+
+void ShardFiles::finish(const MeshView& a, const MeshView& b, const Console& console) const {
+  Json files = Json::object();
+  for (const auto& [written, kind] : {std::pair(csv_, "csv"), std::pair(binary_, "npz")}) {
+    if (written) {
+      const std::string path = fmt::format("{}.{}", stem_.string(), kind);
+      make_durable(path);
+      files[kind] = file_entry(path);
+    }
+  }
+  Json whole = receipt(a, b);
+  whole["files"] = std::move(files);
+  const std::string path = stem_.string() + ".json";
+  OutputFile out(path);
+  out.stream() << json_line(whole);
+  out.sync();
+  out.commit();
+  make_durable(stem_.parent_path());
+  console.note(
+      fmt::format("{}: rows {} to {} of {}", printable(path), rows_.begin, rows_.end, of_));
+}
+
+bool begin_shard(PosedModels& options, Json question, const ShardedOutputs& outputs,
+                 const Console& console) {
+  if (!options.shard) {
+    return true;
+  }
+  const auto files = std::make_shared<ShardFiles>(options, std::move(question), outputs, console);
+  options.files = files;
+  return !files->are_there(options, console);
+}
+
+void add_shard(Parser& parser, PosedModels& options, const char* heading) {
+  parser
+      .add_option_function(
+          kOption,
+          [&options](const std::string& word) { options.shard = parse_shard(kOption, word); },
+          "answer share K of N of the rows, into the folder DIR of --binary and --csv")
+      ->option_text("K/N")
+      ->group(heading);
+}
+
+}  // namespace soms::command

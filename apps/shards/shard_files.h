@@ -1,0 +1,78 @@
+/// \file
+/// The files of --shard: answers of a share of the rows, and the receipt that makes them valid.
+#pragma once
+
+#include "soms/geometry/mesh.h"
+
+#include "apps/output/json.h"
+#include "apps/rows/pose_source.h"
+#include "apps/rows/shard.h"
+#include "apps/shards/posed_models.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace soms::command {
+
+class Console;
+class Parser;
+
+/// What a verb does with its answers: the files of --csv and --binary, which are folders with
+/// --shard, and what does not go with it.
+struct ShardedOutputs {
+  std::string& csv;
+  std::string& binary;
+  const std::string& report;
+  bool has_condition = false;  ///< --fail-if
+};
+
+/// A share of the rows on its way into a folder: DIR/shard-K.npz, DIR/shard-K.csv, and
+/// DIR/shard-K.json, the receipt, which appears last.
+class ShardFiles {
+ public:
+  /// Finds out which rows they are, makes the folder, and changes `outputs` to the files in it.
+  /// `question` is what the verb asks, as far as its options say.
+  /// \errors ErrorKind::usage for options that do not go with --shard; those of poses.
+  ShardFiles(const PosedModels& options, Json question, const ShardedOutputs& outputs,
+             const Console& console);
+
+  /// Whether the answers are there and whole. Reads the models if there is a receipt.
+  /// \errors ErrorKind::bad_file for a receipt of another question; those of models.
+  [[nodiscard]] bool are_there(const PosedModels& options, const Console& console) const;
+
+  [[nodiscard]] const RowRange& rows() const { return rows_; }
+
+  /// The poses of these rows.
+  [[nodiscard]] PosePairs poses(const PosedModels& options, const Console& console) const;
+
+  /// Writes the receipt, once the answers about these models are written.
+  /// \errors ErrorKind::cannot_write.
+  void finish(const MeshView& a, const MeshView& b, const Console& console) const;
+
+ private:
+  [[nodiscard]] Json receipt(const MeshView& a, const MeshView& b) const;
+
+  Shard shard_;
+  std::filesystem::path stem_;  ///< DIR/shard-K
+  std::optional<std::uint64_t> rows_a_;
+  std::optional<std::uint64_t> rows_b_;
+  std::uint64_t of_ = 1;
+  RowRange rows_;
+  Json question_;
+  Json poses_;
+  bool csv_ = false;
+  bool binary_ = false;
+};
+
+/// Adds --shard, under a heading.
+void add_shard(Parser& parser, PosedModels& options, const char* heading);
+
+/// Sets `files` of the options if they have --shard; `question` is what the verb asks. False if
+/// the answers are there already. \errors As `ShardFiles`.
+[[nodiscard]] bool begin_shard(PosedModels& options, Json question, const ShardedOutputs& outputs,
+                               const Console& console);
+
+}  // namespace soms::command

@@ -1,0 +1,55 @@
+"""What workers of a cluster write is byte by byte what the command writes, and `soms join` takes it.
+
+usage: shards_test.py SOMS
+"""
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from cluster_models import ROWS, job_in, make_files
+from soms import _shards
+
+SOMS = None
+CASES = {"overlap": [("overlap", {"mode": "all", "pairs": True}, []), ("overlap", {"mode": "first", "pairs": True}, ["--first"]),
+                     ("overlap", {"mode": "any", "pairs": False}, ["--any", "--no-pairs"])],
+         "near": [("distance", {}, []), ("distance", {"at_most": 3.0}, ["--at-most", "3"]),
+                  ("within", {"clearance": 2.5}, ["--clearance", "2.5"])]}
+
+
+class Shards(unittest.TestCase):
+    def check(self, cases):
+        with tempfile.TemporaryDirectory() as place:
+            files = make_files(place)
+            for number, (verb, question, words) in enumerate(cases):
+                whole, folder = files / f"{number}.npz", files / str(number)
+                words = [verb, "car.ply", "city.ply", "--pose", "poses.npy", *words]
+                self.run_soms(files, *words, "--binary", whole)
+                parts = [(0, 1000), (1000, 1001), (1001, ROWS)]
+                for rows in parts:
+                    _shards.work(job_in(files, folder, verb, question), rows)
+                _shards.join(folder, parts, folder / "answer.npz")
+                self.assertEqual((folder / "answer.npz").read_bytes(), whole.read_bytes(), words)
+                self.run_soms(files, "join", folder, "-o", "joined.npz")
+                self.assertEqual((files / "joined.npz").read_bytes(), whole.read_bytes(), words)
+                self.run_soms(files, *words, "--binary", folder, "--shard", "1/1")
+                one = (folder / "shard-1.json").read_text()
+                other = (folder / f"{_shards.name_of(parts[0])}.json").read_text()
+                self.assertEqual(one.partition(',"rows"')[0], other.partition(',"rows"')[0])
+
+    def run_soms(self, folder, *words):
+        done = subprocess.run([SOMS, *map(str, words)], cwd=folder, capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_overlap(self):
+        self.check(CASES["overlap"])
+
+    def test_distance_and_within(self):
+        self.check(CASES["near"])
+
+
+if __name__ == "__main__":
+    SOMS = os.path.abspath(sys.argv.pop(1))
+    unittest.main()
