@@ -217,9 +217,10 @@ void bind_facts(MeshClass& mesh) {
            "part_path(part) -> list[str]\n\nThe names of the parts around a part, the outermost "
            "first, and its own; unnamed ones are empty.");
   def_notebook_page(mesh);
-  mesh.def("hash", &corner_hash,
-           "hash() -> int\n\nFNV-1a 64 over all corners: equal for equal triangles on every "
-           "machine.");
+  mesh.def(
+      "hash", [](const Mesh& m) { return corner_hash(m); },
+      "hash() -> int\n\nFNV-1a 64 over all corners: equal for equal triangles on every "
+      "machine.");
   mesh.def(
       "transformed",
       [](const Mesh& m, double scale, const py::object& up) {

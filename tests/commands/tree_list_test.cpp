@@ -101,7 +101,7 @@ TEST_F(TreeList, HelpListsTheKeys) {
 TEST_F(TreeList, ManPagesListTheKeys) {
   const std::string page = soms_run({"man", "overlap"}).out;
   EXPECT_NE(page.find(".SH KEYS OF \\-\\-TREE\n"), std::string::npos) << page;
-  EXPECT_NE(page.find("rule=NAME"), std::string::npos);
+  EXPECT_NE(page.find("\\fBrule=\\fR\\fINAME\\fR"), std::string::npos);
   EXPECT_EQ(soms_run({"man", "convert"}).out.find("KEYS OF"), std::string::npos);
 }
 

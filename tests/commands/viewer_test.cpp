@@ -2,11 +2,14 @@
 // tested in tests/view.
 #include "soms/scene/replay.h"
 
+#include "apps/cli/verb_data.h"
 #include "tests/commands/run.h"
 
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
+#include <utility>
+#include <vector>
 
 namespace soms::test {
 namespace {
@@ -193,30 +196,39 @@ TEST(Viewer, GivesItsStatusWhereTheEndsOfChildrenAreIgnored) {
   EXPECT_EQ(with_viewer(viewer, "env --ignore-signal=CHLD $soms simulate --view").status, 7);
 }
 
+/// What a viewer prints of its options: they follow the verb's shared ones.
+std::string fake_data(std::vector<command::OptionData> options) {
+  options.push_back({.names = {"--help", "-h"}});
+  options.push_back({.names = {"--json"}});
+  return command::data_as_json({.name = "soms-view render", .options = std::move(options)});
+}
+
 TEST(Viewer, CompletesTheOptionsThatItHas) {
   const TemporaryFolder folder;
   const std::string viewer = write_program(
-      folder.path() / "viewer", "printf 'Usage\\n  -o,--output FILE  x\\n  --level N  y\\n'");
+      folder.path() / "viewer", "echo '" +
+                                    fake_data({{.names = {"--output", "-o"}, .value = "FILE"},
+                                               {.names = {"--level"}, .value = "N"}}) +
+                                    "'");
   const std::string script = with_viewer(viewer, "$soms completion bash").out;
-  EXPECT_NE(script.find("\"render -\"*) words=\"--output -o --level --help -h --json "),
+  EXPECT_NE(script.find("\"render -\"*) words=\"--output -o --level --help -h --json\""),
             std::string::npos)
       << script;
   EXPECT_NE(with_viewer("/nowhere", "$soms completion bash").out.find("\"view -\"*) words=\"\""),
             std::string::npos);
 }
 
-TEST(Viewer, CompletesTheWordsThatItsHelpLists) {
+TEST(Viewer, CompletesTheWordsThatItsOptionsTake) {
   const TemporaryFolder folder;
-  const std::string viewer = write_program(folder.path() / "viewer", R"(cat <<'END'
-Options:
-  -o,--output FILE       a|b is a file's name
-  --flag                 no value
-  --rule NAME            splitting rule (soms): mean|median|
-                         quality
-  --very-long-name NAME
-                         meaning: one|two
-
-END)");
+  const std::string viewer = write_program(
+      folder.path() / "viewer",
+      "echo '" +
+          fake_data(
+              {{.names = {"--output", "-o"}, .value = "FILE"},
+               {.names = {"--flag"}},
+               {.names = {"--rule"}, .value = "NAME", .choices = {"mean", "median", "quality"}},
+               {.names = {"--very-long-name"}, .value = "NAME", .choices = {"one", "two"}}}) +
+          "'");
   const std::string bash = with_viewer(viewer, "$soms completion bash").out;
   EXPECT_NE(bash.find("\"render --rule\") words=\"mean median quality\""), std::string::npos)
       << bash;

@@ -60,6 +60,8 @@ class Field {
 
   /// The data as the page holds it; `shown` is reported.
   std::string write(const SceneLimits& limits = {}) {
+    scene.models[0].mesh = ground;  // tests change them
+    scene.models[1].mesh = needle;
     std::ostringstream out;
     shown = write_scene(out, scene, limits);
     return out.str();
@@ -277,6 +279,7 @@ TEST(SceneData, DrawsTheCurveOfARowInItsStepOfMostPairs) {
 TEST(SceneData, HasACoarseStandInOfALargeModelBeforeTheScript) {
   Field field;
   field.needle = generate_knot(60'000);
+  field.scene.models[1].mesh = field.needle;
   std::ostringstream out;
   field.shown = write_scene(out, field.scene, {}, [&] { out << "<script>let it = 1</script>"; });
   const std::string page = out.str();

@@ -17,11 +17,11 @@ namespace {
 
 }  // namespace
 
-Subtrees grow_top_down(const Mesh&, const RuleEntry&, const BuildOptions&, const Parallel&) {
+Subtrees grow_top_down(const MeshView&, const RuleEntry&, const BuildOptions&, const Parallel&) {
   refuse_rule();
 }
 
-Subtrees grow_by_morton(const Mesh&, const BuildOptions&, const Parallel&) {
+Subtrees grow_by_morton(const MeshView&, const BuildOptions&, const Parallel&) {
   refuse_rule();
 }
 

@@ -146,6 +146,9 @@ Action add_join(Parser& parser, Shared&) {
       "Puts together what --shard K/N of overlap, distance and within wrote: the bytes that one\n"
       "run without --shard writes. All shards must be there, whole, and of one question.\n\n"
       "Example:\n"
+      "  soms generate knot --triangles 2000 -o knot.ply\n"
+      "  soms generate sphere --triangles 800 -o ball.off\n"
+      "  printf 'x,y,z\\n0.5,0,0\\n0,0.5,0\\n' > poses.csv\n"
       "  soms overlap knot.ply ball.off --pose poses.csv --shard 1/2 --binary answers\n"
       "  soms overlap knot.ply ball.off --pose poses.csv --shard 2/2 --binary answers\n"
       "  soms join answers -o answers.npz");
