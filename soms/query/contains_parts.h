@@ -3,7 +3,7 @@
 ///
 /// \code
 /// const soms::DividedBody car(soms::Body{soms::generate_mover(soms::MoverKind::car)});
-/// const soms::Mesh& mesh = car.body().shape.mesh();
+/// const soms::MeshView& mesh = car.body().shape.mesh();
 /// std::cout << car.parts().size() << " parts; these hold the point:\n";
 /// for (const soms::PartSide& found : soms::contains(car, {0, 0, 0.6}).parts) {
 ///   const soms::DividedPart& part = car.parts()[found.part];

@@ -139,9 +139,11 @@ void add_trees(const Inputs& inputs, const Parallel& parallel, Rows& rows) {
       }
       rows["tree " + name + " " + std::string(rule.name)] = hash.value();
     }
+    Mesh unnamed = model;  // a path is of one machine
+    unnamed.source.clear();
     Hash files;
     for (const Layout layout : {Layout::wide, Layout::compact}) {
-      write_tree_file(Shape(mesh, {.layout = layout}, parallel),
+      write_tree_file(Shape(unnamed, {.layout = layout}, parallel),
                       [&](std::span<const std::byte> bytes) { files << lanes_hash(bytes); });
     }
     rows["tree file " + name] = files.value();

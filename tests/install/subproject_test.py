@@ -47,9 +47,9 @@ class Projects:
         if not any("CMAKE_BUILD_TYPE" in word for word in settings) and "CMAKE_BUILD_TYPE:STRING=\n" not in cache:
             sys.exit(f"{settings}: soms sets the build type of a project that is not its own")
         every = [row["command"] for row in json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))]
-        library = [command for command in every if "soms.dir/" in command]
+        library = [command for command in every if "soms.dir/" in command or "soms_thesis.dir/" in command]
         user = [command for command in every if "verify_interface" not in command and command not in library]
-        if len(library) < 20 or len(user) != 3:
+        if len(library) < 20 or len(user) != 4:
             sys.exit(f"{settings}: {len(library)} files of the library, {len(user)} of the program")
         return said, library, user
 

@@ -16,7 +16,8 @@ std::vector<std::byte> tree_file_of(const Shape& shape) {
 }
 
 ForgedFile::ForgedFile(const Shape& shape) : bytes_(tree_file_of(shape)) {
-  head_ = detail::read_head(bytes_, "forged");
+  original_ = detail::read_head(bytes_, "forged");
+  head_ = original_;
 }
 
 std::vector<std::byte> ForgedFile::bytes() {
@@ -24,7 +25,8 @@ std::vector<std::byte> ForgedFile::bytes() {
     const auto section = static_cast<detail::Section>(k);
     detail::SectionPlace& place = head_.of(section);
     const std::size_t size = place.count * detail::record_size(section);
-    if (place.offset + size <= bytes_.size()) {
+    if (place.count <= bytes_.size() && place.offset <= bytes_.size() &&
+        size <= bytes_.size() - place.offset) {
       place.hash = lanes_hash(std::span(bytes_).subspan(place.offset, size));
     }
   }

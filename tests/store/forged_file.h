@@ -37,7 +37,7 @@ class ForgedFile {
   }
 
   [[nodiscard]] std::size_t count(detail::Section section) const {
-    return static_cast<std::size_t>(head_.of(section).count);
+    return static_cast<std::size_t>(original_.of(section).count);
   }
 
   /// The file, each hash that of what it holds now.
@@ -45,14 +45,15 @@ class ForgedFile {
 
  private:
   [[nodiscard]] std::byte* at(detail::Section section, std::size_t i, std::size_t size) {
-    return bytes_.data() + head_.of(section).offset + i * size;
+    return bytes_.data() + original_.of(section).offset + i * size;
   }
 
   [[nodiscard]] const std::byte* at(detail::Section section, std::size_t i,
                                     std::size_t size) const {
-    return bytes_.data() + head_.of(section).offset + i * size;
+    return bytes_.data() + original_.of(section).offset + i * size;
   }
 
+  detail::TreeFileHead original_;
   detail::TreeFileHead head_;
   std::vector<std::byte> bytes_;
 };

@@ -13,7 +13,7 @@ void add_posed_models(Parser& parser, PairOptions& options) {
   parser.add_option("A", options.a, "first model; - is standard input")->required();
   parser.add_option("B", options.b, "second model")->required();
   const std::string form =
-      ": \"x y z [qw qx qy qz]\", or CSV, .npy, .npz, a row per pose; - is standard input";
+      ": \"x y z [qw qx qy qz]\", CSV, .npy, .npz, row per pose; - is standard input";
   Option* const first = parser.add_option("--pose", options.pose_a, "pose of A" + form);
   first->option_text("POSE")->group(kQuestionGroup);
   parser.add_option("--pose-b", options.pose_b, "pose of B, in the same form")

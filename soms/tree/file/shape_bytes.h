@@ -2,10 +2,10 @@
 /// The bytes of a tree file (`.somst`): a shape as queries use it, opened without being read or
 /// built again. `soms/store/tree_file.h` has the same by the path of a file.
 ///
-/// A file is a head of 4,096 bytes and sections, each of which begins at a multiple of 4,096:
-/// arrays of fixed records, least byte first, with every unused byte 0. So the bytes of a shape are
-/// the same on every machine, and each array is used where it lies. docs/tree_file.md has the
-/// format.
+/// A file is a head of 4,096 bytes and sections, each of which begins at a multiple of 4,096.
+/// Sections are arrays of fixed records, least byte first, with every unused byte 0. So the bytes
+/// of a shape are the same on every machine, and each array is used where it lies.
+/// docs/tree_file.md has the format.
 #pragma once
 
 #include "soms/base/parallel.h"

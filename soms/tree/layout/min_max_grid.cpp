@@ -197,9 +197,10 @@ std::size_t MinMaxGrid::lay_grids() {
 template <bool kShared>
 void MinMaxGrid::fill(std::span<const TriangleBlock> blocks, double scale,
                       const Parallel& parallel) {
+  // Of equal heights the first one stays: none is -0, so that the order of threads does not show.
   const auto put_range = [](Cell& cell, std::uint32_t, std::uint32_t, const ColumnBand& band) {
-    change<kShared>(cell.lower, [&](float now) { return std::min(now, band.lower); });
-    change<kShared>(cell.upper, [&](float now) { return std::max(now, band.upper); });
+    change<kShared>(cell.lower, [&](float now) { return std::min(now, band.lower + 0.0F); });
+    change<kShared>(cell.upper, [&](float now) { return std::max(now, band.upper + 0.0F); });
   };
   for_each_block(blocks, scale, parallel, [&](const BlockPlace& place, std::size_t count) {
     // Where a block is small, its triangles have about one range: slices tell them apart.
