@@ -83,7 +83,7 @@ Shape refit(const Shape& shape, std::shared_ptr<const Mesh> mesh, const Parallel
   }
   expect_as_many(mesh->vertices.size(), shape.mesh().vertices.size(), "vertices");
   expect_as_many(mesh->triangles.size(), shape.mesh().triangles.size(), "triangles");
-  if (!std::ranges::equal(mesh->triangles, shape.mesh().triangles)) {
+  if (!std::equal(mesh->triangles.begin(), mesh->triangles.end(), shape.mesh().triangles.begin())) {
     throw Error(ErrorKind::usage, "refit: the triangles are not those of the shape",
                 "build a new shape");
   }

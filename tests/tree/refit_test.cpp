@@ -241,6 +241,20 @@ ErrorKind kind_of(const std::function<void()>& action) {
   return {};
 }
 
+TEST(Refit, KeepsAllThatTheMeshStates) {
+  Mesh mesh = generate_sphere(80);
+  mesh.unit = 0.001;
+  mesh.up = UpAxis::y;
+  mesh.georeference.crs = "EPSG:25833";
+  mesh.source = "ball.ply";
+  mesh.notes = {"a note"};
+  mesh.parts = {Part{"ball", Part::kNoParent, 0, 80}};
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    mesh.faces.push_back(i / 2);
+  }
+  EXPECT_EQ(refit(Shape(mesh), mesh.vertices).mesh(), mesh);
+}
+
 TEST(Refit, RefusesWhatIsNotTheSameMeshMoved) {
   const Shape shape(generate_sphere(80), with_tree(Rule::soms));
   std::vector<Vec3> vertices = shape.shared_mesh()->vertices;
