@@ -11,7 +11,7 @@ import struct
 import tempfile
 import time
 import zlib
-from typing import Any, Callable, Dict, Iterator, List, NamedTuple, Optional, Tuple
+from typing import Any, Callable, Dict, Iterator, List, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 
@@ -39,17 +39,20 @@ def job_of(verb: str, a: Any, b: Any, poses: Any, folder: Any, question: Any) ->
 
 
 @functools.lru_cache(maxsize=4)
-def _mesh(path: str, changed: int) -> soms.Mesh:
-    return soms.read_mesh(path)
+def _file(path: str, changed: int) -> Union[soms.Mesh, soms.Shape]:
+    with open(path, "rb") as file:
+        is_tree = file.read(8) == b"\x89SOMT\r\n\x1a"
+    return soms.open_shape(path) if is_tree else soms.read_mesh(path)
 
 
 @functools.lru_cache(maxsize=4)
 def _shape(path: str, changed: int) -> soms.Shape:
-    return soms.Shape(_mesh(path, changed))
+    held = _file(path, changed)
+    return held if isinstance(held, soms.Shape) else soms.Shape(held)
 
 
 def shape(path: str) -> soms.Shape:
-    """The shape of a model, built once in each process."""
+    """The shape of a model or a tree file, built or opened once in each process."""
     return _shape(path, os.stat(path).st_mtime_ns)
 
 
@@ -67,7 +70,8 @@ def poses(path: str) -> Any:
 
 @functools.lru_cache(maxsize=8)
 def _model(path: str, changed: int) -> Dict[str, Any]:
-    mesh = _mesh(path, changed)
+    held = _file(path, changed)
+    mesh = held.mesh if isinstance(held, soms.Shape) else held
     return {"triangles": len(mesh), "hash": f"{mesh.hash():016x}"}
 
 

@@ -46,6 +46,20 @@ class Shards(unittest.TestCase):
     def test_overlap(self):
         self.check(CASES["overlap"])
 
+    def test_a_tree_file_is_the_model_that_it_was_built_of(self):
+        with tempfile.TemporaryDirectory() as place:
+            files = make_files(place)
+            self.run_soms(files, "build", "city.ply", "-o", "city.somst")
+            words = ["distance", "car.ply", "city.somst", "--pose", "poses.npy", "--binary"]
+            self.run_soms(files, *words, "whole.npz")
+            job = job_in(files, files / "answers", "distance", {})
+            tree = _shards.job_of("distance", job["a"], files / "city.somst", job["poses"], job["folder"], {})
+            self.assertEqual(_shards.identity(tree), _shards.identity(job))
+            _shards.work(tree, (0, 1000))
+            _shards.work(job, (1000, ROWS))
+            _shards.join(files / "answers", [(0, 1000), (1000, ROWS)], files / "joined.npz")
+            self.assertEqual((files / "joined.npz").read_bytes(), (files / "whole.npz").read_bytes())
+
     def test_distance_and_within(self):
         self.check(CASES["near"])
 
