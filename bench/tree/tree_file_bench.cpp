@@ -9,6 +9,7 @@
 #include "soms/io/write_mesh.h"
 #include "soms/query/distance.h"
 #include "soms/query/overlap.h"
+#include "soms/query/within.h"
 #include "soms/store/tree_file.h"
 
 #include <sys/wait.h>
@@ -107,6 +108,8 @@ void print_queries(const Shape& built, const std::filesystem::path& file) {
   });
   row("overlap, all pairs",
       [&](const Shape& city) { static_cast<void>(overlap(car, poses, Body(city))); });
+  row("within 1 m",
+      [&](const Shape& city) { static_cast<void>(within(car, poses, Body(city), 1)); });
   row("distance", [&](const Shape& city) { static_cast<void>(distance(car, few, Body(city))); });
 }
 

@@ -45,13 +45,13 @@ builds again, but a shape that open_shape opened is pickled as its path and hash
 constexpr const char* kOpenDoc =
     R"(open_shape(file, *, check='sound', load=False, threads=1) -> Shape
 
-Opens a tree file, which Shape.save or `soms build` wrote: nothing is read, parsed or built. The
+Opens a tree file, which Shape.save or `soms build` wrote: nothing is parsed or built. The
 file is mapped, and processes share its memory. Answers are those of the shape that was saved.
 
 file: a path, or bytes, which are copied. check: a name of TreeCheck: 'trusted' looks at the head
 alone; 'safe' makes sure that queries end and touch no other memory; 'sound' finds all damage;
 'full' compares every box with the triangles, so that answers are exact whoever wrote the file.
-load: copy the file into memory of the process; queries are up to a fifth faster.
+load: copy the file into memory of the process, which no other shares; the file may change.
 
 Raises Error of kind cannot_open, bad_file (names section and record), unsupported (another version
 of the format: build it again).)";

@@ -14,7 +14,7 @@ namespace soms {
 /// Hash of bytes: the same for any number of threads and on every machine. Pieces of 1 MiB are
 /// hashed one by one, in eight lanes of 64 bits, and then their hashes.
 /// \errors  ErrorKind::cancelled.
-/// \cost    About 5 GB/s on one thread.
+/// \cost    O(n).
 [[nodiscard]] std::uint64_t lanes_hash(std::span<const std::byte> bytes,
                                        const Parallel& parallel = {});
 

@@ -45,8 +45,8 @@ enum class TreeCheck {
 /// How a tree file is opened.
 struct OpenOptions {
   TreeCheck check = TreeCheck::sound;
-  /// Copy the file into memory of the program's own, on large pages, instead of mapping it: queries
-  /// are up to a fifth faster, and processes do not share it. Bytes are always copied.
+  /// Copy the file into memory of the program's own, on large pages, instead of mapping it.
+  /// Processes do not share it then, and the file may change. Bytes are always copied.
   bool load = false;
 
   [[nodiscard]] bool operator==(const OpenOptions&) const = default;
