@@ -18,9 +18,9 @@ using detail::kNoEntry;
 
 TEST(BoxBounds, GapsAlongAnAxisAreDistances) {
   const Box box{{0, 0, 0}, {1, 1, 1}};
-  EXPECT_EQ(distance_at_least({0.5, 0, 1}, box), 0);
+  EXPECT_EQ(distance_at_least(Vec3{0.5, 0, 1}, box), 0);
   for (const double gap : {1e-100, 1e-3, 1.0, 3.0, 1e80}) {
-    const double bound = distance_at_least({1 + gap, 0.5, 0.5}, box);
+    const double bound = distance_at_least(Vec3{1 + gap, 0.5, 0.5}, box);
     EXPECT_LE(bound, (1 + gap) - 1);
     EXPECT_GE(bound, ((1 + gap) - 1) * (1 - 1e-14));
   }
@@ -32,8 +32,8 @@ TEST(BoxBounds, SmallestGapsAreNotExceeded) {
   for (int exponent = -1074; exponent <= -400; ++exponent) {
     for (const double digits : {1.0, 1.3, 1.45, 1.99}) {
       const double gap = std::ldexp(digits, exponent);
-      ASSERT_LE(distance_at_least({gap, 0, 0}, box), gap) << exponent;
-      ASSERT_LE(distance_at_least({-gap, 0, 0}, box), gap) << exponent;
+      ASSERT_LE(distance_at_least(Vec3{gap, 0, 0}, box), gap) << exponent;
+      ASSERT_LE(distance_at_least(Vec3{-gap, 0, 0}, box), gap) << exponent;
     }
   }
 }
@@ -51,6 +51,33 @@ TEST(BoxBounds, DistancesAreNotExceeded) {
     const double length = (m * m + n * n + p * p + q * q) * scale;
     const Box box{{0, 0, 0}, {0, 0, 0}};
     const double bound = distance_at_least(gap, box);
+    ASSERT_LE(bound, length);
+    ASSERT_GE(bound, length * (1 - 1e-14));
+  });
+}
+
+// No point of one box is nearer to a point of the other.
+TEST(BoxBounds, DistancesOfBoxesAreThoseOfTheirPoints) {
+  test::for_each_case("scene/box-bounds/boxes", 2000, [](Rng& rng) {
+    const auto number = [&] { return static_cast<double>(rng.below(9)) - 4; };
+    Box a;
+    Box b;
+    for (int k = 0; k < 2; ++k) {
+      a.grow(Vec3{number(), number(), number()});
+      b.grow(Vec3{number(), number(), number()});
+    }
+    const double bound = distance_at_least(a, b);
+    ASSERT_EQ(bound, distance_at_least(b, a));
+    ASSERT_EQ(bound == 0, overlaps(a, b));
+    Vec3 nearest;  // in b, to the point of a that is nearest to it
+    Vec3 other;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      nearest[axis] = std::clamp(a.lower[axis], b.lower[axis], b.upper[axis]);
+      other[axis] = std::clamp(nearest[axis], a.lower[axis], a.upper[axis]);
+      nearest[axis] = std::clamp(other[axis], b.lower[axis], b.upper[axis]);
+    }
+    const Vec3 gap = other - nearest;
+    const double length = std::sqrt(gap.x * gap.x + gap.y * gap.y + gap.z * gap.z);
     ASSERT_LE(bound, length);
     ASSERT_GE(bound, length * (1 - 1e-14));
   });

@@ -33,10 +33,14 @@ constexpr double kLargest = std::numeric_limits<double>::max();
 }  // namespace
 
 double distance_at_least(const Vec3& point, const Box& box) {
+  return distance_at_least(Box{point, point}, box);
+}
+
+double distance_at_least(const Box& a, const Box& b) {
   double square = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double gap =
-        std::max({0.0, box.lower[axis] - point[axis], point[axis] - box.upper[axis]});
+        std::max({0.0, b.lower[axis] - a.upper[axis], a.lower[axis] - b.upper[axis]});
     square += gap * gap;
   }
   return std::sqrt(std::max(square * kSquareShrink - kSquareUnderflow, 0.0)) * kRootShrink;

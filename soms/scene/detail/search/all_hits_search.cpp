@@ -3,6 +3,7 @@
 #include "soms/query/detail/engine/batch.h"
 #include "soms/scene/detail/search/body_search.h"
 #include "soms/scene/detail/search/line_question.h"
+#include "soms/scene/detail/search/measures.h"
 #include "soms/scene/detail/search/nearest_body.h"
 
 #include <algorithm>
@@ -43,18 +44,11 @@ bool is_before(const LineQuestion<Line>& question, const PlacedCrossing& x,
   if (x.of == y.of) {
     return x.place < y.place;
   }
-  // The narrowest brackets: those that differ have the order of what is in them, and equal ones of
-  // two equal ends the same t.
-  const Bracket t = x.t();
-  if (t != y.t()) {
-    return t.lower < y.t().lower || t.upper < y.t().upper;
-  }
-  if (t.lower != t.upper) {
-    const auto order =
-        question.compare(*x.of->body, x.first_triangle(), *y.of->body, y.first_triangle());
-    if (order != std::strong_ordering::equal) {
-      return order == std::strong_ordering::less;
-    }
+  const std::strong_ordering order = order_of(x.t(), y.t(), [&] {
+    return question.compare(*x.of->body, x.first_triangle(), *y.of->body, y.first_triangle());
+  });
+  if (order != 0) {
+    return order < 0;
   }
   return x.of->number < y.of->number;
 }

@@ -4,6 +4,7 @@
 
 #include "soms/base/bracket.h"
 #include "soms/scene/detail/search/body_search.h"
+#include "soms/scene/detail/search/measures.h"
 
 #include <algorithm>
 #include <compare>
@@ -93,21 +94,13 @@ class NearestBody {
     return limit_;
   }
 
-  /// Brackets are the narrowest ones, so those that differ tell the order of what is in them, and
-  /// equal ones of two equal ends that there is no difference.
   [[nodiscard]] bool is_nearer(const Answer& answer, const Body& body, std::uint32_t number) const {
     if (!found_) {
       return true;
     }
-    const Bracket here = question_.measure(answer);
-    const Bracket best = question_.measure(*found_);
-    if (here != best) {
-      return here.lower < best.lower || (here.lower == best.lower && here.upper < best.upper);
-    }
-    const std::strong_ordering order =
-        here.lower == here.upper
-            ? std::strong_ordering::equal
-            : question_.compare(body, *answer.triangle, *body_, *found_->triangle);
+    const std::strong_ordering order = order_of(
+        question_.measure(answer), question_.measure(*found_),
+        [&] { return question_.compare(body, *answer.triangle, *body_, *found_->triangle); });
     return order < 0 || (order == 0 && number < *found_->body);
   }
 

@@ -1,14 +1,10 @@
 // The nearest of many bodies to points.
 #include "soms/base/arithmetic.h"
-#include "soms/geometry/detail/point_to_triangle.h"
 #include "soms/query/detail/engine/batch.h"
-#include "soms/query/detail/moved_triangle.h"
-#include "soms/scene/detail/box_bounds.h"
 #include "soms/scene/detail/search/body_search.h"
 #include "soms/scene/detail/search/nearest_body.h"
 
 #include <algorithm>
-#include <compare>
 #include <limits>
 
 namespace soms::detail {
@@ -18,45 +14,21 @@ namespace {
 constexpr double kBeyondAll = std::numeric_limits<double>::infinity();
 
 /// How far is a point from the surfaces?
-class PointQuestion {
+class PointQuestion : public PointMeasure {
  public:
   using Answer = Closest;
   using Found = BodyClosest;
 
   PointQuestion(const Vec3& point, const ClosestOptions& options, LeftOut left_out,
                 const Parallel& parallel)
-      : point_(point), options_(options), left_out_(left_out), parallel_(parallel) {}
-
-  [[nodiscard]] static const Bracket& measure(const Closest& answer) { return answer.distance; }
-
-  [[nodiscard]] double key(const Box& box) const { return distance_at_least(point_, box); }
-
-  [[nodiscard]] double limit() const { return options_.at_most; }
+      : PointMeasure(point, options, parallel), left_out_(left_out) {}
 
   [[nodiscard]] Closest ask(const Body& body, std::uint32_t number, double limit) const {
-    if (number == left_out_) {
-      return {};
-    }
-    Closest answer = soms::closest(body, point_, {limit, options_.deadline}, parallel_);
-    if (answer.coverage == Coverage::cut && answer.triangle) {
-      // What was proved of the body is not what is measured.
-      answer.distance = point_distance(point_, moved_triangle(body, *answer.triangle)).distance;
-    }
-    return answer;
-  }
-
-  [[nodiscard]] std::strong_ordering compare(const Body& body, TriangleId triangle,
-                                             const Body& other, TriangleId others) const {
-    PointToTriangle here(point_, moved_triangle(body, triangle));
-    PointToTriangle there(point_, moved_triangle(other, others));
-    return here.compare(there);
+    return number == left_out_ ? Closest() : nearest(body, limit);
   }
 
  private:
-  const Vec3& point_;
-  const ClosestOptions& options_;
   LeftOut left_out_;
-  const Parallel& parallel_;
 };
 
 /// Some body that takes part has triangles.
