@@ -1,0 +1,18 @@
+set(SOMS_HEADERS
+  cut_tiles.h
+  tile_set.h
+  tiled_queries.h
+)
+set(SOMS_SOURCES
+  cut_mesh.cpp
+  cut_tiles.cpp
+  detail/manifest.cpp
+  detail/tile_boxes.cpp
+  detail/tile_cache.cpp
+  detail/tile_ids.cpp
+  print.cpp
+  tile_set.cpp
+  tiled_near.cpp
+  tiled_overlap.cpp
+  tiled_probes.cpp
+)

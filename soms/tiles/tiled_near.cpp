@@ -1,0 +1,193 @@
+// How far is a mover from tiles, and is it within a clearance of them?
+#include "soms/base/arithmetic.h"
+#include "soms/geometry/detail/pair_distance.h"
+#include "soms/query/detail/engine/batch.h"
+#include "soms/query/detail/moved_triangle.h"
+#include "soms/scene/detail/box_bounds.h"
+#include "soms/scene/detail/moved_bounds.h"
+#include "soms/tiles/detail/nearest_tile.h"
+#include "soms/tiles/tiled_queries.h"
+
+#include <algorithm>
+#include <compare>
+#include <limits>
+
+namespace soms {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// How far is a body?
+class BodyQuestion {
+ public:
+  using Answer = Distance;
+  using Winner = TrianglePair;
+
+  BodyQuestion(const Body& mover, const DistanceOptions& options, const Parallel& parallel)
+      : mover_(mover),
+        box_(detail::moved_bounds(mover.pose, mover.shape.bounds())),
+        options_(options),
+        parallel_(parallel) {}
+
+  [[nodiscard]] static const Bracket& measure(const Distance& answer) { return answer.distance; }
+
+  [[nodiscard]] double key(const Box& box) const { return detail::distance_at_least(box_, box); }
+
+  [[nodiscard]] double limit() const { return options_.at_most; }
+
+  [[nodiscard]] Distance ask(const Body& body, const OpenTile& /*tile*/, double limit) const {
+    Distance answer = soms::distance(mover_, body, {limit, options_.deadline}, parallel_);
+    if (answer.coverage == Coverage::cut && answer.triangles) {
+      // What was proved of the tile is not what is measured.
+      answer.distance = pair_of(body, *answer.triangles).distance();
+    }
+    return answer;
+  }
+
+  [[nodiscard]] static std::optional<TrianglePair> winner(const Distance& answer,
+                                                          const OpenTile& tile) {
+    return answer.triangles ? std::optional(TrianglePair(answer.triangles->first,
+                                                         tile.number(answer.triangles->second)))
+                            : std::nullopt;
+  }
+
+  [[nodiscard]] std::strong_ordering compare(const Body& body, const TrianglePair& pair,
+                                             const Body& other, const TrianglePair& others) const {
+    detail::PairDistance here = pair_of(body, pair);
+    detail::PairDistance there = pair_of(other, others);
+    return here.compare(there);
+  }
+
+ private:
+  [[nodiscard]] detail::PairDistance pair_of(const Body& body, const TrianglePair& pair) const {
+    return {detail::moved_triangle(mover_, pair.first), detail::moved_triangle(body, pair.second)};
+  }
+
+  const Body& mover_;
+  Box box_;
+  const DistanceOptions& options_;
+  const Parallel& parallel_;
+};
+
+Distance distance_of(const Body& mover, const detail::TileBoxes& tiles,
+                     const DistanceOptions& options, const Parallel& parallel) {
+  if (mover.shape.bounds().empty() || tiles.body().tiles.triangles() == 0) {
+    return {.distance = {kInfinity, kInfinity}};
+  }
+  const BodyQuestion question(mover, options, parallel);
+  detail::NearestTile nearest(question);
+  std::vector<detail::KeyedBounds> memory;
+  nearest.run(tiles, memory);
+  Distance answer;
+  if (nearest.found()) {
+    answer = nearest.found()->answer;
+    answer.triangles = nearest.found()->winner;
+  } else {
+    answer.farther = !nearest.cut();
+    answer.distance = {answer.farther ? options.at_most : kInfinity, kInfinity};
+  }
+  answer.coverage = Coverage::complete;
+  if (nearest.cut()) {
+    answer.coverage = Coverage::cut;
+    answer.distance.lower = std::min(answer.distance.lower, nearest.at_least());
+  }
+  answer.cost = nearest.cost();
+  return answer;
+}
+
+Within within_of(const Body& mover, const detail::TileBoxes& tiles, double clearance,
+                 const WithinOptions& options, const Parallel& parallel) {
+  if (mover.shape.bounds().empty() || tiles.body().tiles.triangles() == 0) {
+    return {.at_least = kInfinity};
+  }
+  const Box box = detail::moved_bounds(mover.pose, mover.shape.bounds());
+  const auto key = [&](const Box& other) { return detail::distance_at_least(box, other); };
+  Within answer{.at_least = clearance};
+  Cost cost;
+  std::vector<detail::KeyedBounds> memory;
+  cost.node_tests +=
+      tiles.boxes().search(key, clearance, memory, [&](std::uint32_t number, double /*key*/) {
+        const auto tile = tiles.open(number);
+        const Within here =
+            soms::within(mover, Body(tile->shape, tiles.body().pose), clearance, options, parallel);
+        cost += here.cost;
+        if (!here.within && here.coverage == Coverage::complete) {
+          return clearance;
+        }
+        answer = here;
+        if (here.within) {
+          answer.triangles->second = tile->number(here.triangles->second);
+        }
+        return -kInfinity;  // decided, or out of time
+      });
+  answer.cost = cost;
+  return answer;
+}
+
+/// The box of a mover at a pose tells where its row begins.
+template <class Ask>
+void for_each_pose(const Shape& mover, std::span<const Pose> poses, const detail::TileBoxes& tiles,
+                   const Parallel& parallel, const Ask& ask) {
+  const Parallel alone = {.stop = parallel.stop};
+  const bool single = poses.size() == 1;
+  detail::for_each_row(
+      tiles.body().tiles, poses.size(), parallel,
+      [&](std::size_t row) {
+        const Box box = detail::moved_bounds(poses[row], mover.bounds());
+        return detail::first_tile(
+            tiles, [&](const Box& other) { return detail::distance_at_least(box, other); });
+      },
+      [&](std::size_t row) { ask(row, Body(mover, poses[row]), single ? parallel : alone); });
+}
+
+}  // namespace
+
+DistanceBatch distance(const Shape& mover, std::span<const Pose> poses, const TiledBody& fixed,
+                       const DistanceOptions& options, const Parallel& parallel) {
+  const PlainArithmetic plain;
+  check(options);
+  detail::check_poses(poses, mover);
+  const detail::TileBoxes tiles(fixed);
+  check_stop(parallel);
+  // The columns of a shape without triangles are of the right size.
+  DistanceBatch batch = distance(mover, poses, Body(), options);
+  for_each_pose(mover, poses, tiles, parallel,
+                [&](std::size_t row, const Body& body, const Parallel& threads) {
+                  const Distance answer = distance_of(body, tiles, options, threads);
+                  batch.lower[row] = answer.distance.lower;
+                  batch.upper[row] = answer.distance.upper;
+                  batch.triangles[row] = answer.triangles;
+                  batch.point_a[row] = answer.point_a;
+                  batch.point_b[row] = answer.point_b;
+                  batch.farther[row] = answer.farther ? 1 : 0;
+                  batch.coverage[row] = answer.coverage;
+                  batch.costs[row] = answer.cost;
+                });
+  batch.cost = detail::sum_of(batch.costs);
+  return batch;
+}
+
+WithinBatch within(const Shape& mover, std::span<const Pose> poses, const TiledBody& fixed,
+                   double clearance, const WithinOptions& options, const Parallel& parallel) {
+  const PlainArithmetic plain;
+  detail::check_poses(poses, mover);
+  const detail::TileBoxes tiles(fixed);
+  check_stop(parallel);
+  WithinBatch batch = within(mover, poses, Body(), clearance, options);  // checks the clearance
+  for_each_pose(mover, poses, tiles, parallel,
+                [&](std::size_t row, const Body& body, const Parallel& threads) {
+                  const Within answer = within_of(body, tiles, clearance, options, threads);
+                  batch.within[row] = answer.within ? 1 : 0;
+                  batch.triangles[row] = answer.triangles;
+                  batch.point_a[row] = answer.point_a;
+                  batch.point_b[row] = answer.point_b;
+                  batch.at_least[row] = answer.at_least;
+                  batch.coverage[row] = answer.coverage;
+                  batch.costs[row] = answer.cost;
+                });
+  batch.cost = detail::sum_of(batch.costs);
+  return batch;
+}
+
+}  // namespace soms

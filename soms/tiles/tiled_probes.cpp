@@ -1,0 +1,252 @@
+// The point of tiles that is nearest to another one, and what rays hit first.
+#include "soms/base/arithmetic.h"
+#include "soms/base/error.h"
+#include "soms/query/detail/engine/batch.h"
+#include "soms/scene/detail/search/measures.h"
+#include "soms/tiles/detail/nearest_tile.h"
+#include "soms/tiles/tiled_queries.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+namespace soms {
+
+namespace {
+
+constexpr double kBeyondAll = std::numeric_limits<double>::infinity();
+
+std::optional<TriangleId> number_in_all(const std::optional<TriangleId>& triangle,
+                                        const OpenTile& tile) {
+  return triangle ? std::optional(tile.number(*triangle)) : std::nullopt;
+}
+
+/// How far are the surfaces from a point?
+class PointQuestion : public detail::PointMeasure {
+ public:
+  using Answer = Closest;
+  using Winner = TriangleId;
+  using PointMeasure::PointMeasure;
+
+  [[nodiscard]] Closest ask(const Body& body, const OpenTile& /*tile*/, double limit) const {
+    return nearest(body, limit);
+  }
+
+  [[nodiscard]] static std::optional<TriangleId> winner(const Closest& answer,
+                                                        const OpenTile& tile) {
+    return number_in_all(answer.triangle, tile);
+  }
+};
+
+/// Where does a ray or a segment meet the surfaces first, if at all?
+template <class Line>
+class LineQuestion : public detail::LineMeasure<Line> {
+ public:
+  using Answer = ClosestHit;
+  using Winner = TriangleId;
+
+  LineQuestion(const Line& given, const RayOptions& options)
+      : detail::LineMeasure<Line>(given), options_(options) {}
+
+  [[nodiscard]] ClosestHit ask(const Body& body, const OpenTile& tile, double limit) const {
+    return soms::closest_hit(body, detail::shortened(this->line(), limit), options_for(tile));
+  }
+
+  [[nodiscard]] AnyHit ask_any(const Body& body, const OpenTile& tile) const {
+    return soms::any_hit(body, this->line(), options_for(tile));
+  }
+
+  [[nodiscard]] static std::optional<TriangleId> winner(const ClosestHit& answer,
+                                                        const OpenTile& tile) {
+    return number_in_all(answer.triangle, tile);
+  }
+
+ private:
+  /// The triangle to skip is in one tile.
+  [[nodiscard]] RayOptions options_for(const OpenTile& tile) const {
+    RayOptions options{std::nullopt, options_.deadline};
+    if (options_.skip) {
+      const auto at = std::lower_bound(tile.ids.begin(), tile.ids.end(), *options_.skip);
+      if (at != tile.ids.end() && *at == *options_.skip) {
+        options.skip = static_cast<TriangleId>(at - tile.ids.begin());
+      }
+    }
+    return options;
+  }
+
+  const RayOptions& options_;
+};
+
+void check_skip(const TileSet& tiles, const RayOptions& options) {
+  if (options.skip && *options.skip >= tiles.triangles()) {
+    throw Error(ErrorKind::usage,
+                "ray options: there is no triangle " + std::to_string(*options.skip) + " to skip",
+                "triangles are numbered from 0, through all tiles");
+  }
+}
+
+template <class Line>
+ClosestHit first_hit(const Line& line, const detail::TileBoxes& tiles, const RayOptions& options) {
+  const LineQuestion<Line> question(line, options);
+  detail::NearestTile nearest(question);
+  std::vector<detail::KeyedBounds> memory;
+  nearest.run(tiles, memory);
+  ClosestHit answer;
+  if (nearest.found()) {
+    answer = nearest.found()->answer;
+    answer.triangle = nearest.found()->winner;
+  }
+  answer.coverage = Coverage::complete;
+  if (nearest.cut()) {
+    answer.coverage = Coverage::cut;
+    answer.t.lower = std::min(answer.t.lower, nearest.at_least());
+  }
+  answer.cost = nearest.cost();
+  return answer;
+}
+
+template <class Line>
+AnyHit some_hit(const Line& line, const detail::TileBoxes& tiles, const RayOptions& options) {
+  const LineQuestion<Line> question(line, options);
+  AnyHit answer;
+  std::vector<detail::KeyedBounds> memory;
+  const auto key = [&](const Box& box) { return question.key(box); };
+  answer.cost.node_tests += tiles.boxes().search(
+      key, question.limit(), memory, [&](std::uint32_t number, double /*key*/) {
+        const auto tile = tiles.open(number);
+        const AnyHit here = question.ask_any(Body(tile->shape, tiles.body().pose), *tile);
+        answer.hit = here.hit;
+        answer.coverage = here.coverage;
+        answer.cost += here.cost;
+        return here.hit || here.coverage == Coverage::cut ? -kBeyondAll : question.limit();
+      });
+  return answer;
+}
+
+/// `ask(row)` for each line.
+template <class Line, class Ask>
+void for_each_line(std::span<const Line> lines, const detail::TileBoxes& tiles,
+                   const Parallel& parallel, const Ask& ask) {
+  detail::for_each_row(
+      tiles.body().tiles, lines.size(), parallel,
+      [&](std::size_t row) {
+        const LineQuestion<Line> question(lines[row], {});
+        return detail::first_tile(tiles, [&](const Box& box) { return question.key(box); });
+      },
+      ask);
+}
+
+// What a body without triangles answers is checked, and its columns are of the right size.
+
+template <class Line>
+ClosestHitBatch first_hits(const TiledBody& body, std::span<const Line> lines,
+                           const RayOptions& options, const Parallel& parallel) {
+  const PlainArithmetic plain;
+  check_skip(body.tiles, options);
+  const detail::TileBoxes tiles(body);
+  ClosestHitBatch batch = closest_hit(Body(), lines, {}, parallel);
+  for_each_line(lines, tiles, parallel, [&](std::size_t row) {
+    const ClosestHit answer = first_hit(lines[row], tiles, options);
+    batch.lower[row] = answer.t.lower;
+    batch.upper[row] = answer.t.upper;
+    batch.triangle[row] = answer.triangle;
+    batch.point[row] = answer.point;
+    batch.front[row] = answer.front ? 1 : 0;
+    batch.coverage[row] = answer.coverage;
+    batch.costs[row] = answer.cost;
+  });
+  batch.cost = detail::sum_of(batch.costs);
+  return batch;
+}
+
+template <class Line>
+AnyHitBatch some_hits(const TiledBody& body, std::span<const Line> lines, const RayOptions& options,
+                      const Parallel& parallel) {
+  const PlainArithmetic plain;
+  check_skip(body.tiles, options);
+  const detail::TileBoxes tiles(body);
+  AnyHitBatch batch = any_hit(Body(), lines, {}, parallel);
+  for_each_line(lines, tiles, parallel, [&](std::size_t row) {
+    const AnyHit answer = some_hit(lines[row], tiles, options);
+    batch.hit[row] = answer.hit ? 1 : 0;
+    batch.coverage[row] = answer.coverage;
+    batch.costs[row] = answer.cost;
+  });
+  batch.cost = detail::sum_of(batch.costs);
+  return batch;
+}
+
+Closest closest_of(const Vec3& point, const detail::TileBoxes& tiles, const ClosestOptions& options,
+                   const Parallel& parallel) {
+  const PointQuestion question(point, options, parallel);
+  detail::NearestTile nearest(question);
+  std::vector<detail::KeyedBounds> memory;
+  nearest.run(tiles, memory);
+  Closest answer;
+  if (nearest.found()) {
+    answer = nearest.found()->answer;
+    answer.triangle = nearest.found()->winner;
+  } else {
+    answer.farther = !nearest.cut() && tiles.body().tiles.triangles() > 0;
+    answer.distance = {answer.farther ? options.at_most : kBeyondAll, kBeyondAll};
+  }
+  answer.coverage = Coverage::complete;
+  if (nearest.cut()) {
+    answer.coverage = Coverage::cut;
+    answer.distance.lower = std::min(answer.distance.lower, nearest.at_least());
+  }
+  answer.cost = nearest.cost();
+  return answer;
+}
+
+}  // namespace
+
+ClosestBatch closest(const TiledBody& body, std::span<const Vec3> points,
+                     const ClosestOptions& options, const Parallel& parallel) {
+  const PlainArithmetic plain;
+  const detail::TileBoxes tiles(body);
+  ClosestBatch batch = closest(Body(), points, options);
+  const Parallel alone = {.stop = parallel.stop};
+  detail::for_each_row(
+      body.tiles, points.size(), parallel,
+      [&](std::size_t row) {
+        return detail::first_tile(
+            tiles, [&](const Box& box) { return detail::distance_at_least(points[row], box); });
+      },
+      [&](std::size_t row) {
+        const Closest answer =
+            closest_of(points[row], tiles, options, points.size() == 1 ? parallel : alone);
+        batch.lower[row] = answer.distance.lower;
+        batch.upper[row] = answer.distance.upper;
+        batch.triangle[row] = answer.triangle;
+        batch.point[row] = answer.point;
+        batch.feature[row] = answer.feature;
+        batch.farther[row] = answer.farther ? 1 : 0;
+        batch.coverage[row] = answer.coverage;
+        batch.costs[row] = answer.cost;
+      });
+  batch.cost = detail::sum_of(batch.costs);
+  return batch;
+}
+
+ClosestHitBatch closest_hit(const TiledBody& body, std::span<const Ray> rays,
+                            const RayOptions& options, const Parallel& parallel) {
+  return first_hits(body, rays, options, parallel);
+}
+
+ClosestHitBatch closest_hit(const TiledBody& body, std::span<const Segment> segments,
+                            const RayOptions& options, const Parallel& parallel) {
+  return first_hits(body, segments, options, parallel);
+}
+
+AnyHitBatch any_hit(const TiledBody& body, std::span<const Ray> rays, const RayOptions& options,
+                    const Parallel& parallel) {
+  return some_hits(body, rays, options, parallel);
+}
+
+AnyHitBatch any_hit(const TiledBody& body, std::span<const Segment> segments,
+                    const RayOptions& options, const Parallel& parallel) {
+  return some_hits(body, segments, options, parallel);
+}
+
+}  // namespace soms
