@@ -4,6 +4,7 @@
 #include "soms/io/crs.h"
 #include "soms/io/read_mesh.h"
 #include "soms/store/tree_file.h"
+#include "soms/tiles/tile_set.h"
 #include "soms/tree/rule/rules.h"
 
 #include "apps/cli/console.h"
@@ -307,6 +308,15 @@ void check_statements(const MeshView& mesh, const ModelOptions& options, const s
   }
 }
 
+void refuse_tiles(const std::string& path) {
+  if (is_tile_folder(path)) {
+    throw Error(ErrorKind::usage,
+                printable(path) + ": a folder of tiles, where this takes a whole model",
+                "give the model; overlap, distance and within take tiles as B, closest and ray as "
+                "MODEL");
+  }
+}
+
 Mesh read_model(const std::string& path, const ModelOptions& options, const Console& console) {
   if (path.empty()) {
     throw Error(ErrorKind::usage, "the name of a model is empty", "give the name of a file");
@@ -316,6 +326,7 @@ Mesh read_model(const std::string& path, const ModelOptions& options, const Cons
                          .strict = options.strict,
                          .lod = options.lod,
                          .surfaces = options.surfaces};
+  refuse_tiles(path);
   const bool is_tree = is_tree_file(path);
   Mesh mesh = console.run("reading " + printable(path), [&](const Parallel& parallel) {
     try {

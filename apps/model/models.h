@@ -71,6 +71,9 @@ void refuse_given(const Parser& parser, const std::vector<IdleOption>& idle);
 /// The first option of trees or their traversal that was given; empty if none was.
 [[nodiscard]] std::string given_of_trees(const Parser& parser);
 
+/// \errors ErrorKind::usage for a folder of tiles, where whole surfaces are needed.
+void refuse_tiles(const std::string& path);
+
 /// Reads a model with a progress bar, scales and turns it. "-" is standard input. Its notes go to
 /// standard error, unless `lists_notes`.
 /// \errors As `read_mesh`; ErrorKind::timed_out.

@@ -99,6 +99,10 @@ Json model_entry(const MeshView& mesh) {
           {"hash", fmt::format("{:016x}", corner_hash(mesh))}};
 }
 
+Json model_entry(const TileSet& tiles) {
+  return {{"triangles", tiles.triangles()}, {"hash", fmt::format("{:016x}", tiles.hash())}};
+}
+
 Json poses_entry(const std::optional<std::string>& text, const std::optional<std::uint64_t>& rows) {
   std::error_code none;
   if (!text) {

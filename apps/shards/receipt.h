@@ -4,6 +4,7 @@
 #pragma once
 
 #include "soms/geometry/mesh.h"
+#include "soms/tiles/tile_set.h"
 
 #include "apps/output/json.h"
 #include "apps/rows/shard.h"
@@ -49,6 +50,7 @@ struct Receipt {
 
 /// What identifies a model: its triangles, as they were read, scaled and turned.
 [[nodiscard]] Json model_entry(const MeshView& mesh);
+[[nodiscard]] Json model_entry(const TileSet& tiles);
 
 /// What identifies the poses of an option: a pose as it is stated, or the size of a file, the
 /// number of its rows and its first and last bytes, so that files of many gigabytes need not be

@@ -74,6 +74,12 @@ void refuse_others(const PosedModels& options, const ShardedOutputs& outputs) {
   }
 }
 
+/// What identifies a model, or a folder of tiles.
+Json entry_of(const std::string& path, const ModelOptions& model, const Console& console) {
+  return is_tile_folder(path) ? model_entry(TileSet::open(path))
+                              : model_entry(read_model(path, model, console));
+}
+
 }  // namespace
 
 ShardFiles::ShardFiles(const PosedModels& options, Json question, const ShardedOutputs& outputs,
@@ -113,11 +119,11 @@ ShardFiles::ShardFiles(const PosedModels& options, Json question, const ShardedO
   }
 }
 
-Json ShardFiles::receipt(const MeshView& a, const MeshView& b) const {
+Json ShardFiles::receipt(const Json& a, const Json& b) const {
   return {{"schema", kShardSchema},
           {"version", SOMS_VERSION},
           {"question", question_},
-          {"models", {{"a", model_entry(a)}, {"b", model_entry(b)}}},
+          {"models", {{"a", a}, {"b", b}}},
           {"poses", poses_},
           {"of", of_},
           {"rows", Json::array({rows_.begin, rows_.end})}};
@@ -130,9 +136,8 @@ bool ShardFiles::are_there(const PosedModels& options, const Console& console) c
     return false;
   }
   const Receipt there = read_receipt(path);
-  const Mesh a = read_model(options.a, options.model_a, console);
-  const Mesh b = read_model(options.b, options.model_b, console);
-  const Json wanted = receipt(a, b);
+  const Json wanted = receipt(entry_of(options.a, options.model_a, console),
+                              entry_of(options.b, options.model_b, console));
   const bool same_rows = there.value["rows"] == wanted["rows"];
   if (const auto other =
           same_rows ? difference(there.value, wanted) : std::optional<std::string>("rows")) {
@@ -158,7 +163,7 @@ PosePairs ShardFiles::poses(const PosedModels& options, const Console& console) 
           rows_.size()};
 }
 
-void ShardFiles::finish(const MeshView& a, const MeshView& b, const Console& console) const {
+void ShardFiles::finish(const Json& a, const Json& b, const Console& console) const {
   Json files = Json::object();
   for (const auto& [written, kind] : {std::pair(csv_, "csv"), std::pair(binary_, "npz")}) {
     if (written) {

@@ -2,8 +2,6 @@
 /// The files of --shard: answers of a share of the rows, and the receipt that makes them valid.
 #pragma once
 
-#include "soms/geometry/mesh.h"
-
 #include "apps/output/json.h"
 #include "apps/rows/pose_source.h"
 #include "apps/rows/shard.h"
@@ -48,12 +46,12 @@ class ShardFiles {
   /// The poses of these rows.
   [[nodiscard]] PosePairs poses(const PosedModels& options, const Console& console) const;
 
-  /// Writes the receipt, once the answers about these models are written.
+  /// Writes the receipt, once the answers about the models of these entries are written.
   /// \errors ErrorKind::cannot_write.
-  void finish(const MeshView& a, const MeshView& b, const Console& console) const;
+  void finish(const Json& a, const Json& b, const Console& console) const;
 
  private:
-  [[nodiscard]] Json receipt(const MeshView& a, const MeshView& b) const;
+  [[nodiscard]] Json receipt(const Json& a, const Json& b) const;
 
   Shard shard_;
   std::filesystem::path stem_;  ///< DIR/shard-K

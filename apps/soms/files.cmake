@@ -54,8 +54,6 @@ set(SOMS_COMMAND_FILES
   clearance/clearance_path.cpp
   clearance/clearance_path.h
   main.cpp
-  models/build.cpp
-  models/build.h
   models/convert.cpp
   models/convert.h
   models/generate.cpp

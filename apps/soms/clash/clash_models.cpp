@@ -8,6 +8,7 @@
 #include "apps/cli/console.h"
 #include "apps/cli/text.h"
 #include "apps/model/georeference.h"
+#include "apps/model/models.h"
 #include "apps/world/part_names.h"
 
 #include <fmt/format.h>
@@ -57,6 +58,7 @@ bool is_broken_link(const fs::directory_entry& entry) {
 }
 
 void add_models_in(const fs::path& folder, ModelFiles& models) {
+  refuse_tiles(folder.string());
   std::vector<std::string> files;
   Strangers strangers;
   std::error_code fault;

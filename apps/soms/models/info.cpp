@@ -4,6 +4,7 @@
 #include "soms/geometry/closedness.h"
 #include "soms/geometry/defects.h"
 #include "soms/store/tree_file.h"
+#include "soms/tiles/tile_set.h"
 #include "soms/tree/rule/rules.h"
 #include "soms/tree/shape.h"
 
@@ -13,10 +14,11 @@
 #include "apps/model/georeference.h"
 #include "apps/model/shapes.h"
 #include "apps/output/json.h"
-#include "apps/soms/models/build.h"
 #include "apps/soms/models/info_closedness.h"
 #include "apps/soms/models/info_defects.h"
 #include "apps/soms/models/info_trees.h"
+#include "apps/store/build_verb.h"
+#include "apps/store/info_tiles.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -164,7 +166,7 @@ std::string describe(const Box& box) {
   if (box.empty()) {
     return "empty";
   }
-  return fmt::format("{} to {}", readable_point(box.lower), readable_point(box.upper));
+  return fmt::format("{} to {}", point_in_text(box.lower), point_in_text(box.upper));
 }
 
 std::string describe_parts(const Mesh& mesh, const Defects& defects) {
@@ -244,6 +246,10 @@ bool concerns_one_file(ErrorKind kind) {
 int tell(const std::string& file, const InfoOptions& options, Console& console) {
   const bool json = console.shared().json;
   try {
+    if (is_tile_folder(file)) {
+      print_tiles(file, options.model, options.verify, console);
+      return 0;
+    }
     const ModelReport report = examine(file, options, console);
     print(report, options, console);
     return 0;
@@ -314,7 +320,7 @@ Action add_info(Parser& parser, Shared&) {
       ->option_text("N");
   parser.add_flag(
       "--verify", options->verify,
-      "of tree files: check every box, so that answers are exact whoever wrote the file");
+      "of tree files and tiles: check every box, so that answers are exact whoever wrote them");
   add_model_options(parser, options->model, "--scale", "--up", "the models");
   add_city_options(parser, options->model, "", "the models");
   add_allow_empty(parser, options->model);

@@ -112,7 +112,7 @@ std::string to_text(const DefectPlace& place, const PartsOf& part_of) {
     const Vec3& p = mesh.vertices[place.vertices[i]];
     const char* const link = i == 0 ? "" : place.uses > 0 ? " to" : ",";
     text += fmt::format("{}{}vertex {} {}", link, text.empty() ? "" : " ", place.vertices[i],
-                        readable_point(p));
+                        point_in_text(p));
   }
   if (place.has_original) {
     text += fmt::format("; as {} {}", place.of_vertex ? "vertex" : "triangle", place.other);
@@ -149,10 +149,6 @@ void print_list(const PartsOf& parts, std::string_view title, const List& list, 
 std::string name_or_number(const Mesh& mesh, std::size_t part) {
   const std::string& name = mesh.parts[part].name;
   return name.empty() ? fmt::format("number {}", part) : printable(name);
-}
-
-std::string readable_point(const Vec3& p) {
-  return fmt::format("({}, {}, {})", readable(p.x), readable(p.y), readable(p.z));
 }
 
 Json defect_counts(const Defects& d) {

@@ -20,9 +20,6 @@ class Console;
 /// A part as its file calls it, or "number 3" where it has no name.
 [[nodiscard]] std::string name_or_number(const Mesh& mesh, std::size_t part);
 
-/// "(x, y, z)", fit to be read.
-[[nodiscard]] std::string readable_point(const Vec3& p);
-
 /// The counts, as the member `defects` of the JSON.
 [[nodiscard]] Json defect_counts(const Defects& defects);
 

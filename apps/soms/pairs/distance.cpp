@@ -2,6 +2,7 @@
 
 #include "soms/query/distance.h"
 #include "soms/query/reference/distance.h"
+#include "soms/tiles/tiled_queries.h"
 
 #include "apps/cli/console.h"
 #include "apps/cli/parse.h"
@@ -48,6 +49,8 @@ class DistanceQuestion {
   [[nodiscard]] Distance ask(const Body& a, const Body& b, const Parallel& parallel) const;
   [[nodiscard]] DistanceBatch ask(const Shape& a, std::span<const Pose> poses, const Body& b,
                                   const Parallel& parallel) const;
+  [[nodiscard]] DistanceBatch ask(const Shape& a, std::span<const Pose> poses, const TiledBody& b,
+                                  const Parallel& parallel) const;
 
   /// True if the bodies overlap.
   [[nodiscard]] bool found(const Distance& answer) const;
@@ -85,6 +88,11 @@ Distance DistanceQuestion::ask(const Body& a, const Body& b, const Parallel& par
 }
 
 DistanceBatch DistanceQuestion::ask(const Shape& a, std::span<const Pose> poses, const Body& b,
+                                    const Parallel& parallel) const {
+  return distance(a, poses, b, options_, parallel);
+}
+
+DistanceBatch DistanceQuestion::ask(const Shape& a, std::span<const Pose> poses, const TiledBody& b,
                                     const Parallel& parallel) const {
   return distance(a, poses, b, options_, parallel);
 }

@@ -41,6 +41,7 @@ struct NearFiles {
 ///     using Answer = ...;                          // with triangles, point_a, point_b, coverage
 ///     static constexpr std::string_view kSchema, kColumns;   // of JSON; of CSV
 ///     Answer ask(a, b, parallel); auto ask(mover, poses, fixed, parallel);   // a batch has at(k)
+///                                                  // fixed: a Body, or a TiledBody
 ///     bool found(answer), undecided(answer);       // for --fail-if and the totals
 ///     std::string title(), cell(answer), text(answer), json(answer), csv(answer), totals(...);
 ///     void add(pose, answer);                      // to what `totals` says
@@ -74,6 +75,14 @@ class NearRun : public PoseRun {
 
   void ask(std::size_t begin, const Shape& a, std::span<const Pose> poses, const Body& b,
            const Parallel& parallel) override {
+    const auto batch = question_.ask(a, poses, b, parallel);
+    for (std::size_t k = 0; k < batch.size(); ++k) {
+      answers_[begin + k] = batch.at(k);
+    }
+  }
+
+  void ask_tiles(std::size_t begin, const Shape& a, std::span<const Pose> poses, const TiledBody& b,
+                 const Parallel& parallel) override {
     const auto batch = question_.ask(a, poses, b, parallel);
     for (std::size_t k = 0; k < batch.size(); ++k) {
       answers_[begin + k] = batch.at(k);
@@ -152,6 +161,8 @@ int run_near(const NearOptions& given, PoseQuestion about, Question question, Co
   check_extension("--report", options.report, {".html", ".htm"});
   check_extension("--csv", options.csv, {".csv"});
   check_extension("--binary", options.binary, {".npz"});
+  about.refused_of_tiles.emplace().push_back(
+      {!options.report.empty(), "--report", "a page shows the whole model"});
   about.has_files = !options.csv.empty() || !options.binary.empty() || !options.report.empty();
   NearFiles files(options);
   return NearRun<Question>(options, std::move(about), std::move(question), files, console).run();

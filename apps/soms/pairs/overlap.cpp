@@ -1,6 +1,7 @@
 #include "apps/soms/pairs/overlap.h"
 
 #include "soms/query/reference/overlap.h"
+#include "soms/tiles/tiled_queries.h"
 
 #include "apps/cli/console.h"
 #include "apps/cli/parse.h"
@@ -28,6 +29,15 @@ namespace soms::command {
 
 namespace {
 
+std::vector<RefusedOfTiles> refused_of_tiles(const OverlapVerbOptions& options) {
+  return {{!options.report.empty(), "--report", "a page shows the whole model"},
+          {options.by_part, "--by part", "a part may lie in several of them"},
+          {options.query.limit != OverlapOptions().limit, "--limit",
+           "the first pairs are not known before all are found"},
+          {options.traversal->named(), "a traversal by name",
+           "it needs the binary tree of the whole model"}};
+}
+
 /// Which triangles overlap, pose by pose.
 class OverlapPoses : public PoseRun {
  public:
@@ -38,7 +48,8 @@ class OverlapPoses : public PoseRun {
                  .has_files =
                      !options.csv.empty() || !options.binary.empty() || !options.report.empty(),
                  .keep_trees = options.traversal->named(),
-                 .is_free = options.query.mode == OverlapMode::any},
+                 .is_free = options.query.mode == OverlapMode::any,
+                 .refused_of_tiles = refused_of_tiles(options)},
                 console),
         query_(options.query),
         traversal_(*options.traversal),
@@ -70,6 +81,14 @@ class OverlapPoses : public PoseRun {
                 answers_.begin() + static_cast<std::ptrdiff_t>(begin));
       return;
     }
+    const OverlapBatch batch = soms::overlap(a, poses, b, query_, parallel);
+    for (std::size_t k = 0; k < batch.size(); ++k) {
+      answers_[begin + k].answer = batch.at(k);
+    }
+  }
+
+  void ask_tiles(std::size_t begin, const Shape& a, std::span<const Pose> poses, const TiledBody& b,
+                 const Parallel& parallel) override {
     const OverlapBatch batch = soms::overlap(a, poses, b, query_, parallel);
     for (std::size_t k = 0; k < batch.size(); ++k) {
       answers_[begin + k].answer = batch.at(k);

@@ -6,6 +6,7 @@
 #include "apps/model/shapes.h"
 #include "apps/model/stated_options.h"
 #include "apps/report/placing.h"
+#include "apps/shards/receipt.h"
 #include "apps/shards/shard_files.h"
 
 #include <fmt/format.h>
@@ -38,9 +39,10 @@ PoseRun::PoseRun(const PairOptions& options, PoseQuestion question, Console& con
       question_(std::move(question)),
       poses_(poses_of(options, console)),
       a_(load(options.a, options.model_a)),
-      b_(load(options.b, options.model_b)),
+      tiles_(load_tiles()),
+      b_(tiles_ ? Shape() : load(options.b, options.model_b)),
       report_{.a = a_.mesh(),
-              .b = b_.mesh(),
+              .b = tiles_ ? MeshView(tiles_->manifest().statements) : b_.mesh(),
               // Whoever reads a program's answers needs no other form for a single row.
               .single = !options.files &&
                         (poses_.is_stated() || (!console.shared().json && poses_.is_single())),
@@ -80,6 +82,19 @@ Shape PoseRun::load(const std::string& path, const ModelOptions& model) const {
                     console());
 }
 
+std::optional<TileSet> PoseRun::load_tiles() const {
+  if (!question_.refused_of_tiles || !is_tile_folder(options_.b)) {
+    return std::nullopt;
+  }
+  refuse_of_tiles(options_.b, *question_.refused_of_tiles);
+  refuse_of_tiles(options_.b, {refused_verify(options_.verify)});
+  return open_tiles(options_.b, options_.model_b, options_.build, console());
+}
+
+const Box& PoseRun::bounds_b() const {
+  return tiles_ ? tiles_->bounds() : b_.bounds();
+}
+
 /// Models are compared by their numbers; where these may mean different things, the reader should
 /// know.
 void PoseRun::begin() {
@@ -105,13 +120,13 @@ void PoseRun::check_row(const std::pair<Pose, Pose>& row) const {
   if (poses_.is_stated()) {
     return;
   }
-  check_pose(row.first, a_, poses_.name_a());
-  check_pose(row.second, b_, poses_.name_b());
+  check_pose(row.first, a_.bounds(), poses_.name_a());
+  check_pose(row.second, bounds_b(), poses_.name_b());
 }
 
-void PoseRun::check_pose(const Pose& pose, const Shape& shape, const std::string& file) const {
+void PoseRun::check_pose(const Pose& pose, const Box& bounds, const std::string& file) const {
   try {
-    check_range(pose, shape.bounds());
+    check_range(pose, bounds);
   } catch (const Error& error) {
     throw Error(error.kind(), place_of(block_.size(), file, error), error.remedy());
   }
@@ -127,6 +142,10 @@ std::string PoseRun::place_of(std::size_t k, const std::string& file, const Erro
 std::uint64_t PoseRun::answer_block() {
   reserve(block_.size());
   Parallel parallel = console().parallel();
+  if (tiles_) {
+    answer_of_tiles(parallel);
+    return held();
+  }
   if (block_.size() == 1 && (report_.single || !question_.is_free)) {
     parallel.progress = [this](double share) { show_progress(share); };
     Body a(a_);
@@ -136,16 +155,35 @@ std::uint64_t PoseRun::answer_block() {
     for_each_chunk(block_.size(), kRowsOfAThread, parallel,
                    [&](std::size_t begin, std::size_t end) {
                      while (begin < end) {
-                       std::size_t next = begin + 1;
-                       while (next < end && block_[next].second.m == block_[begin].second.m) {
-                         ++next;
-                       }
+                       const std::size_t next = end_of_run(begin, end);
                        answer_rows(begin, next, {.stop = parallel.stop});
                        begin = next;
                      }
                    });
   }
   return held();
+}
+
+/// The end of the rows from `begin` on in which B stands still.
+std::size_t PoseRun::end_of_run(std::size_t begin, std::size_t end) const {
+  std::size_t next = begin + 1;
+  while (next < end && block_[next].second.m == block_[begin].second.m) {
+    ++next;
+  }
+  return next;
+}
+
+/// Tiles are opened once for all rows that meet them, so rows are not shared out here.
+void PoseRun::answer_of_tiles(const Parallel& parallel) {
+  for (std::size_t begin = 0; begin < block_.size();) {
+    const std::size_t end = end_of_run(begin, block_.size());
+    std::vector<Pose> poses;
+    for (std::size_t k = begin; k < end; ++k) {
+      poses.push_back(block_[k].first);
+    }
+    ask_tiles(begin, a_, poses, TiledBody{*tiles_, block_[begin].second}, parallel);
+    begin = end;
+  }
 }
 
 void PoseRun::answer_row(Body& a, Body& b, std::size_t k, const Parallel& parallel) {
@@ -195,7 +233,7 @@ void PoseRun::print_row(std::size_t k, bool right, bool last) {
 /// before they are answered for.
 void PoseRun::look_at_boxes(std::size_t k) {
   const Box a = report::moved(a_.bounds(), block_[k].first);
-  const Box b = report::moved(b_.bounds(), block_[k].second);
+  const Box b = report::moved(bounds_b(), block_[k].second);
   boxes_.look(a, b);
   report_.one_box_in_other = a.contains(b) || b.contains(a);
   report_.gap = boxes_.gap();
@@ -234,7 +272,8 @@ void PoseRun::finish(End end) {
   }
   finish_outputs();
   if (options_.files) {
-    options_.files->finish(report_.a, report_.b, console());
+    options_.files->finish(model_entry(report_.a),
+                           tiles_ ? model_entry(*tiles_) : model_entry(report_.b), console());
   }
 }
 

@@ -3,6 +3,7 @@
 #include "soms/geometry/triangle_distance.h"
 #include "soms/query/reference/distance.h"
 #include "soms/query/within.h"
+#include "soms/tiles/tiled_queries.h"
 
 #include "apps/cli/console.h"
 #include "apps/cli/parse.h"
@@ -48,6 +49,8 @@ class WithinQuestion {
   [[nodiscard]] Within ask(const Body& a, const Body& b, const Parallel& parallel) const;
   [[nodiscard]] WithinBatch ask(const Shape& a, std::span<const Pose> poses, const Body& b,
                                 const Parallel& parallel) const;
+  [[nodiscard]] WithinBatch ask(const Shape& a, std::span<const Pose> poses, const TiledBody& b,
+                                const Parallel& parallel) const;
 
   [[nodiscard]] bool found(const Within& answer) const { return answer.within; }
 
@@ -81,6 +84,11 @@ Within WithinQuestion::ask(const Body& a, const Body& b, const Parallel& paralle
 }
 
 WithinBatch WithinQuestion::ask(const Shape& a, std::span<const Pose> poses, const Body& b,
+                                const Parallel& parallel) const {
+  return within(a, poses, b, clearance_, options_, parallel);
+}
+
+WithinBatch WithinQuestion::ask(const Shape& a, std::span<const Pose> poses, const TiledBody& b,
                                 const Parallel& parallel) const {
   return within(a, poses, b, clearance_, options_, parallel);
 }

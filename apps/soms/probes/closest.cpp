@@ -4,17 +4,18 @@
 #include "soms/query/reference/closest.h"
 #include "soms/query/reference/contains.h"
 #include "soms/query/signed_closest.h"
+#include "soms/tiles/tiled_queries.h"
 
 #include "apps/cli/console.h"
 #include "apps/cli/parse.h"
 #include "apps/cli/text.h"
-#include "apps/model/shapes.h"
 #include "apps/rows/point_source.h"
 #include "apps/soms/answers/answer_columns.h"
 #include "apps/soms/pairs/pair_options.h"
 #include "apps/soms/probes/closest_output.h"
 #include "apps/soms/probes/probe_run.h"
 #include "apps/soms/solid/closed_body.h"
+#include "apps/store/probed_model.h"
 
 #include <fmt/format.h>
 
@@ -78,16 +79,20 @@ class ClosestRun : public ProbeRun<PointSource> {
         lists_(options.nearest != 0 || options.radius.has_value()),
         csv_(csv),
         columns_(columns),
-        body_(load_shape(options.model, options.reading, {.build = options.build}, console),
-              pose()) {
+        model_(options.model, options.reading, options.build, pose(),
+               {refused_verify(options.verify),
+                {options.with_side, "--signed", "inside is decided by whole surfaces"},
+                {options.nearest != 0, "--nearest", "it lists triangles of several of them"},
+                {options.radius.has_value(), "--radius", "it lists triangles of several of them"}},
+               console) {
     query_.at_most = std::min(options.at_most, options.radius.value_or(kInfinity));
     query_.deadline = console.deadline();
     if (options.with_side) {
-      closed_ = closed_body(body_, "leave out --signed", console);
+      closed_ = closed_body(model_.body(), "leave out --signed", console);
     }
-    csv_.begin(body_.shape.mesh(), georeference(body_.shape.mesh()), lists_, options.with_side);
+    csv_.begin(model_.mesh(), georeference(model_.mesh()), lists_, options.with_side);
     columns_.begin(lists_, options.with_side);
-    columns_.state(georeference(body_.shape.mesh()));
+    columns_.state(georeference(model_.mesh()));
   }
 
  private:
@@ -109,10 +114,12 @@ class ClosestRun : public ProbeRun<PointSource> {
   }
 
   std::uint64_t answer_nearest() {
-    const ClosestBatch batch = closest(body_, block(), query_, console().parallel());
-    for (std::size_t k = 0; k < batch.size(); ++k) {
-      answers_.push_back({batch.at(k)});
-    }
+    model_.visit([&](const auto& body) {
+      const ClosestBatch batch = closest(body, block(), query_, console().parallel());
+      for (std::size_t k = 0; k < batch.size(); ++k) {
+        answers_.push_back({batch.at(k)});
+      }
+    });
     return 0;
   }
 
@@ -121,7 +128,7 @@ class ClosestRun : public ProbeRun<PointSource> {
     const std::size_t most =
         options_.nearest == 0 ? std::numeric_limits<std::size_t>::max() : options_.nearest;
     const NearTriangles rows =
-        nearest_triangles(body_, block(), most, query_, console().parallel());
+        nearest_triangles(model_.body(), block(), most, query_, console().parallel());
     for (std::size_t k = 0; k < rows.size(); ++k) {
       PointAnswer answer;
       answer.closest.coverage = rows.coverage[k];
@@ -143,7 +150,7 @@ class ClosestRun : public ProbeRun<PointSource> {
   [[nodiscard]] std::optional<std::string> difference(std::size_t k) override {
     if (const std::optional<Side> side = answers_[k].side; side && *side != Side::undecided) {
       const Side truth = console().run("verifying", [&](const Parallel&) {
-        return reference::contains_by_brute_force(body_, block()[k]);
+        return reference::contains_by_brute_force(model_.body(), block()[k]);
       });
       if (truth != *side) {
         return fmt::format("brute force finds {}, but the answer is {}", name(truth), name(*side));
@@ -155,7 +162,7 @@ class ClosestRun : public ProbeRun<PointSource> {
   std::optional<std::string> difference_of_nearest(std::size_t k) {
     const Closest& answer = answers_[k].closest;
     const Closest truth = console().run("verifying", [&](const Parallel&) {
-      return reference::closest_by_brute_force(body_, block()[k]);
+      return reference::closest_by_brute_force(model_.body(), block()[k]);
     });
     const Bracket& d = truth.distance;
     bool right = answer.distance == d && answer.triangle == truth.triangle &&
@@ -178,7 +185,7 @@ class ClosestRun : public ProbeRun<PointSource> {
     }
     const std::vector<ListedTriangle>& hits = *answers_[k].hits;
     auto truth = console().run("verifying", [&](const Parallel&) {
-      return reference::triangles_by_brute_force(body_, block()[k], query_.at_most);
+      return reference::triangles_by_brute_force(model_.body(), block()[k], query_.at_most);
     });
     if (options_.nearest != 0 && truth.size() > options_.nearest) {
       truth.resize(options_.nearest);
@@ -197,7 +204,7 @@ class ClosestRun : public ProbeRun<PointSource> {
   void print_row(std::size_t k, bool right, bool last) override {
     const PointAnswer& answer = answers_[k];
     const std::uint64_t point = totals().rows;
-    const MeshView& mesh = body_.shape.mesh();
+    const MeshView& mesh = model_.mesh();
     if (console().shared().json) {
       print_json(mesh, "point", point_keys(answer), right, last);
     } else if (single_) {
@@ -257,7 +264,7 @@ class ClosestRun : public ProbeRun<PointSource> {
   bool single_ = false;
   PointCsv& csv_;
   PointColumns& columns_;
-  Body body_;
+  ProbedModel model_;
   std::optional<ClosedBody> closed_;  // the same, where sides are requested
   ClosestOptions query_;
   std::vector<PointAnswer> answers_;

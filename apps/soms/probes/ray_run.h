@@ -4,16 +4,18 @@
 
 #include "soms/query/ray.h"
 #include "soms/query/reference/ray.h"
+#include "soms/tiles/tiled_queries.h"
 
-#include "apps/model/shapes.h"
 #include "apps/soms/answers/answer_columns.h"
 #include "apps/soms/probes/probe_run.h"
 #include "apps/soms/probes/ray.h"
 #include "apps/soms/probes/ray_output.h"
+#include "apps/store/probed_model.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,8 +47,10 @@ class RayRun : public ProbeRun<Source> {
                          console),
         options_(options),
         files_(files),
-        body_(load_shape(options.model, options.reading, {.build = options.build}, console),
-              this->pose()),
+        model_(options.model, options.reading, options.build, this->pose(),
+               {refused_verify(options.verify),
+                {options.all, "--all", "a crossing through an edge may be of two of them"}},
+               console),
         question_{.skip = options.skip, .deadline = console.deadline()} {
     const RayAnswer like = options.all   ? RayAnswer(Crossings())
                            : options.any ? RayAnswer(AnyHit())
@@ -59,23 +63,26 @@ class RayRun : public ProbeRun<Source> {
  private:
   using Outcome = RowRun::Outcome;
 
-  [[nodiscard]] const MeshView& mesh() const { return body_.shape.mesh(); }
+  [[nodiscard]] const MeshView& mesh() const { return model_.mesh(); }
 
   std::uint64_t answer_block() override {
     answers_.clear();
     const Parallel parallel = this->console().parallel();
     if (options_.all) {
-      const AllHits hits = all_hits(body_, this->block(), question_, parallel);
+      const AllHits hits = all_hits(model_.body(), this->block(), question_, parallel);
       for (std::size_t k = 0; k < hits.size(); ++k) {
         answers_.emplace_back(crossings_of(hits, k));
       }
       return hits.triangle.size();
     }
-    if (options_.any) {
-      add(any_hit(body_, this->block(), question_, parallel));
-    } else {
-      add(closest_hit(body_, this->block(), question_, parallel));
-    }
+    model_.visit([&](const auto& body) {
+      const std::span<const typename Source::Row> rows(this->block());
+      if (options_.any) {
+        add(any_hit(body, rows, question_, parallel));
+      } else {
+        add(closest_hit(body, rows, question_, parallel));
+      }
+    });
     return 0;
   }
 
@@ -101,9 +108,9 @@ class RayRun : public ProbeRun<Source> {
 
   [[nodiscard]] RayAnswer truth(const typename Source::Row& row) const {
     if (options_.all) {
-      return crossings_of(reference::all_hits_by_brute_force(body_, row, options_.skip), 0);
+      return crossings_of(reference::all_hits_by_brute_force(model_.body(), row, options_.skip), 0);
     }
-    return reference::closest_hit_by_brute_force(body_, row, options_.skip);
+    return reference::closest_hit_by_brute_force(model_.body(), row, options_.skip);
   }
 
   void print_row(std::size_t k, bool right, bool last) override {
@@ -144,7 +151,7 @@ class RayRun : public ProbeRun<Source> {
 
   const RayVerbOptions& options_;
   RayFiles& files_;
-  Body body_;
+  ProbedModel model_;
   RayOptions question_;
   std::vector<RayAnswer> answers_;
   RayTable table_;

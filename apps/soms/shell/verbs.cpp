@@ -2,7 +2,6 @@
 
 #include "apps/soms/clash/clash.h"
 #include "apps/soms/clearance/clearance.h"
-#include "apps/soms/models/build.h"
 #include "apps/soms/models/convert.h"
 #include "apps/soms/models/generate.h"
 #include "apps/soms/models/info.h"
@@ -22,6 +21,8 @@
 #include "apps/soms/simulate/simulate.h"
 #include "apps/soms/solid/solid.h"
 #include "apps/soms/thesis/thesis_verb.h"
+#include "apps/store/build_verb.h"
+#include "apps/store/tile_verb.h"
 
 #include <array>
 
@@ -62,6 +63,8 @@ const std::array kVerbs{
     Verb{"solid", "decide whether two closed models are clear, touch, cross or contain each other",
          add_solid},
     thesis_verb(),
+    Verb{"tile", "cut models into tiles, for questions about more triangles than memory holds",
+         add_tile},
     Verb{"version", "print the version, the instruction set and the file formats", add_version},
     Verb{"view", "fly through a city and see what touches what, and why", nullptr, pass_to_viewer},
     Verb{"within", "decide whether two models are within a clearance of each other", add_within},

@@ -1,4 +1,4 @@
-#include "apps/soms/models/build.h"
+#include "apps/store/build_verb.h"
 
 #include "soms/base/error.h"
 #include "soms/base/text.h"

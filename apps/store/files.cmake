@@ -1,0 +1,12 @@
+set(SOMS_STORE_FILES
+  build_verb.cpp
+  build_verb.h
+  info_tiles.cpp
+  info_tiles.h
+  probed_model.cpp
+  probed_model.h
+  tile_verb.cpp
+  tile_verb.h
+  tiles.cpp
+  tiles.h
+)

@@ -1,0 +1,50 @@
+#include "apps/store/tiles.h"
+
+#include "soms/base/error.h"
+
+#include "apps/cli/console.h"
+#include "apps/cli/text.h"
+
+#include <fmt/format.h>
+
+namespace soms::command {
+
+void refuse_of_tiles(const std::string& folder, const std::vector<RefusedOfTiles>& refused) {
+  for (const auto& [given, option, reason] : refused) {
+    if (given) {
+      throw Error(
+          ErrorKind::usage,
+          fmt::format("{}: {} does not go with tiles: {}", printable(folder), option, reason),
+          "leave it out, or give the model");
+    }
+  }
+}
+
+TileSet open_tiles(const std::string& folder, const ModelOptions& model, const BuildOptions& build,
+                   const Console& console) {
+  constexpr std::string_view kCut = "triangles were cut as they are; soms tile takes it";
+  refuse_of_tiles(folder,
+                  {{model.scale != 1, "--scale", kCut},
+                   {model.up != UpAxis::unknown, "--up", kCut},
+                   {!model.crs.empty(), "--crs", kCut},
+                   {model.lod.has_value(), "--lod", kCut},
+                   {model.surfaces, "--surfaces", kCut},
+                   {build != BuildOptions(), "--tree", "trees are built; soms tile takes it"}});
+  TileOptions options;
+  if (console.shared().max_memory != 0) {
+    options.max_memory = console.shared().max_memory;
+  }
+  TileSet tiles = TileSet::open(folder, options);
+  if (tiles.triangles() == 0 && !model.allow_empty) {
+    throw Error(ErrorKind::empty_mesh, printable(folder) + ": no triangles",
+                model.offers_empty ? "give --allow-empty to accept that" : "give another model");
+  }
+  return tiles;
+}
+
+std::string describe_tiles(const std::string& folder, const TileSet& tiles) {
+  return fmt::format("{}: {} in {}, {}", printable(folder), counted(tiles.triangles(), "triangle"),
+                     counted(tiles.tiles().size(), "tile"), readable_bytes(tiles.bytes()));
+}
+
+}  // namespace soms::command
