@@ -68,5 +68,6 @@ set(SOMS_PYTHON_FILES
   src/scene/step_report.cpp
   src/shapes.cpp
   src/text.h
+  src/tiles.cpp
 )
 set(SOMS_PYTHON_TWIN bench/twin.cpp)

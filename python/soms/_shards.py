@@ -39,21 +39,33 @@ def job_of(verb: str, a: Any, b: Any, poses: Any, folder: Any, question: Any) ->
 
 
 @functools.lru_cache(maxsize=4)
-def _file(path: str, changed: int) -> Union[soms.Mesh, soms.Shape]:
+def _file(path: str, changed: int) -> Union[soms.Mesh, soms.Shape, soms.TileSet]:
+    if os.path.isdir(path):
+        return soms.TileSet(path)
     with open(path, "rb") as file:
         is_tree = file.read(8) == b"\x89SOMT\r\n\x1a"
     return soms.open_shape(path) if is_tree else soms.read_mesh(path)
 
 
 @functools.lru_cache(maxsize=4)
-def _shape(path: str, changed: int) -> soms.Shape:
+def _shape(path: str, changed: int) -> Union[soms.Shape, soms.TileSet]:
     held = _file(path, changed)
-    return held if isinstance(held, soms.Shape) else soms.Shape(held)
+    return soms.Shape(held) if isinstance(held, soms.Mesh) else held
 
 
-def shape(path: str) -> soms.Shape:
-    """The shape of a model or a tree file, built or opened once in each process."""
-    return _shape(path, os.stat(path).st_mtime_ns)
+def _changed(path: str) -> int:
+    """When a file was written, or the manifest of a folder of tiles."""
+    return os.stat(os.path.join(path, "tiles.json") if os.path.isdir(path) else path).st_mtime_ns
+
+
+def shape(path: str) -> Union[soms.Shape, soms.TileSet]:
+    """The shape of a model or a tree file, or tiles, built or opened once in each process."""
+    return _shape(path, _changed(path))
+
+
+def _georeference(path: str) -> Optional[soms.Georeference]:
+    held = shape(path)
+    return held.georeference if isinstance(held, soms.TileSet) else held.mesh.georeference
 
 
 @functools.lru_cache(maxsize=2)
@@ -84,7 +96,7 @@ def identity(job: Job) -> Dict[str, Any]:
         ends += file.read()
     rows = len(poses(path))
     question = {"verb": job["verb"], **job["question"]}
-    models = {side: _model(job[side], os.stat(job[side]).st_mtime_ns) for side in "ab"}
+    models = {side: _model(job[side], _changed(job[side])) for side in "ab"}
     return {"schema": "soms.shard/1", "version": soms.__version__, "question": question, "models": models,
             "poses": {"a": {"rows": rows, "bytes": size, "ends": hashlib.sha256(ends).hexdigest()}, "b": None},
             "of": rows}
@@ -106,7 +118,7 @@ def columns_of(job: Job, answer: Any) -> List[Column]:
     pair = [column("triangles", "<i8", answer.triangles, 2), column("points", "<f8", points, 2, 3), cut]
     if job["verb"] == "within":
         return [column("within", "|b1", answer.within), column("at_least", "<f8", answer.at_least), *pair]
-    placed = shape(job["b"]).mesh.georeference
+    placed = _georeference(job["b"])
     where = str(placed) if placed else ""
     text = [column("georeference", f"<U{len(where)}", np.array([where]))] if where else []
     return [column("lower", "<f8", answer.lower), column("upper", "<f8", answer.upper),
@@ -196,7 +208,7 @@ def there(folder: pathlib.Path) -> List[Range]:
 
 def answer(job: Job, rows: Range) -> Any:
     """The library's answer of these rows. Errors name rows of the whole."""
-    a, b, part = shape(job["a"]), soms.Body(shape(job["b"])), poses(job["poses"])[rows[0]:rows[1]]
+    a, b, part = shape(job["a"]), shape(job["b"]), poses(job["poses"])[rows[0]:rows[1]]
     try:
         if job["verb"] == "within":
             return soms.within(a, b, job["question"]["clearance"], part)

@@ -235,6 +235,26 @@ class Shape:
     def refit(self, vertices: ArrayLike, *, threads: int = 1) -> Shape: ...
     def _repr_html_(self) -> str: ...
 
+class TileSet:
+    def __init__(
+        self, folder: str | PathLike[str], *, max_memory: int | None = None,
+        check: TreeCheck | str = "sound",
+    ) -> None: ...
+    @property
+    def folder(self) -> str: ...
+    @property
+    def tiles(self) -> int: ...
+    @property
+    def bytes(self) -> int: ...
+    @property
+    def openings(self) -> int: ...
+    @property
+    def bounds(self) -> NDArray[np.float64]: ...
+    @property
+    def georeference(self) -> Georeference: ...
+    def hash(self) -> int: ...
+    def __len__(self) -> int: ...
+
 class Body:
     def __init__(
         self, shape: Shape | MeshLike, pose: PoseLike | None = None, name: str = "",
@@ -1402,34 +1422,34 @@ class RobotAnswerBatch:
 
 @overload
 def overlap(
-    a: BodyLike, b: BodyLike, poses: None = None, *, mode: OverlapMode | str = "all",
+    a: BodyLike, b: BodyLike | TileSet, poses: None = None, *, mode: OverlapMode | str = "all",
     limit: int | None = None, seconds: float | None = None, threads: int = 1,
     progress: Progress = None,
 ) -> Overlap: ...
 @overload
 def overlap(
-    a: BodyLike, b: BodyLike, poses: Poses, *, mode: OverlapMode | str = "all",
+    a: BodyLike, b: BodyLike | TileSet, poses: Poses, *, mode: OverlapMode | str = "all",
     limit: int | None = None, seconds: float | None = None, threads: int = 1,
     progress: Progress = None,
 ) -> OverlapBatch: ...
 @overload
 def distance(
-    a: BodyLike, b: BodyLike, poses: None = None, *, at_most: float = ...,
+    a: BodyLike, b: BodyLike | TileSet, poses: None = None, *, at_most: float = ...,
     seconds: float | None = None, threads: int = 1, progress: Progress = None,
 ) -> Distance: ...
 @overload
 def distance(
-    a: BodyLike, b: BodyLike, poses: Poses, *, at_most: float = ...,
+    a: BodyLike, b: BodyLike | TileSet, poses: Poses, *, at_most: float = ...,
     seconds: float | None = None, threads: int = 1, progress: Progress = None,
 ) -> DistanceBatch: ...
 @overload
 def within(
-    a: BodyLike, b: BodyLike, clearance: float, poses: None = None, *,
+    a: BodyLike, b: BodyLike | TileSet, clearance: float, poses: None = None, *,
     seconds: float | None = None, threads: int = 1, progress: Progress = None,
 ) -> Within: ...
 @overload
 def within(
-    a: BodyLike, b: BodyLike, clearance: float, poses: Poses, *, seconds: float | None = None,
+    a: BodyLike, b: BodyLike | TileSet, clearance: float, poses: Poses, *, seconds: float | None = None,
     threads: int = 1, progress: Progress = None,
 ) -> WithinBatch: ...
 @overload
@@ -1474,12 +1494,12 @@ def closest(
 ) -> SignedClosestBatch: ...
 @overload
 def closest(
-    body: BodyLike, points: Point, *, at_most: float = ..., seconds: float | None = None,
+    body: BodyLike | TileSet, points: Point, *, at_most: float = ..., seconds: float | None = None,
     threads: int = 1, progress: Progress = None,
 ) -> Closest: ...
 @overload
 def closest(
-    body: BodyLike, points: Points, *, at_most: float = ..., seconds: float | None = None,
+    body: BodyLike | TileSet, points: Points, *, at_most: float = ..., seconds: float | None = None,
     threads: int = 1, progress: Progress = None,
 ) -> ClosestBatch: ...
 @overload
@@ -1512,25 +1532,25 @@ def near_triangles(
 ) -> NearTriangles: ...
 @overload
 def closest_hit(
-    body: BodyLike, origins: Point, directions: Point | None = None, *,
+    body: BodyLike | TileSet, origins: Point, directions: Point | None = None, *,
     ends: Point | None = None, lengths: ArrayLike = ..., skip: int | None = None,
     seconds: float | None = None, threads: int = 1, progress: Progress = None,
 ) -> ClosestHit: ...
 @overload
 def closest_hit(
-    body: BodyLike, origins: Points, directions: Points | None = None, *,
+    body: BodyLike | TileSet, origins: Points, directions: Points | None = None, *,
     ends: Points | None = None, lengths: ArrayLike = ..., skip: int | None = None,
     seconds: float | None = None, threads: int = 1, progress: Progress = None,
 ) -> ClosestHitBatch: ...
 @overload
 def any_hit(
-    body: BodyLike, origins: Point, directions: Point | None = None, *,
+    body: BodyLike | TileSet, origins: Point, directions: Point | None = None, *,
     ends: Point | None = None, lengths: ArrayLike = ..., skip: int | None = None,
     seconds: float | None = None, threads: int = 1, progress: Progress = None,
 ) -> AnyHit: ...
 @overload
 def any_hit(
-    body: BodyLike, origins: Points, directions: Points | None = None, *,
+    body: BodyLike | TileSet, origins: Points, directions: Points | None = None, *,
     ends: Points | None = None, lengths: ArrayLike = ..., skip: int | None = None,
     seconds: float | None = None, threads: int = 1, progress: Progress = None,
 ) -> AnyHitBatch: ...
@@ -1568,6 +1588,10 @@ def open_shape(
     file: str | PathLike[str] | bytes, *, check: TreeCheck | str = "sound", load: bool = False,
     threads: int = 1,
 ) -> Shape: ...
+def cut_tiles(
+    folder: str | PathLike[str], meshes: Iterable[MeshLike], *, most: int = 1000000,
+    rule: Rule | str = "fast", layout: Layout | str = "wide", threads: int = 1,
+) -> TileSet: ...
 def write_mesh(
     path: str | PathLike[str], mesh: MeshLike, format: MeshFormat | str | None = None,
 ) -> None: ...

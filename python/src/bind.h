@@ -10,6 +10,7 @@ void bind_poses(pybind11::module_& module);
 void bind_georeferences(pybind11::module_& module);
 void bind_meshes(pybind11::module_& module);
 void bind_shapes(pybind11::module_& module);
+void bind_tiles(pybind11::module_& module);
 void bind_files(pybind11::module_& module);
 void bind_generated(pybind11::module_& module);
 void bind_answers(pybind11::module_& module);

@@ -18,6 +18,7 @@ PYBIND11_MODULE(_soms, module) {
   bind_georeferences(module);
   bind_meshes(module);
   bind_shapes(module);
+  bind_tiles(module);
   bind_files(module);
   bind_generated(module);
   bind_answers(module);

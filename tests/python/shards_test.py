@@ -2,6 +2,7 @@
 
 usage: shards_test.py SOMS
 """
+import json
 import os
 import pathlib
 import subprocess
@@ -56,6 +57,20 @@ class Shards(unittest.TestCase):
             tree = _shards.job_of("distance", job["a"], files / "city.somst", job["poses"], job["folder"], {})
             self.assertEqual(_shards.identity(tree), _shards.identity(job))
             _shards.work(tree, (0, 1000))
+            _shards.work(job, (1000, ROWS))
+            _shards.join(files / "answers", [(0, 1000), (1000, ROWS)], files / "joined.npz")
+            self.assertEqual((files / "joined.npz").read_bytes(), (files / "whole.npz").read_bytes())
+
+    def test_tiles_answer_as_the_model_that_was_cut(self):
+        with tempfile.TemporaryDirectory() as place:
+            files = make_files(place)
+            self.run_soms(files, "tile", "city.ply", "--most", "700", "-o", "tiles")
+            self.run_soms(files, "distance", "car.ply", "city.ply", "--pose", "poses.npy", "--binary", "whole.npz")
+            self.run_soms(files, "distance", "car.ply", "tiles", "--pose", "poses.npy", "--shard", "2/2", "--binary", "shards")
+            job = _shards.job_of("distance", files / "car.ply", files / "tiles", files / "poses.npy", files / "answers", {})
+            with open(files / "shards" / "shard-2.json", encoding="utf-8") as file:
+                self.assertEqual(json.load(file)["models"], _shards.identity(job)["models"])
+            _shards.work(job, (0, 1000))
             _shards.work(job, (1000, ROWS))
             _shards.join(files / "answers", [(0, 1000), (1000, ROWS)], files / "joined.npz")
             self.assertEqual((files / "joined.npz").read_bytes(), (files / "whole.npz").read_bytes())

@@ -2,6 +2,7 @@
 
 #include "soms/query/print.h"
 #include "soms/query/signed_closest.h"
+#include "soms/tiles/tiled_queries.h"
 
 #include "python/src/answer.h"
 #include "python/src/bind.h"
@@ -46,6 +47,16 @@ nearest_triangles.
 
 points: (n, 3). radius: a number from 0 on. Others: as for closest. Returns NearTriangles.)";
 
+Closest closest_of_tiles(const TiledBody& tiles, const Vec3& point, const ClosestOptions& options,
+                         const Parallel& parallel) {
+  return closest(tiles, {&point, 1}, options, parallel).at(0);
+}
+
+ClosestBatch closest_of_tiles(const TiledBody& tiles, std::span<const Vec3> points,
+                              const ClosestOptions& options, const Parallel& parallel) {
+  return closest(tiles, points, options, parallel);
+}
+
 py::object query_closest(const py::object& body, const py::object& points, double at_most,
                          std::optional<double> seconds, int threads, const py::object& progress) {
   const ClosestOptions options{.at_most = at_most, .deadline = deadline_in(seconds)};
@@ -57,6 +68,13 @@ py::object query_closest(const py::object& body, const py::object& points, doubl
   };
   if (const auto* const closed = inside<ClosedBody>(body)) {
     return ask(*closed);
+  }
+  if (py::isinstance<TileSet>(body)) {
+    const TiledBody tiles{body.cast<TileSet>()};
+    return answer_points(points, threads, progress,
+                         [&](const Parallel& parallel, const auto& places) {
+                           return closest_of_tiles(tiles, places, options, parallel);
+                         });
   }
   return ask(BodyArgument(body, "body", threads).get());
 }

@@ -31,10 +31,10 @@ py::object query_distance(const py::object& a, const py::object& b, const py::ob
                           double at_most, std::optional<double> seconds, int threads,
                           const py::object& progress) {
   const DistanceOptions options{.at_most = at_most, .deadline = deadline_in(seconds)};
-  return answer_poses(a, b, poses, threads, progress,
-                      [&](const Parallel& parallel, const auto&... bodies) {
-                        return distance(bodies..., options, parallel);
-                      });
+  return answer_poses_or_tiles(a, b, poses, threads, progress,
+                               [&](const Parallel& parallel, const auto&... bodies) {
+                                 return distance(bodies..., options, parallel);
+                               });
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ constexpr const char* kOverlapDoc =
 Which triangles of a and b share a point? Decided exactly; touching counts. Surfaces only: a body
 wholly inside another touches nothing (see solid).
 
-a, b: Body, Shape or Mesh. poses: poses of a in place of its own, (n, 3, 4), (n, 4, 4), (n, 7) as
+a, b: Body, Shape or Mesh; b may be a TileSet. poses: poses of a in place of its own, (n, 3, 4), (n, 4, 4), (n, 7) as
 x y z qw qx qy qz, (n, 3), or a list of Pose. mode: 'all' pairs, 'any' one, or 'first', the least.
 limit: most pairs, for each pose. seconds: ends the call, with coverage 'cut', after that time.
 threads: 0 for all processors. progress: called with the share done.
@@ -39,10 +39,10 @@ py::object query_overlap(const py::object& a, const py::object& b, const py::obj
     options.limit = *limit;
   }
   check(options);
-  return answer_poses(a, b, poses, threads, progress,
-                      [&](const Parallel& parallel, const auto&... bodies) {
-                        return overlap(bodies..., options, parallel);
-                      });
+  return answer_poses_or_tiles(a, b, poses, threads, progress,
+                               [&](const Parallel& parallel, const auto&... bodies) {
+                                 return overlap(bodies..., options, parallel);
+                               });
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "soms/query/print.h"
 #include "soms/query/ray.h"
+#include "soms/tiles/tiled_queries.h"
 
 #include "python/src/answer.h"
 #include "python/src/bind.h"
@@ -10,6 +11,7 @@
 #include "python/src/scene/bodies.h"
 
 #include <optional>
+#include <type_traits>
 
 namespace soms::python {
 
@@ -35,8 +37,19 @@ bool sees_between(const py::object& body, const py::object& a, const py::object&
              [&](const Parallel&) { return sees(surface.get(), from, to); });
 }
 
-/// Binds `query(body, one or more lines, options...)`.
-template <class Query>
+/// Answers of tiles, of one line or of many.
+template <class Batch, class Line>
+auto of_tiles(const Batch& query, const TiledBody& tiles, const Line& line,
+              const RayOptions& options, const Parallel& parallel = {}) {
+  if constexpr (std::is_same_v<Line, Ray> || std::is_same_v<Line, Segment>) {
+    return query(tiles, lines_of(line), options, parallel).at(0);
+  } else {
+    return query(tiles, line, options, parallel);
+  }
+}
+
+/// Binds `query(body, one or more lines, options...)`; `takes_tiles` if tiles answer it, too.
+template <bool takes_tiles, class Query>
 void def_rays(py::module_& module, const char* name, const Query& query, const char* what) {
   const std::string doc = std::string(name) +
                           "(body, origins, directions=None, *, ends=None, lengths=inf, skip=None, "
@@ -46,8 +59,17 @@ void def_rays(py::module_& module, const char* name, const Query& query, const c
                            const py::object& directions, const py::object& ends,
                            const py::object& lengths, const py::object& skip,
                            std::optional<double> seconds, int threads, const py::object& progress) {
-    const BodyArgument surface(body, "body", threads);
     const RayOptions options = ray_options(skip, seconds);
+    if constexpr (takes_tiles) {
+      if (py::isinstance<TileSet>(body)) {
+        const TiledBody tiles{body.cast<TileSet>()};
+        return answer_rays(rays_of(origins, directions, ends, lengths), threads, progress,
+                           [&](const auto& lines, const auto&... parallel) {
+                             return of_tiles(query, tiles, lines, options, parallel...);
+                           });
+      }
+    }
+    const BodyArgument surface(body, "body", threads);
     return answer_rays(rays_of(origins, directions, ends, lengths), threads, progress,
                        [&](const auto& lines, const auto&... parallel) {
                          return query(surface.get(), lines, options, parallel...);
@@ -83,14 +105,14 @@ void bind_rays(py::module_& module) {
       .entries();
   AnswerClass<AllHits> all(module, "AllHits", "All places where n rays meet a surface.");
   all_hits_columns(all);
-  def_rays(
+  def_rays<true>(
       module, "closest_hit", [](const auto&... of) { return closest_hit(of...); },
       "The first point of a surface on a ray or segment. Triangles are closed sets, so no ray "
       "slips\nbetween two that share an edge. Returns ClosestHit, or ClosestHitBatch for n.");
-  def_rays(
+  def_rays<true>(
       module, "any_hit", [](const auto&... of) { return any_hit(of...); },
       "Does a ray or segment hit anything? Returns AnyHit, or AnyHitBatch for n.");
-  def_rays(
+  def_rays<false>(
       module, "all_hits",
       [](const Body& body, const auto& lines, const auto&... others) {
         return all_hits(body, lines_of(lines), others...);

@@ -28,10 +28,10 @@ py::object query_within(const py::object& a, const py::object& b, double clearan
                         const py::object& poses, std::optional<double> seconds, int threads,
                         const py::object& progress) {
   const WithinOptions options{.deadline = deadline_in(seconds)};
-  return answer_poses(a, b, poses, threads, progress,
-                      [&](const Parallel& parallel, const auto&... bodies) {
-                        return within(bodies..., clearance, options, parallel);
-                      });
+  return answer_poses_or_tiles(a, b, poses, threads, progress,
+                               [&](const Parallel& parallel, const auto&... bodies) {
+                                 return within(bodies..., clearance, options, parallel);
+                               });
 }
 
 }  // namespace
