@@ -1,16 +1,20 @@
 // What a tree file saves and costs: opening it by each check beside reading and building, queries
-// of a mapped and of a loaded file beside those of a built shape, and the memory that two processes
-// share. `tree_file_bench [TRIANGLES]` prints a table; every ratio is of one run, medians of
-// processor time.
+// of a mapped and of a loaded file and of tiles beside those of a built shape, and the memory that
+// two processes share. `tree_file_bench [TRIANGLES]` prints a table; every ratio is of one run,
+// medians of processor time.
 #include "soms/base/random.h"
 #include "soms/generate/city.h"
 #include "soms/generate/shapes.h"
 #include "soms/io/read_mesh.h"
 #include "soms/io/write_mesh.h"
+#include "soms/query/closest.h"
 #include "soms/query/distance.h"
 #include "soms/query/overlap.h"
+#include "soms/query/ray.h"
 #include "soms/query/within.h"
 #include "soms/store/tree_file.h"
+#include "soms/tiles/cut_tiles.h"
+#include "soms/tiles/tiled_queries.h"
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -90,27 +94,70 @@ void print_opening(const std::filesystem::path& model, const std::filesystem::pa
   }
 }
 
+TileSet tiles_of(const Shape& city, const std::filesystem::path& folder, std::size_t count) {
+  TileCutter cutter(folder, {.most = city.mesh().triangles.size() / count + 1});
+  cutter.add(city.mesh());
+  cutter.finish();
+  return TileSet::open(folder);
+}
+
+std::vector<Vec3> points_of(const std::vector<Pose>& poses) {
+  std::vector<Vec3> points;
+  for (const Pose& pose : poses) {
+    points.push_back(pose.apply({0, 0, 1}));
+  }
+  return points;
+}
+
+/// Rays of 300 m, most of them flat.
+std::vector<Ray> rays_of(const std::vector<Vec3>& points) {
+  Rng rng(8);
+  std::vector<Ray> rays;
+  for (const Vec3& point : points) {
+    rays.push_back({point, {rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-0.2, 0.1)}, 300});
+  }
+  return rays;
+}
+
 void print_queries(const Shape& built, const std::filesystem::path& file) {
   const Shape mapped = open_shape(file, {.check = TreeCheck::trusted});
   const Shape loaded = open_shape(file, {.check = TreeCheck::trusted, .load = true});
   const Shape car(generate_mover(MoverKind::car));
   const std::vector<Pose> poses = places(built, 20'000);
   const std::span<const Pose> few = std::span(poses).first(2000);
-  const auto row = [&](const char* what, const auto& ask) {
+  const TiledBody many{tiles_of(built, file.string() + ".many", 25)};
+  const TiledBody some{tiles_of(built, file.string() + ".some", 4)};
+  const std::vector<Vec3> points = points_of(poses);
+  const std::vector<Ray> rays = rays_of(points);
+  const auto row = [&](const char* what, std::size_t rows, const auto& ask) {
     const std::vector<double> times =
-        in_turn({[&] { ask(built); }, [&] { ask(mapped); }, [&] { ask(loaded); }});
-    std::printf("%-22s %10.2f %14.3f %14.3f\n", what, 1e3 * times[0], times[1] / times[0],
-                times[2] / times[0]);
+        in_turn({[&] { ask(Body(built)); }, [&] { ask(Body(mapped)); }, [&] { ask(Body(loaded)); },
+                 [&] { ask(many); }, [&] { ask(some); }});
+    std::printf("%-22s %8.2f us", what, 1e6 * times[0] / static_cast<double>(rows));
+    for (std::size_t k = 1; k < times.size(); ++k) {
+      std::printf(" %14.3f", times[k] / times[0]);
+    }
+    std::printf("\n");
   };
-  std::printf("%-22s %10s %14s %14s\n", "", "built, ms", "mapped/built", "loaded/built");
-  row("overlap, any", [&](const Shape& city) {
-    static_cast<void>(overlap(car, poses, Body(city), {.mode = OverlapMode::any}));
+  std::printf("%-22s %11s %14s %14s %14s %14s\n", "", "built, a row", "mapped/built",
+              "loaded/built", "25 tiles/built", "4 tiles/built");
+  row("overlap, any", poses.size(), [&](const auto& city) {
+    static_cast<void>(overlap(car, poses, city, {.mode = OverlapMode::any}));
   });
-  row("overlap, all pairs",
-      [&](const Shape& city) { static_cast<void>(overlap(car, poses, Body(city))); });
-  row("within 1 m",
-      [&](const Shape& city) { static_cast<void>(within(car, poses, Body(city), 1)); });
-  row("distance", [&](const Shape& city) { static_cast<void>(distance(car, few, Body(city))); });
+  row("overlap, all pairs", poses.size(),
+      [&](const auto& city) { static_cast<void>(overlap(car, poses, city)); });
+  row("within 1 m", poses.size(),
+      [&](const auto& city) { static_cast<void>(within(car, poses, city, 1)); });
+  row("distance", few.size(),
+      [&](const auto& city) { static_cast<void>(distance(car, few, city)); });
+  row("closest", points.size(),
+      [&](const auto& city) { static_cast<void>(closest(city, points)); });
+  row("closest_hit", rays.size(),
+      [&](const auto& city) { static_cast<void>(closest_hit(city, std::span<const Ray>(rays))); });
+  row("any_hit", rays.size(),
+      [&](const auto& city) { static_cast<void>(any_hit(city, std::span<const Ray>(rays))); });
+  std::filesystem::remove_all(many.tiles.folder());
+  std::filesystem::remove_all(some.tiles.folder());
 }
 
 /// Kilobytes of this process that are its own alone.
