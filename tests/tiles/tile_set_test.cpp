@@ -204,7 +204,7 @@ TEST(TileSet, ComparesByContentAndPrints) {
   const TileSet tiles = tiles_of(a.path(), meshes, {.most = 30});
   EXPECT_EQ(tiles, tiles_of(b.path(), meshes, {.most = 30}));
   EXPECT_EQ(*tiles.open_tile(0), *TileSet::open(b.path()).open_tile(0));
-  EXPECT_NE(tiles, tiles_of(b.path(), meshes, {.most = 40}));
+  EXPECT_NE(tiles, tiles_of(b.path(), meshes, {.most = 20}));
   std::ostringstream text;
   text << tiles << tiles.manifest() << CutOptions{} << TileCut{{1, 2}, true}
        << TileOptions{.max_memory = 7};
