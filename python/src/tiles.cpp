@@ -13,7 +13,6 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <mutex>
 #include <optional>
@@ -149,6 +148,9 @@ void bind_tiles(py::module_& module) {
       "Georeference of all tiles.");
   set.def("hash", &TileSet::hash, "hash() -> int\n\nStands for the content of all tiles.");
   set.def("__len__", [](const TileSet& s) { return s.triangles(); });
+  set.def(
+      "__eq__", [](const TileSet& a, const TileSet& b) { return a == b; }, py::is_operator());
+  set.attr("__hash__") = py::none();
   set.def("__repr__", [](const TileSet& s) {
     return "TileSet('" + s.folder().string() + "', " + std::to_string(s.triangles()) +
            " triangles in " + std::to_string(s.tiles().size()) + " tiles)";

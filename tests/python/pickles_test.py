@@ -41,6 +41,8 @@ def objects():
     yield from (soms.Part("roof", 0, 2, id="r1", attributes=[("height", "3")]), soms.ClosedBody(body),
                 soms.DividedBody(body), soms.WindingIndex(body), soms.BodyIndex([body]), robot, model)
     yield soms.clash(body, soms.Body(mesh, [1.5, 2.1, 3.1])).parts[0]
+    with tempfile.TemporaryDirectory() as folder:
+        yield soms.cut_tiles(f"{folder}/tiles", [mesh], most=2)
     yield from (soms.Georeference(), soms.MapConversion(), soms.Error("usage", "here", "do this"))
     for name in soms.__all__:
         of = getattr(soms, name)
