@@ -16,7 +16,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -309,11 +311,19 @@ void check_statements(const MeshView& mesh, const ModelOptions& options, const s
 }
 
 void refuse_tiles(const std::string& path) {
+  std::error_code unknown;
   if (is_tile_folder(path)) {
     throw Error(ErrorKind::usage,
-                printable(path) + ": a folder of tiles, where this takes a whole model",
-                "give the model; overlap, distance and within take tiles as B, closest and ray as "
-                "MODEL");
+                printable(path) + ": a folder of tiles, where whole surfaces are needed",
+                "overlap, distance and within take tiles as B, closest and ray as MODEL; a part of "
+                "them has to be a model here");
+  }
+  if (std::filesystem::is_regular_file(std::filesystem::path(path) / "source-000000.json",
+                                       unknown) ||
+      std::filesystem::is_regular_file(std::filesystem::path(path) / "tile-000000.somst",
+                                       unknown)) {
+    throw Error(ErrorKind::usage, printable(path) + ": a folder of tiles that is not complete",
+                "the command soms tile that was ended goes on if it is given again");
   }
 }
 

@@ -8,26 +8,18 @@
 
 #include <fmt/format.h>
 
+#include <string>
+
 namespace soms::command {
 
 namespace {
 
-void open_all(const std::string& folder, const Console& console) {
-  const TileSet tiles = TileSet::open(folder, {.max_memory = 0, .check = TreeCheck::full});
-  console.run("looking at the tiles of " + printable(folder), [&](const Parallel& parallel) {
-    for (std::size_t k = 0; k < tiles.tiles().size(); ++k) {
-      check_stop(parallel);
-      static_cast<void>(tiles.open_tile(k));
-      if (parallel.progress) {
-        parallel.progress(static_cast<double>(k + 1) / static_cast<double>(tiles.tiles().size()));
-      }
-    }
-    return 0;
-  });
-}
-
 Json point_json(const Vec3& point) {
   return Json::array({point.x, point.y, point.z});
+}
+
+char axis_of(UpAxis up) {
+  return static_cast<char>('x' + (static_cast<int>(up) - static_cast<int>(UpAxis::x)));
 }
 
 Json to_json(const std::string& folder, const TileSet& tiles) {
@@ -42,24 +34,38 @@ Json to_json(const std::string& folder, const TileSet& tiles) {
   const Box& box = tiles.bounds();
   json["bounds"] =
       box.empty() ? Json() : Json::array({point_json(box.lower), point_json(box.upper)});
-  add_georeference(json, tiles.manifest().statements.georeference);
+  const Mesh& statements = tiles.manifest().statements;
+  json["unit"] = statements.unit == 0 ? Json() : Json(statements.unit);
+  json["up"] =
+      statements.up == UpAxis::unknown ? Json() : Json(std::string(1, axis_of(statements.up)));
+  add_georeference(json, statements.georeference);
   return json;
 }
 
-std::string to_text(const std::string& folder, const TileSet& tiles) {
+std::string to_text(const std::string& folder, const TileSet& tiles, bool verified) {
   std::string text = describe_tiles(folder, tiles) + "\n";
   const Box& box = tiles.bounds();
   if (!box.empty()) {
     text +=
         fmt::format("  bounds     {} to {}\n", point_in_text(box.lower), point_in_text(box.upper));
   }
-  const Georeference& place = tiles.manifest().statements.georeference;
+  const Mesh& statements = tiles.manifest().statements;
+  if (statements.unit != 0) {
+    text += fmt::format("  unit       {} m\n", readable(statements.unit));
+  }
+  if (statements.up != UpAxis::unknown) {
+    text += fmt::format("  up axis    {}\n", axis_of(statements.up));
+  }
+  const Georeference& place = statements.georeference;
   if (!place.empty()) {
     text += fmt::format("  georeference {}\n", printable(describe(place)));
   }
   for (const TileSource& source : tiles.manifest().sources) {
     text += fmt::format("  model      {}: {}, numbered from {}\n", printable(source.file),
                         counted(source.triangles, "triangle"), source.first);
+  }
+  if (verified) {
+    text += "  verified   every box, every number, each triangle in one tile\n";
   }
   return text;
 }
@@ -70,9 +76,13 @@ void print_tiles(const std::string& folder, ModelOptions model, bool verify, Con
   model.allow_empty = true;
   const TileSet tiles = open_tiles(folder, model, {}, console);
   if (verify) {
-    open_all(folder, console);
+    console.run("looking at the tiles of " + printable(folder), [&](const Parallel& parallel) {
+      verify_tiles(folder, parallel);
+      return 0;
+    });
   }
-  console.print(console.shared().json ? json_line(to_json(folder, tiles)) : to_text(folder, tiles));
+  console.print(console.shared().json ? json_line(to_json(folder, tiles))
+                                      : to_text(folder, tiles, verify));
   console.flush();
 }
 

@@ -11,7 +11,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <memory>
+#include <system_error>
 
 namespace soms::command {
 
@@ -33,13 +36,28 @@ void print_json(const TileVerbOptions& options, const TileSet& tiles, std::uint6
                            {"sources", sources}}));
 }
 
+/// Hours may be between the first model and the last one.
+void check_inputs(const std::vector<std::string>& inputs) {
+  if (std::count(inputs.begin(), inputs.end(), "-") > 1) {
+    throw Error(ErrorKind::usage, "standard input is given twice", "give one of them as a file");
+  }
+  for (const std::string& input : inputs) {
+    std::error_code unknown;
+    if (input != "-" && !std::filesystem::exists(input, unknown)) {
+      throw Error(ErrorKind::cannot_open, printable(input) + ": it is not there",
+                  "check the name of the file");
+    }
+  }
+}
+
 }  // namespace
 
 Action add_tile(Parser& parser, Shared&) {
   const auto options = std::make_shared<TileVerbOptions>();
   parser.add_option("MODELS", options->inputs, "models to cut, each read by itself")->required();
   parser.add_option("-o", options->output, "folder of the tiles")->option_text("DIR")->required();
-  add_count(parser, "--most", options->cut.most, 1, kMaxPrimitives, "most triangles of a tile");
+  add_count(parser, "--most", options->cut.most, 1, kMaxPrimitives,
+            "most triangles of a tile (1000000)");
   parser.add_flag("--compact", options->compact, "a third of the size; queries take longer");
   add_model_options(parser, options->model, "--scale", "--up", "the models");
   add_city_options(parser, options->model, "", "the models");
@@ -66,6 +84,7 @@ int run_tile(const TileVerbOptions& options, Console& console) {
     throw Error(ErrorKind::usage, "-o: the name of the folder is empty",
                 "give the name of a folder");
   }
+  check_inputs(options.inputs);
   TileCutter cutter(options.output, options.cut);
   ModelOptions reading = options.model;
   reading.allow_empty = true;  // of many models some may be

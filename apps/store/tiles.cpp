@@ -15,21 +15,22 @@ void refuse_of_tiles(const std::string& folder, const std::vector<RefusedOfTiles
       throw Error(
           ErrorKind::usage,
           fmt::format("{}: {} does not go with tiles: {}", printable(folder), option, reason),
-          "leave it out, or give the model");
+          "leave it out, or give a model");
     }
   }
 }
 
 TileSet open_tiles(const std::string& folder, const ModelOptions& model, const BuildOptions& build,
-                   const Console& console) {
-  constexpr std::string_view kCut = "triangles were cut as they are; soms tile takes it";
+                   const Console& console, std::string_view suffix) {
+  constexpr std::string_view kCut = "triangles were cut as they are, and soms tile takes it";
+  const auto of = [&](std::string_view option) { return fmt::format("{}{}", option, suffix); };
   refuse_of_tiles(folder,
-                  {{model.scale != 1, "--scale", kCut},
-                   {model.up != UpAxis::unknown, "--up", kCut},
-                   {!model.crs.empty(), "--crs", kCut},
+                  {{model.scale != 1, of("--scale"), kCut},
+                   {model.up != UpAxis::unknown, of("--up"), kCut},
+                   {!model.crs.empty(), of("--crs"), kCut},
                    {model.lod.has_value(), "--lod", kCut},
                    {model.surfaces, "--surfaces", kCut},
-                   {build != BuildOptions(), "--tree", "trees are built; soms tile takes it"}});
+                   {build != BuildOptions(), "--tree", "trees are built, and soms tile takes it"}});
   TileOptions options;
   if (console.shared().max_memory != 0) {
     options.max_memory = console.shared().max_memory;

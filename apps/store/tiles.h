@@ -18,7 +18,7 @@ class Console;
 /// An option that was given, and why it has no meaning beside tiles.
 struct RefusedOfTiles {
   bool given = false;
-  std::string_view option;
+  std::string option;
   std::string_view reason;
 };
 
@@ -30,11 +30,13 @@ struct RefusedOfTiles {
 /// \errors ErrorKind::usage for what was given.
 void refuse_of_tiles(const std::string& folder, const std::vector<RefusedOfTiles>& refused);
 
-/// Opens a folder of tiles. --max-memory is the most bytes of tiles that are mapped at a time.
-/// \errors As `TileSet::open`; ErrorKind::usage for options that would change triangles or trees;
+/// Opens a folder of tiles, of which options end in `suffix` ("-b"). --max-memory is the most bytes
+/// of tiles that are mapped at a time. \errors As `TileSet::open`; ErrorKind::usage for options
+/// that would change triangles or trees;
 ///         empty_mesh without triangles.
 [[nodiscard]] TileSet open_tiles(const std::string& folder, const ModelOptions& model,
-                                 const BuildOptions& build, const Console& console);
+                                 const BuildOptions& build, const Console& console,
+                                 std::string_view suffix = {});
 
 /// "city: 3,000,000 triangles in 4 tiles, 342 MB".
 [[nodiscard]] std::string describe_tiles(const std::string& folder, const TileSet& tiles);

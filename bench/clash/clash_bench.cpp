@@ -8,6 +8,7 @@
 
 #include "bench/clash/building.h"
 #include "bench/clash/clash_peers.h"
+#include "bench/measure.h"
 
 #include <algorithm>
 #include <charconv>
@@ -103,11 +104,6 @@ struct Row {
   std::vector<double> find = {};
   PartPairs pairs = {};
 };
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
 
 void run(Row& row, const Building& building, std::span<const FloatMesh> a,
          std::span<const FloatMesh> b) {

@@ -8,11 +8,12 @@
 #include "soms/io/read_mesh.h"
 #include "soms/io/write_mesh.h"
 
+#include "bench/measure.h"
+
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -134,11 +135,6 @@ void read_once(FileUnderTest& file_under_test) {
   const Mesh mesh = read_mesh(file_under_test.file);
   file_under_test.processor.push_back(now(CLOCK_PROCESS_CPUTIME_ID) - processor);
   file_under_test.wall.push_back(now(CLOCK_MONOTONIC) - wall);
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
 }
 
 double kibibytes_at_most() {

@@ -11,8 +11,8 @@
 #include "soms/tree/layout/wide_tree.h"
 
 #include "apps/draw/chart.h"
+#include "bench/measure.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -36,16 +36,14 @@ double now() {
 /// Median seconds of nine runs, after one that warms caches.
 template <class Job>
 double seconds(const Job& job) {
-  constexpr int kRuns = 9;
   job();
-  std::array<double, kRuns> times;
+  std::vector<double> times(9);
   for (double& time : times) {
     const double begin = now();
     job();
     time = now() - begin;
   }
-  std::nth_element(times.begin(), times.begin() + kRuns / 2, times.end());
-  return times[kRuns / 2];
+  return median(times);
 }
 
 /// Keeps the compiler from leaving out what made `value`.
@@ -170,7 +168,7 @@ Row query_row(const std::string& name, const Shape& mover, const std::vector<Pos
   return {name, tests * node_test, taken / n, counts};
 }
 
-Row build_row(const std::string& name, const Mesh& mesh, double byte) {
+Row build_row(const std::string& name, const MeshView& mesh, double byte) {
   const auto shared = std::make_shared<const Mesh>(mesh);
   const double taken = seconds([&] { use(Shape(shared).layout()); });
   const Shape shape(shared);

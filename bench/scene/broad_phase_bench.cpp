@@ -4,14 +4,13 @@
 #include "soms/base/random.h"
 #include "soms/scene/broad_phase.h"
 
+#include "bench/measure.h"
 #include "bench/scene/broad_phase_peers.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <string_view>
 
 namespace soms::bench {
@@ -93,12 +92,6 @@ class SomsMovingBoxes final : public BroadPhasePeer {
  private:
   BroadPhase phase_;
 };
-
-double processor_seconds() {
-  std::timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 struct Row {
   std::string name;

@@ -6,10 +6,11 @@
 #include "soms/generate/shapes.h"
 #include "soms/scene/scene.h"
 
+#include "bench/measure.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
-#include <ctime>
 #include <functional>
 #include <span>
 #include <utility>
@@ -23,14 +24,9 @@ constexpr std::size_t kQuestions = 20000;
 constexpr std::size_t kLooped = 200;  // questions put to the loop
 
 double seconds_of(const std::function<void()>& work) {
-  const auto now = [] {
-    std::timespec time{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-  };
-  const double begin = now();
+  const double begin = processor_seconds();
   work();
-  return now() - begin;
+  return processor_seconds() - begin;
 }
 
 /// The scene, its bodies in a list, and questions within reach of the streets.

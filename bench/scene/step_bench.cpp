@@ -8,10 +8,11 @@
 #include "soms/generate/shapes.h"
 #include "soms/scene/scene.h"
 
+#include "bench/measure.h"
+
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <ctime>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -22,19 +23,8 @@ namespace {
 constexpr std::uint32_t kCars = 1000;
 constexpr int kFrames = 240;
 
-double processor_seconds() {
-  std::timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
 double clock_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
 }
 
 /// Two scenes of the same bodies, and where the cars drive.

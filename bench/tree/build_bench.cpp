@@ -6,6 +6,7 @@
 #include "soms/tree/refit.h"
 #include "soms/tree/rule/rules.h"
 
+#include "bench/measure.h"
 #include "bench/peers/core/machine.h"
 #include "bench/peers/scenarios/scene.h"
 #include "bench/peers/scenarios/solids.h"
@@ -142,11 +143,6 @@ std::vector<BuilderUnderTest> builders_of(const std::vector<const RuleEntry*>& c
   add_embree(builders);
 #endif
   return builders;
-}
-
-double median(std::vector<double> v) {
-  std::sort(v.begin(), v.end());
-  return v[v.size() / 2];
 }
 
 /// Seconds of all passes: what other programs take is in the median, and hardly in the least.

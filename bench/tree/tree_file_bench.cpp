@@ -1,13 +1,11 @@
 // What a tree file saves and costs: opening it by each check beside reading and building, queries
-// of a mapped and of a loaded file and of tiles beside those of a built shape, and the memory that
-// two processes share. `tree_file_bench [TRIANGLES]` prints a table; every ratio is of one run,
-// medians of processor time.
+// of a mapped and a loaded file and of tiles beside those of a built shape, and the memory that two
+// processes share. `tree_file_bench [TRIANGLES]` prints ratios of one run, of medians of its time.
 #include "soms/base/random.h"
 #include "soms/generate/city.h"
 #include "soms/generate/shapes.h"
 #include "soms/io/read_mesh.h"
 #include "soms/io/write_mesh.h"
-#include "soms/query/closest.h"
 #include "soms/query/distance.h"
 #include "soms/query/overlap.h"
 #include "soms/query/ray.h"
@@ -15,6 +13,8 @@
 #include "soms/store/tree_file.h"
 #include "soms/tiles/cut_tiles.h"
 #include "soms/tiles/tiled_queries.h"
+
+#include "bench/measure.h"
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -24,7 +24,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -37,26 +36,14 @@ namespace {
 
 constexpr int kRuns = 9;
 
-double now() {
-  std::timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-double median(std::vector<double> times) {
-  std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2),
-                   times.end());
-  return times[times.size() / 2];
-}
-
 /// Median processor time of each job, in seconds; they take turns.
 std::vector<double> in_turn(const std::vector<std::function<void()>>& jobs) {
   std::vector<std::vector<double>> times(jobs.size());
   for (int run = 0; run < kRuns; ++run) {
     for (std::size_t k = 0; k < jobs.size(); ++k) {
-      const double begin = now();
+      const double begin = processor_seconds();
       jobs[k]();
-      times[k].push_back(now() - begin);
+      times[k].push_back(processor_seconds() - begin);
     }
   }
   std::vector<double> medians;
@@ -101,24 +88,6 @@ TileSet tiles_of(const Shape& city, const std::filesystem::path& folder, std::si
   return TileSet::open(folder);
 }
 
-std::vector<Vec3> points_of(const std::vector<Pose>& poses) {
-  std::vector<Vec3> points;
-  for (const Pose& pose : poses) {
-    points.push_back(pose.apply({0, 0, 1}));
-  }
-  return points;
-}
-
-/// Rays of 300 m, most of them flat.
-std::vector<Ray> rays_of(const std::vector<Vec3>& points) {
-  Rng rng(8);
-  std::vector<Ray> rays;
-  for (const Vec3& point : points) {
-    rays.push_back({point, {rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-0.2, 0.1)}, 300});
-  }
-  return rays;
-}
-
 void print_queries(const Shape& built, const std::filesystem::path& file) {
   const Shape mapped = open_shape(file, {.check = TreeCheck::trusted});
   const Shape loaded = open_shape(file, {.check = TreeCheck::trusted, .load = true});
@@ -126,21 +95,22 @@ void print_queries(const Shape& built, const std::filesystem::path& file) {
   const std::vector<Pose> poses = places(built, 20'000);
   const std::span<const Pose> few = std::span(poses).first(2000);
   const TiledBody many{tiles_of(built, file.string() + ".many", 25)};
-  const TiledBody some{tiles_of(built, file.string() + ".some", 4)};
-  const std::vector<Vec3> points = points_of(poses);
-  const std::vector<Ray> rays = rays_of(points);
+  std::vector<Ray> rays;
+  for (const Pose& pose : poses) {  // the way that a car looks
+    rays.push_back({pose.apply({0, 0, 1}), pose.apply({1, 0, 1}) - pose.apply({0, 0, 1}), 300});
+  }
   const auto row = [&](const char* what, std::size_t rows, const auto& ask) {
     const std::vector<double> times =
         in_turn({[&] { ask(Body(built)); }, [&] { ask(Body(mapped)); }, [&] { ask(Body(loaded)); },
-                 [&] { ask(many); }, [&] { ask(some); }});
+                 [&] { ask(many); }});
     std::printf("%-22s %8.2f us", what, 1e6 * times[0] / static_cast<double>(rows));
     for (std::size_t k = 1; k < times.size(); ++k) {
       std::printf(" %14.3f", times[k] / times[0]);
     }
     std::printf("\n");
   };
-  std::printf("%-22s %11s %14s %14s %14s %14s\n", "", "built, a row", "mapped/built",
-              "loaded/built", "25 tiles/built", "4 tiles/built");
+  std::printf("%-22s %11s %14s %14s %14s\n", "", "built, a row", "mapped/built", "loaded/built",
+              "25 tiles/built");
   row("overlap, any", poses.size(), [&](const auto& city) {
     static_cast<void>(overlap(car, poses, city, {.mode = OverlapMode::any}));
   });
@@ -150,14 +120,9 @@ void print_queries(const Shape& built, const std::filesystem::path& file) {
       [&](const auto& city) { static_cast<void>(within(car, poses, city, 1)); });
   row("distance", few.size(),
       [&](const auto& city) { static_cast<void>(distance(car, few, city)); });
-  row("closest", points.size(),
-      [&](const auto& city) { static_cast<void>(closest(city, points)); });
   row("closest_hit", rays.size(),
       [&](const auto& city) { static_cast<void>(closest_hit(city, std::span<const Ray>(rays))); });
-  row("any_hit", rays.size(),
-      [&](const auto& city) { static_cast<void>(any_hit(city, std::span<const Ray>(rays))); });
   std::filesystem::remove_all(many.tiles.folder());
-  std::filesystem::remove_all(some.tiles.folder());
 }
 
 /// Kilobytes of this process that are its own alone.

@@ -106,9 +106,8 @@ TileSet set_from(const py::tuple& state) {
 }
 
 py::tuple state_of(const TileSet& set) {
-  return py::make_tuple(Text{std::filesystem::absolute(set.folder()).string()},
-                        set.options().max_memory, member(set.options().check).attr("name"),
-                        set.hash());
+  return py::make_tuple(Text{set.place().string()}, set.options().max_memory,
+                        member(set.options().check).attr("name"), set.hash());
 }
 
 TileSet cut_into(const py::object& folder, const py::iterable& meshes, std::size_t most,
@@ -152,8 +151,8 @@ void bind_tiles(py::module_& module) {
       "__eq__", [](const TileSet& a, const TileSet& b) { return a == b; }, py::is_operator());
   set.attr("__hash__") = py::none();
   set.def("__repr__", [](const TileSet& s) {
-    return "TileSet('" + s.folder().string() + "', " + std::to_string(s.triangles()) +
-           " triangles in " + std::to_string(s.tiles().size()) + " tiles)";
+    return Text{"TileSet('" + s.folder().string() + "', " + std::to_string(s.triangles()) +
+                " triangles in " + std::to_string(s.tiles().size()) + " tiles)"};
   });
   set.def(py::pickle(&state_of, &set_from));
   module.def("cut_tiles", &cut_into, py::arg("folder"), py::arg("meshes"), py::kw_only(),

@@ -2,16 +2,21 @@
 /// Cuts models into tiles: `tile_set.h` opens them.
 ///
 /// \code
-/// const std::filesystem::path folder = std::filesystem::temp_directory_path() / "soms-town";
-/// soms::TileCutter cutter(folder, {.most = 5'000});
+/// const auto folder = std::filesystem::temp_directory_path() / "soms-town";
+/// soms::TileCutter cutter(folder, {.most = 6'000});
 /// cutter.add(soms::generate_city({.triangles = 20'000}).mesh);
 /// cutter.finish();
-/// const soms::TileSet town = soms::TileSet::open(folder);
-/// const soms::Shape car(soms::generate_knot(200));
-/// const std::vector<soms::Pose> poses{soms::Pose::translation(40, 10, 1)};
-/// std::cout << town.triangles() << " triangles; touched: " << std::boolalpha
-///           << (soms::overlap(car, poses, soms::TiledBody{town}).any[0] != 0) << '\n';
+/// const soms::TiledBody town{soms::TileSet::open(folder)};
+/// const soms::Shape ball(soms::generate_sphere(80));
+/// const std::vector<soms::Pose> poses{soms::Pose{}, soms::Pose::translation(0, 0, 90)};
+/// const soms::DistanceBatch answer = soms::distance(ball, poses, town);
+/// std::cout << town.tiles.tiles().size() << " tiles; on the ground: " << std::boolalpha
+///           << (answer.upper[0] == 0) << ", above: " << (answer.lower[1] > 80) << '\n';
 /// \endcode
+/// It prints:
+/// \verbatim
+/// 4 tiles; on the ground: true, above: true
+/// \endverbatim
 #pragma once
 
 #include "soms/base/parallel.h"
@@ -61,22 +66,23 @@ struct TileCut {
 /// \pre `triangles` ascend.
 [[nodiscard]] Mesh extract(const MeshView& mesh, std::span<const TriangleId> triangles);
 
-/// Writes a folder of tiles, one model after the other; only one need be in memory. What a run
-/// left that was ended is used again: a model that was cut whole by the same options is not cut
-/// again.
+/// Writes a folder of tiles, one model after the other; only one need be in memory. The same calls
+/// go on where a run was ended: a model whose tiles are there and whole is not cut again.
 class TileCutter {
  public:
-  /// Makes the folder, unless it is there.
+  /// The folder is made when the first tile is written.
   /// \errors  ErrorKind::cannot_write; usage for a folder with other files than tiles.
   TileCutter(std::filesystem::path folder, const CutOptions& options);
 
   /// Cuts the next model, and writes its tiles. False if they were there.
-  /// \errors  ErrorKind::usage for a model whose unit, up axis or georeference differs from those
-  ///          before; out_of_range for too many triangles; cannot_write; cancelled.
+  /// The folder must be of the same models and options, as far as it was cut.
+  /// \errors  ErrorKind::usage for another folder, and for a model whose unit, up axis or
+  ///          georeference is not that of those before; out_of_range for too many triangles;
+  ///          cannot_write; cancelled.
   bool add(const MeshView& mesh, const Parallel& parallel = {});
 
   /// Writes the manifest, which makes the folder a set of tiles.
-  /// \errors  ErrorKind::cannot_write.
+  /// \errors  ErrorKind::cannot_write; usage for a folder that was cut from more models.
   void finish();
 
   /// What has been written so far.
@@ -84,8 +90,9 @@ class TileCutter {
 
  private:
   [[nodiscard]] std::filesystem::path receipt() const;
-  [[nodiscard]] std::string question(const TileSource& source) const;
-  bool take_receipt(const TileSource& source);
+  [[nodiscard]] std::string question(const MeshView& mesh, const TileSource& source) const;
+  bool take_receipt(const MeshView& mesh, const TileSource& source);
+  void keep(const TileSource& source, std::span<const Tile> tiles);
   void write_tiles(const MeshView& mesh, const TileSource& source, const Parallel& parallel);
   void check_statements(const MeshView& mesh);
 

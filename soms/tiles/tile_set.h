@@ -4,6 +4,7 @@
 #pragma once
 
 #include "soms/base/box.h"
+#include "soms/base/parallel.h"
 #include "soms/base/pose.h"
 #include "soms/geometry/mesh.h"
 #include "soms/tree/file/shape_bytes.h"
@@ -103,7 +104,11 @@ class TileSet {
   [[nodiscard]] static TileSet open(const std::filesystem::path& folder,
                                     const TileOptions& options = {});
 
+  /// As it was named when it was opened.
   [[nodiscard]] const std::filesystem::path& folder() const;
+
+  /// The same, absolute.
+  [[nodiscard]] const std::filesystem::path& place() const;
 
   [[nodiscard]] const TileManifest& manifest() const;
 
@@ -118,7 +123,7 @@ class TileSet {
   /// Bytes of all tile files.
   [[nodiscard]] std::uint64_t bytes() const;
 
-  /// A number that stands for the content of all tiles.
+  /// A number that stands for the content of all tiles, whatever their models are called.
   [[nodiscard]] std::uint64_t hash() const;
 
   /// Opens a tile, unless it is open.
@@ -138,6 +143,12 @@ class TileSet {
   struct Content;
   std::shared_ptr<const Content> content_;
 };
+
+/// Looks at all files of a folder: every box, every number, and that each triangle is in one tile.
+/// Tiles are opened one by one.
+/// \errors  As `TileSet::open`; ErrorKind::bad_file, which names the file; cancelled.
+/// \cost    That of reading all bytes, and of half a build; a bit a triangle.
+void verify_tiles(const std::filesystem::path& folder, const Parallel& parallel = {});
 
 /// True if the path is a folder with a manifest of tiles.
 [[nodiscard]] bool is_tile_folder(const std::filesystem::path& path);

@@ -36,6 +36,8 @@ class BodyQuestion {
 
   [[nodiscard]] double limit() const { return options_.at_most; }
 
+  [[nodiscard]] bool late() const { return detail::is_late(options_.deadline); }
+
   [[nodiscard]] Distance ask(const Body& body, const OpenTile& /*tile*/, double limit) const {
     Distance answer = soms::distance(mover_, body, {limit, options_.deadline}, parallel_);
     if (answer.coverage == Coverage::cut && answer.triangles) {
@@ -107,7 +109,11 @@ Within within_of(const Body& mover, const detail::TileBoxes& tiles, double clear
   Cost cost;
   std::vector<detail::KeyedBounds> memory;
   cost.node_tests +=
-      tiles.boxes().search(key, clearance, memory, [&](std::uint32_t number, double /*key*/) {
+      tiles.boxes().search(key, clearance, memory, [&](std::uint32_t number, double nearest) {
+        if (detail::is_late(options.deadline)) {
+          answer = {.at_least = nearest, .coverage = Coverage::cut};
+          return -kInfinity;
+        }
         const auto tile = tiles.open(number);
         const Within here =
             soms::within(mover, Body(tile->shape, tiles.body().pose), clearance, options, parallel);
@@ -118,6 +124,9 @@ Within within_of(const Body& mover, const detail::TileBoxes& tiles, double clear
         answer = here;
         if (here.within) {
           answer.triangles->second = tile->number(here.triangles->second);
+        } else {
+          // Tiles that were not met may be as near as the key of this one.
+          answer.at_least = std::min(answer.at_least, nearest);
         }
         return -kInfinity;  // decided, or out of time
       });

@@ -39,6 +39,13 @@ class TiledPairs {
     }
   }
 
+  /// Time is up for these rows.
+  void cut(std::span<const std::size_t> rows) {
+    for (const std::size_t row : rows) {
+      coverage_[row] = Coverage::cut;
+    }
+  }
+
   [[nodiscard]] OverlapBatch batch() {
     OverlapBatch batch;
     batch.offsets.push_back(0);
@@ -95,6 +102,7 @@ OverlapBatch overlap(const Shape& mover, std::span<const Pose> poses, const Tile
   detail::check_poses(poses, mover);
   const detail::TileBoxes tiles(fixed);
   check_stop(parallel);
+  const Parallel silent = {.threads = parallel.threads, .stop = parallel.stop};
   const auto rows_of = rows_of_tiles(mover, poses, tiles);
   TiledPairs found(poses.size(), options.mode);
   std::vector<std::size_t> rows;
@@ -108,10 +116,14 @@ OverlapBatch overlap(const Shape& mover, std::span<const Pose> poses, const Tile
         here.push_back(poses[row]);
       }
     }
-    if (!rows.empty()) {
+    if (!rows.empty() && detail::is_late(options.deadline)) {
+      found.cut(rows);
+    } else if (!rows.empty()) {
       const auto tile = tiles.open(number);
-      found.add(rows, overlap(mover, here, Body(tile->shape, fixed.pose), options, parallel),
-                *tile);
+      found.add(rows, overlap(mover, here, Body(tile->shape, fixed.pose), options, silent), *tile);
+    }
+    if (parallel.progress) {
+      parallel.progress(static_cast<double>(number + 1) / static_cast<double>(rows_of.size()));
     }
   }
   return found.batch();

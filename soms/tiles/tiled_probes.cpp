@@ -7,7 +7,9 @@
 #include "soms/tiles/tiled_queries.h"
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace soms {
@@ -26,7 +28,11 @@ class PointQuestion : public detail::PointMeasure {
  public:
   using Answer = Closest;
   using Winner = TriangleId;
-  using PointMeasure::PointMeasure;
+
+  PointQuestion(const Vec3& point, const ClosestOptions& options, const Parallel& parallel)
+      : PointMeasure(point, options, parallel), deadline_(options.deadline) {}
+
+  [[nodiscard]] bool late() const { return detail::is_late(deadline_); }
 
   [[nodiscard]] Closest ask(const Body& body, const OpenTile& /*tile*/, double limit) const {
     return nearest(body, limit);
@@ -36,6 +42,9 @@ class PointQuestion : public detail::PointMeasure {
                                                         const OpenTile& tile) {
     return number_in_all(answer.triangle, tile);
   }
+
+ private:
+  std::optional<std::chrono::steady_clock::time_point> deadline_;
 };
 
 /// Where does a ray or a segment meet the surfaces first, if at all?
@@ -47,6 +56,8 @@ class LineQuestion : public detail::LineMeasure<Line> {
 
   LineQuestion(const Line& given, const RayOptions& options)
       : detail::LineMeasure<Line>(given), options_(options) {}
+
+  [[nodiscard]] bool late() const { return detail::is_late(options_.deadline); }
 
   [[nodiscard]] ClosestHit ask(const Body& body, const OpenTile& tile, double limit) const {
     return soms::closest_hit(body, detail::shortened(this->line(), limit), options_for(tile));
@@ -113,6 +124,10 @@ AnyHit some_hit(const Line& line, const detail::TileBoxes& tiles, const RayOptio
   const auto key = [&](const Box& box) { return question.key(box); };
   answer.cost.node_tests += tiles.boxes().search(
       key, question.limit(), memory, [&](std::uint32_t number, double /*key*/) {
+        if (question.late()) {
+          answer.coverage = Coverage::cut;
+          return -kBeyondAll;
+        }
         const auto tile = tiles.open(number);
         const AnyHit here = question.ask_any(Body(tile->shape, tiles.body().pose), *tile);
         answer.hit = here.hit;
@@ -144,7 +159,7 @@ ClosestHitBatch first_hits(const TiledBody& body, std::span<const Line> lines,
   const PlainArithmetic plain;
   check_skip(body.tiles, options);
   const detail::TileBoxes tiles(body);
-  ClosestHitBatch batch = closest_hit(Body(), lines, {}, parallel);
+  ClosestHitBatch batch = closest_hit(Body(), lines);
   for_each_line(lines, tiles, parallel, [&](std::size_t row) {
     const ClosestHit answer = first_hit(lines[row], tiles, options);
     batch.lower[row] = answer.t.lower;
@@ -165,7 +180,7 @@ AnyHitBatch some_hits(const TiledBody& body, std::span<const Line> lines, const 
   const PlainArithmetic plain;
   check_skip(body.tiles, options);
   const detail::TileBoxes tiles(body);
-  AnyHitBatch batch = any_hit(Body(), lines, {}, parallel);
+  AnyHitBatch batch = any_hit(Body(), lines);
   for_each_line(lines, tiles, parallel, [&](std::size_t row) {
     const AnyHit answer = some_hit(lines[row], tiles, options);
     batch.hit[row] = answer.hit ? 1 : 0;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <map>
 
@@ -121,6 +122,8 @@ TEST_F(Tiles, GiveSharesThatAreJoined) {
   run({"distance", "car.ply", "city.ply", "--pose", "poses.csv", "--binary", "whole.npz"});
   EXPECT_EQ(bytes("joined.npz"), bytes("whole.npz"));
   // Other tiles are another question.
+  EXPECT_EQ(result_of({"tile", "city.ply", "--most", "400", "-o", "tiles"}).status, 2);
+  std::filesystem::remove_all(path("tiles"));
   run({"tile", "city.ply", "--most", "400", "-o", "tiles"});
   EXPECT_EQ(result_of({"distance", "car.ply", "tiles", "--pose", "poses.csv", "--shard", "2/3",
                        "--binary", "out"})
@@ -153,7 +156,7 @@ TEST_F(Tiles, NumberSeveralModelsInTheirOrder) {
 
 TEST_F(Tiles, AreRefusedWithTheReasonWhereWholeSurfacesAreNeeded) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
-      {{"solid", "ball.ply", "tiles"}, "a folder of tiles, where this takes a whole model"},
+      {{"solid", "ball.ply", "tiles"}, "a folder of tiles, where whole surfaces are needed"},
       {{"contains", "tiles", "--points", "poses.csv"}, "a folder of tiles"},
       {{"clash", "tiles"}, "a folder of tiles"},
       {{"overlap", "tiles", "car.ply"}, "take tiles as B"},
@@ -182,7 +185,13 @@ TEST_F(Tiles, NameWhatIsDamaged) {
   EXPECT_EQ(result.status, 3);
   EXPECT_NE(result.err.find("tile-000001.somst"), std::string::npos) << result.err;
   EXPECT_EQ(result_of({"tile", "missing.ply", "-o", "out"}).status, 3);
+  EXPECT_FALSE(std::filesystem::exists(path("out")));
   EXPECT_EQ(result_of({"tile", "city.ply", "-o", "city.ply"}).status, 5);
+  EXPECT_EQ(result_of({"tile", "-", "-", "-o", "out"}).status, 2);
+  std::filesystem::remove(path("tiles") + "/tiles.json");
+  const RunResult incomplete = result_of({"overlap", "car.ply", "tiles"});
+  EXPECT_EQ(incomplete.status, 2);
+  EXPECT_NE(incomplete.err.find("not complete"), std::string::npos) << incomplete.err;
 }
 
 }  // namespace

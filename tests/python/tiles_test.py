@@ -1,6 +1,7 @@
 """Tiles: cut, opened, queried as one shape, pickled by path and hash."""
 import pathlib
 import pickle
+import shutil
 import tempfile
 import unittest
 
@@ -60,7 +61,7 @@ class Tiles(unittest.TestCase):
 
     def test_cuts_meshes_of_a_generator_once(self):
         again = soms.cut_tiles(self.path, (mesh for mesh in [self.mesh]), most=600, threads=2)
-        self.assertEqual(again.hash(), self.tiles.hash())
+        self.assertEqual(again, self.tiles)
         two = soms.cut_tiles(self.path.parent / "two", [self.mesh, self.mesh], layout="compact", rule="quick")
         self.assertEqual(len(two), 8000)
         with self.assertRaises(soms.Error) as caught:
@@ -75,6 +76,10 @@ class Tiles(unittest.TestCase):
 
     def test_is_not_taken_for_other_tiles(self):
         text = pickle.dumps(self.tiles)
+        with self.assertRaises(soms.Error) as caught:
+            soms.cut_tiles(self.path, [self.mesh], most=300)
+        self.assertEqual(caught.exception.kind, "usage")
+        shutil.rmtree(self.path)
         soms.cut_tiles(self.path, [self.mesh], most=300)
         with self.assertRaises(soms.Error) as caught:
             pickle.loads(text)

@@ -63,6 +63,7 @@ LENT = {
     ("tiles", "soms/scene/detail/box_index.h"): "likewise",
     ("tiles", "soms/scene/detail/moved_bounds.h"): "likewise",
     ("tiles", "soms/scene/detail/search/measures.h"): "and in the same order",
+    ("tiles", "soms/tree/file/detail/statements.h"): "what a mesh states decides the bytes of its tiles",
     ("tiles", "soms/store/detail/mapped_file.h"): "numbers of triangles are mapped as tree files are",
     ("tiles", "soms/io/detail/file.h"): "manifests are read as models are",
     ("tiles", "soms/io/detail/output.h"): "and written as they are",

@@ -174,14 +174,75 @@ TEST(TileCutter, GoesOnWhereItEnded) {
             times[first.tiles()[0].file]);
 }
 
-TEST(TileCutter, RemovesWhatAnEarlierRunCutOtherwise) {
+TEST(TileCutter, CutsAgainWhatIsDamaged) {
   const test::TemporaryFolder folder;
-  const std::vector<Mesh> meshes{city_of(2000)};
-  const std::size_t many = test::tiles_of(folder.path(), meshes, {.most = 100}).tiles().size();
-  const TileSet set = test::tiles_of(folder.path(), meshes, {.most = 1000});
-  EXPECT_LT(set.tiles().size(), many);
+  const std::vector<Mesh> meshes{city_of(1000)};
+  const TileSet first = test::tiles_of(folder.path(), meshes, {.most = 300});
+  for (const std::string& file : {first.tiles()[1].file, first.tiles()[1].ids}) {
+    std::fstream bytes(folder.path() / file, std::ios::binary | std::ios::in | std::ios::out);
+    bytes.seekp(static_cast<std::streamoff>(std::filesystem::file_size(folder.path() / file) / 2));
+    bytes.put('#');
+    bytes.close();
+    EXPECT_EQ(kind_of([&] { verify_tiles(folder.path()); }), ErrorKind::bad_file) << file;
+    TileCutter cutter(folder.path(), {.most = 300});
+    EXPECT_TRUE(cutter.add(meshes[0]));
+    cutter.finish();
+    verify_tiles(folder.path());
+  }
+}
+
+TEST(TileCutter, KeepsWhatAnotherRunCut) {
+  const test::TemporaryFolder folder;
+  const std::vector<Mesh> meshes{city_of(1000), city_of(1400)};
+  const TileSet first = test::tiles_of(folder.path(), meshes, {.most = 300});
+  Mesh stated = meshes[0];
+  stated.georeference.crs = "EPSG:25833";
+  Mesh parted = meshes[0];
+  parted.parts.resize(1);
+  const std::vector<std::pair<Mesh, CutOptions>> others{
+      {meshes[1], {.most = 300}},
+      {meshes[0], {.most = 301}},
+      {meshes[0], {.most = 300, .shape = {.layout = Layout::compact}}},
+      {meshes[0], {.most = 300, .shape = {.build = {.per_leaf = 4}}}},
+      {stated, {.most = 300}},
+      {parted, {.most = 300}}};
+  for (const auto& [mesh, options] : others) {
+    EXPECT_EQ(kind_of([&] { TileCutter(folder.path(), options).add(mesh); }), ErrorKind::usage);
+  }
+  TileCutter fewer(folder.path(), {.most = 300});
+  EXPECT_FALSE(fewer.add(meshes[0]));
+  EXPECT_EQ(kind_of([&] { fewer.finish(); }), ErrorKind::usage);
+  verify_tiles(folder.path());
+  EXPECT_EQ(TileSet::open(folder.path()).manifest(), first.manifest());
+  // More models come behind those that are there.
+  TileCutter more(folder.path(), {.most = 300});
+  EXPECT_FALSE(more.add(meshes[0]));
+  EXPECT_FALSE(more.add(meshes[1]));
+  EXPECT_TRUE(more.add(meshes[0]));
+  more.finish();
+  verify_tiles(folder.path());
+  EXPECT_EQ(TileSet::open(folder.path()).triangles(), 3400U);
+}
+
+TEST(TileCutter, RemovesTilesOfARunThatEndedAndNothingElse) {
+  const test::TemporaryFolder folder;
+  for (const char* const name : {"tile-000900.somst", "tile-000900.npy"}) {
+    std::ofstream(folder.path() / name) << "half";
+  }
+  const TileSet set =
+      test::tiles_of(folder.path(), std::vector<Mesh>{city_of(1000)}, {.most = 300});
   const auto files = std::distance(std::filesystem::directory_iterator(folder.path()), {});
   EXPECT_EQ(static_cast<std::size_t>(files), 2 * set.tiles().size() + 2);
+  for (const char* const name : {"tile-north.ply", "tile-notes.txt", "source-model.obj",
+                                 "tile-00001.npy", "tile-000001.somst.bak"}) {
+    const std::filesystem::path path = folder.path() / name;
+    std::ofstream(path) << "mine";
+    EXPECT_EQ(kind_of([&] { TileCutter(folder.path(), {}); }), ErrorKind::usage) << name;
+    EXPECT_TRUE(std::filesystem::exists(path)) << name;
+    std::filesystem::remove(path);
+  }
+  std::filesystem::create_directory(folder.path() / "tile-000901.npy");
+  EXPECT_EQ(kind_of([&] { TileCutter(folder.path(), {}); }), ErrorKind::cannot_write);
 }
 
 TEST(TileCutter, WritesTheSameBytesForAnyThreads) {

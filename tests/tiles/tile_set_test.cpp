@@ -11,7 +11,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <functional>
 #include <limits>
 #include <sstream>
@@ -197,6 +199,106 @@ TEST(TileSet, CutsAnswersWhenTimeIsUp) {
   }
 }
 
+// A bound that is proved of one tile says nothing of those that are as near.
+TEST(TileSet, WithinIsNoFartherThanTilesThatWereNotMet) {
+  test::for_each_case("tiles/within cut", 200, [](Rng& rng) {
+    const auto number = [&] { return rng.uniform(-9, 9); };
+    std::vector<Triangle> triangles;
+    for (int k = 0; k < 30; ++k) {
+      const Vec3 at{number(), number(), number()};
+      triangles.push_back({at, at + Vec3{1, 0, 0.2}, at + Vec3{0, 3, 1}});
+    }
+    const std::vector<Mesh> meshes{test::soup_body(triangles)};
+    const test::TemporaryFolder folder;
+    const TiledBody tiles{tiles_of(folder.path(), meshes, {.most = 1})};
+    const Shape mover(test::soup_body({{{-5, -0.1, 0}, {5, 0, 0}, {-5, 0.1, 0}}}));
+    const std::vector<Pose> poses{Pose::about_z(rng.uniform(0, 6), {number(), number(), 20})};
+    const double truth = distance(mover, poses, Body{Shape(meshes[0])}).lower[0];
+    for (const int steps : {0, 1, 4, 16, 64}) {
+      // However many steps of the clock fit into it, the bound holds.
+      const auto soon = std::chrono::steady_clock::now() + steps * std::chrono::microseconds(1);
+      const WithinBatch cut = within(mover, poses, tiles, 100, {.deadline = soon});
+      if (cut.coverage[0] == Coverage::cut) {
+        EXPECT_LE(cut.at_least[0], truth);
+      } else {
+        EXPECT_TRUE(cut.within[0] != 0);
+      }
+    }
+  });
+}
+
+TEST(TileSet, StopsAtTheDeadlineBeforeItOpensTiles) {
+  const std::vector<Mesh> meshes{generate_city({.triangles = 2000, .size = 400}).mesh};
+  const test::TemporaryFolder folder;
+  const TiledBody tiles{tiles_of(folder.path(), meshes, {.most = 20})};
+  const auto past = std::chrono::steady_clock::time_point::min();
+  const Shape city(meshes[0]);
+  const std::vector<Pose> poses(3);
+  const std::vector<Vec3> points(3);
+  const std::vector<Ray> rays(3, Ray{{0, 0, 90}, {0, 0, -1}});
+  EXPECT_EQ(overlap(city, poses, tiles, {.deadline = past}).coverage[1], Coverage::cut);
+  EXPECT_EQ(distance(city, poses, tiles, {.deadline = past}).coverage[1], Coverage::cut);
+  EXPECT_EQ(within(city, poses, tiles, 1, {.deadline = past}).coverage[1], Coverage::cut);
+  EXPECT_EQ(closest(tiles, points, {.deadline = past}).coverage[1], Coverage::cut);
+  EXPECT_EQ(closest_hit(tiles, rays, {.deadline = past}).coverage[1], Coverage::cut);
+  EXPECT_EQ(any_hit(tiles, rays, {.deadline = past}).coverage[1], Coverage::cut);
+  EXPECT_EQ(tiles.tiles.openings(), 0U);
+}
+
+TEST(TileSet, ReportsProgressThatOnlyGrows) {
+  const std::vector<Mesh> meshes{generate_city({.triangles = 2000, .size = 400}).mesh};
+  const test::TemporaryFolder folder;
+  const TiledBody tiles{tiles_of(folder.path(), meshes, {.most = 100})};
+  const std::vector<Pose> poses(500, Pose::translation(20, 20, 0));
+  const std::vector<Ray> rays(500, Ray{{0, 0, 90}, {0, 0, -1}});
+  std::vector<double> shares;
+  const Parallel parallel{.progress = [&](double share) { shares.push_back(share); }};
+  const auto check = [&] {
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    EXPECT_FALSE(shares.empty());
+    shares.clear();
+  };
+  static_cast<void>(overlap(Shape(generate_sphere(20)), poses, tiles, {}, parallel));
+  check();
+  static_cast<void>(closest_hit(tiles, rays, {}, parallel));
+  check();
+  static_cast<void>(distance(Shape(generate_sphere(20)), poses, tiles, {}, parallel));
+  check();
+}
+
+// Cut again, a folder has other numbers in files of the same names.
+TEST(TileSet, FindsThatItsFolderWasCutAgain) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "tiles";
+  const Mesh a = test::unstated(generate_sphere(30));
+  const Mesh b = test::mapped(test::unstated(generate_sphere(20)), [](const Vec3& v) {
+    return v + Vec3{100, 100, 100};
+  });
+  const std::vector<Vec3> points{{100, 100, 103}, {0, 0, 3}};
+  const TileSet set = tiles_of(path, std::vector<Mesh>{a, b}, {.most = 100}, {.max_memory = 0});
+  const ClosestBatch before = closest(TiledBody{set}, points);
+  std::filesystem::remove_all(path);
+  static_cast<void>(
+      tiles_of(path, std::vector<Mesh>{test::unstated(generate_sphere(60)), b}, {.most = 100}));
+  EXPECT_EQ(kind_of([&] {
+              static_cast<void>(closest(TiledBody{set}, points));
+              static_cast<void>(closest(TiledBody{set}, points));
+            }),
+            ErrorKind::bad_file);
+  EXPECT_GE(*before.triangle[0], 30U);
+}
+
+TEST(TileSet, StaysWhereItIsWhenTheProgramGoesElsewhere) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path here = std::filesystem::current_path();
+  std::filesystem::current_path(folder.path());
+  const TileSet set = tiles_of("tiles", std::vector<Mesh>{generate_sphere(30)}, {.most = 10});
+  std::filesystem::current_path(here);
+  EXPECT_EQ(set.folder(), "tiles");
+  EXPECT_EQ(set.place(), folder.path() / "tiles");
+  EXPECT_EQ(set.open_tile(0)->ids.size(), set.tiles()[0].triangles);
+}
+
 TEST(TileSet, ComparesByContentAndPrints) {
   const std::vector<Mesh> meshes{generate_sphere(100)};
   const test::TemporaryFolder a;
@@ -204,7 +306,13 @@ TEST(TileSet, ComparesByContentAndPrints) {
   const TileSet tiles = tiles_of(a.path(), meshes, {.most = 30});
   EXPECT_EQ(tiles, tiles_of(b.path(), meshes, {.most = 30}));
   EXPECT_EQ(*tiles.open_tile(0), *TileSet::open(b.path()).open_tile(0));
-  EXPECT_NE(tiles, tiles_of(b.path(), meshes, {.most = 20}));
+  const test::TemporaryFolder c;
+  EXPECT_NE(tiles, tiles_of(c.path(), meshes, {.most = 20}));
+  Mesh renamed = meshes[0];
+  renamed.source = "elsewhere/ball.ply";
+  const test::TemporaryFolder d;
+  EXPECT_EQ(tiles.hash() == tiles_of(d.path(), std::vector<Mesh>{renamed}, {.most = 30}).hash(),
+            false);  // tree files state what they were built of
   std::ostringstream text;
   text << tiles << tiles.manifest() << CutOptions{} << TileCut{{1, 2}, true}
        << TileOptions{.max_memory = 7};

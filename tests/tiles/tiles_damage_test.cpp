@@ -132,6 +132,27 @@ TEST_F(DamagedTiles, TilesOfAnotherSetAreNotTaken) {
   EXPECT_EQ(outcome(), "bad_file");
 }
 
+TEST_F(DamagedTiles, VerifyingFindsTrianglesThatAreInTwoTilesOrInNone) {
+  verify_tiles(folder_.path());
+  const std::filesystem::path path = folder_.path() / kTileManifest;
+  const std::string bytes = bytes_of(path);
+  const auto replaced = [&](const std::string& from, const std::string& to) {
+    std::string other = bytes;
+    other.replace(other.find(from), from.size(), to);
+    return other;
+  };
+  const std::string row0 = bytes.substr(bytes.find("{\"file\": \"tile-000000"));
+  const std::string first = row0.substr(0, row0.find("},\n") + 1);
+  const std::string row1 = bytes.substr(bytes.find("{\"file\": \"tile-000001"));
+  const std::string second = row1.substr(0, row1.find("},\n") + 1);
+  for (const std::string& other :
+       {replaced(second, first), replaced("\"bytes\": ", "\"bytes\": 1"),
+        replaced("\"bytes\": ", "\"bytes\": 18446744073709551615, \"was\": ")}) {
+    write(path, other);
+    EXPECT_EQ(test::kind_of([&] { verify_tiles(folder_.path()); }), ErrorKind::bad_file) << other;
+  }
+}
+
 TEST_F(DamagedTiles, NamesLeadNowhereElse) {
   const std::filesystem::path path = folder_.path() / kTileManifest;
   const std::string bytes = bytes_of(path);

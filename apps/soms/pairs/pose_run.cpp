@@ -88,7 +88,7 @@ std::optional<TileSet> PoseRun::load_tiles() const {
   }
   refuse_of_tiles(options_.b, *question_.refused_of_tiles);
   refuse_of_tiles(options_.b, {refused_verify(options_.verify)});
-  return open_tiles(options_.b, options_.model_b, options_.build, console());
+  return open_tiles(options_.b, options_.model_b, options_.build, console(), "-b");
 }
 
 const Box& PoseRun::bounds_b() const {
@@ -235,7 +235,8 @@ void PoseRun::look_at_boxes(std::size_t k) {
   const Box a = report::moved(a_.bounds(), block_[k].first);
   const Box b = report::moved(bounds_b(), block_[k].second);
   boxes_.look(a, b);
-  report_.one_box_in_other = a.contains(b) || b.contains(a);
+  // Nothing tells what is inside of tiles.
+  report_.one_box_in_other = !tiles_ && (a.contains(b) || b.contains(a));
   report_.gap = boxes_.gap();
   report_.boxes_apart =
       question_.doubts_gaps && boxes_.apart() && boxes_.gap() > question_.expected_gap;

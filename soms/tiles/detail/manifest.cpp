@@ -2,6 +2,7 @@
 
 #include "soms/base/decimal.h"
 #include "soms/base/error.h"
+#include "soms/base/lanes_hash.h"
 #include "soms/io/detail/json_document.h"
 #include "soms/io/detail/output.h"
 #include "soms/io/detail/source.h"
@@ -10,7 +11,8 @@
 
 #include <array>
 #include <charconv>
-#include <cmath>
+#include <cstdint>
+#include <span>
 #include <system_error>
 
 namespace soms::detail {
@@ -19,6 +21,7 @@ namespace {
 
 constexpr std::string_view kFormat = "soms.tiles/";
 constexpr std::string_view kVersion = "1";
+constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 44;  // of a tile: sums of all do not wrap
 constexpr std::array<std::string_view, 4> kAxes{"unknown", "x", "y", "z"};
 
 std::string number_text(double number) {
@@ -86,6 +89,9 @@ Tile tile_of(const JsonValue& value, const std::vector<TileSource>& sources) {
   tile.source = static_cast<std::uint32_t>(source);
   if (tile.triangles == 0 || tile.triangles > sources[tile.source].triangles) {
     value.at("triangles").fail("a tile has triangles of its source");
+  }
+  if (tile.bytes > kMostBytes) {
+    value.at("bytes").fail("no tile has so many bytes");
   }
   tile.bounds = {point_of(value.at("lower")), point_of(value.at("upper"))};
   if (tile.bounds.empty()) {
@@ -187,6 +193,14 @@ TileManifest parse_manifest(std::string_view text, const std::string& name) {
   }
   check_counts(manifest, root);
   return manifest;
+}
+
+std::uint64_t content_hash(TileManifest manifest) {
+  for (TileSource& source : manifest.sources) {
+    source.file.clear();
+  }
+  const std::string text = manifest_text(manifest);
+  return lanes_hash(std::as_bytes(std::span(text)));
 }
 
 void write_whole(const std::filesystem::path& path, std::string_view bytes) {

@@ -4,6 +4,7 @@
 
 #include "soms/tiles/tile_set.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -19,6 +20,9 @@ namespace soms::detail {
 
 /// Writes a file that appears whole or not at all. \errors ErrorKind::cannot_write.
 void write_whole(const std::filesystem::path& path, std::string_view bytes);
+
+/// `lanes_hash` of all that a manifest says but the names of sources.
+[[nodiscard]] std::uint64_t content_hash(TileManifest manifest);
 
 /// 16 digits.
 [[nodiscard]] std::string hash_text(std::uint64_t hash);

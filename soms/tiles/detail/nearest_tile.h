@@ -28,6 +28,7 @@ namespace soms::detail {
 /// - `measure(answer)`, its bracket: the narrowest one;
 /// - `key(box)`: not above what is measured anywhere in a box;
 /// - `limit()`: nothing beyond it matters;
+/// - `late()`: its deadline passed;
 /// - `ask(body, tile, limit)`: the answer of one tile, which may leave out what is beyond `limit`;
 /// - `winner(answer, tile)`, if the answer names one;
 /// - `compare(body, triangles, other body, other triangles)`: the order of both, exactly, of a
@@ -68,21 +69,27 @@ class NearestTile {
 
   /// What is searched up to from now on.
   double visit(const TileBoxes& tiles, std::uint32_t number, double key) {
+    if (question_.late()) {
+      return cut(key);
+    }
     std::shared_ptr<const OpenTile> tile = tiles.open(number);
     const Body body(tile->shape, tiles.body().pose);
     Answer answer = question_.ask(body, *tile, limit_);
     cost_ += answer.cost;
-    cut_ = answer.coverage == Coverage::cut;
+    const bool is_cut = answer.coverage == Coverage::cut;
     if (std::optional<Winner> winner = question_.winner(answer, *tile);
         winner && is_nearer(answer, *winner, body, tiles.body().pose)) {
       limit_ = std::min(limit_, question_.measure(answer).upper);
       found_.emplace(Found{std::move(answer), *winner, std::move(tile)});
     }
-    if (cut_) {
-      at_least_ = key;  // and so are the keys that follow
-      return -kInfinity;
-    }
-    return limit_;
+    return is_cut ? cut(key) : limit_;
+  }
+
+  /// Ends the search at a tile of this key, and of no less key are those that follow.
+  double cut(double key) {
+    cut_ = true;
+    at_least_ = key;
+    return -kInfinity;
   }
 
   [[nodiscard]] bool is_nearer(const Answer& answer, const Winner& winner, const Body& body,

@@ -5,9 +5,12 @@
 #include "soms/scene/detail/box_index.h"
 #include "soms/tiles/tile_set.h"
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,6 +35,12 @@ class TileBoxes {
   const TiledBody* body_;
   BoxIndex boxes_;
 };
+
+/// A deadline passed.
+[[nodiscard]] inline bool is_late(
+    const std::optional<std::chrono::steady_clock::time_point>& deadline) {
+  return deadline && std::chrono::steady_clock::now() >= *deadline;
+}
 
 /// Calls `ask(row)` for rows 0 to `count`, shared by threads. Where not all tiles can stay open,
 /// rows come tile by tile: `first_tile(row)` says where one begins.
