@@ -40,6 +40,25 @@ Mesh stated_mesh() {
   return mesh;
 }
 
+/// A sheet of 40 x 40 squares in steps, whose coordinates no arithmetic rounds.
+Mesh stepped_sheet() {
+  constexpr std::uint32_t kSide = 40;
+  Mesh mesh;
+  mesh.source = "arrays";
+  for (std::uint32_t i = 0; i <= kSide; ++i) {
+    for (std::uint32_t j = 0; j <= kSide; ++j) {
+      const std::uint32_t step = (7 * i * i + 13 * j * j + 5 * i * j) % 17;
+      mesh.vertices.push_back({i / 8.0, j / 8.0, step / 64.0});
+      if (i < kSide && j < kSide) {
+        const std::uint32_t at = i * (kSide + 1) + j;
+        mesh.triangles.push_back({at, at + 1, at + kSide + 1});
+        mesh.triangles.push_back({at + 1, at + kSide + 2, at + kSide + 1});
+      }
+    }
+  }
+  return mesh;
+}
+
 /// Small triangles in a cube, some of them points.
 Mesh random_mesh(Rng& rng, std::size_t triangles) {
   Mesh mesh;
@@ -132,6 +151,16 @@ TEST(TreeFile, BytesDependOnTheMeshAlone) {
 TEST(TreeFile, HashIsGolden) {
   const Shape city(generate_city({.triangles = 3000, .size = 600}).mesh);
   EXPECT_EQ(tree_file_hash(tree_file_of(city), "bytes"), 7699169967071876675U);
+}
+
+/// tests/web/tree_files.test.mjs has the same numbers for what WebAssembly writes.
+TEST(TreeFile, HashesOfTheSheetAreGolden) {
+  const Mesh sheet = stepped_sheet();
+  const auto hash_with = [&](Layout layout) {
+    return tree_file_hash(tree_file_of(Shape(sheet, {.layout = layout})), "bytes");
+  };
+  EXPECT_EQ(hash_with(Layout::wide), 0x86d2addf460a240cU);
+  EXPECT_EQ(hash_with(Layout::compact), 0x55a8ac8306870da4U);
 }
 
 TEST(TreeFile, AnOpenedShapeOutlivesItsFile) {

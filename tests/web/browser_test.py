@@ -1,6 +1,6 @@
 """The package in a headless Chromium, served by a plain server: browser_test.py PACKAGE DATA.
 
-500 rows of each truth set on the page, and queries in a worker.
+500 rows of each truth set on the page, a tree file, and queries in a worker.
 """
 import functools
 import http.server
@@ -24,11 +24,13 @@ window.outcome = (async () => {
   await soms.load();
   const truth = await checkTruth(soms, read, %d);
   const triangle = { vertices: [0, 0, 0, 1, 0, 0, 0, 1, 0] };
+  const file = new soms.Shape(triangle).save();
+  const opened = soms.openShape(file, { check: "full" });
   const remote = await start();
-  const shape = await remote.shape(triangle);
+  const shape = await remote.openShape(file);
   const inWorker = await remote.overlap(shape, shape);
   await remote.close();
-  return { ...truth, worker: inWorker.any, set: soms.instructionSet() };
+  return { ...truth, opened: soms.overlap(opened, opened).any, worker: inWorker.any, set: soms.instructionSet() };
 })();
 </script>""" % CASES
 
@@ -61,7 +63,7 @@ def main(package, data):
             browser.quit()
     assert "failure" not in outcome, outcome["failure"]
     assert not outcome["faults"], "\n".join(outcome["faults"][:20])
-    assert outcome["worker"] is True and outcome["set"] == "simd128", outcome
+    assert outcome["opened"] is True and outcome["worker"] is True and outcome["set"] == "simd128", outcome
     assert outcome["sets"]["overlaps"] >= 4 * CASES, outcome["sets"]
     print(f"{outcome['checks']} checks in Chromium: {json.dumps(outcome['sets'])}")
 

@@ -1,6 +1,8 @@
 // Arguments of any shape that callers have, as flat typed arrays.
-import { usage } from './errors.js';
+import { SomsError, usage } from './errors.js';
 
+const SharedBuffer = globalThis.SharedArrayBuffer ?? ArrayBuffer;  // pages without isolation have none
+const MOST_BYTES = 2 ** 31 - 8;  // of a file: its copy and what is made of it share 4 GB
 const IDENTITY = Float64Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0);
 
 function isTyped(value) {
@@ -8,12 +10,25 @@ function isTyped(value) {
 }
 
 /** Throws for a buffer that was handed to a worker: it looks empty, which would be a surprise. */
-export function demandPresent(buffer) {
+function demandPresent(buffer) {
   try {
     new Uint8Array(buffer);
   } catch {
     throw usage('this array was handed to a worker, and is empty now', 'hand over a copy of it');
   }
+}
+
+/** The bytes of a file: an ArrayBuffer, or a view of one, such as a Buffer of node. */
+export function fileBytes(value) {
+  if (!(ArrayBuffer.isView(value) || value instanceof ArrayBuffer || value instanceof SharedBuffer)) {
+    throw usage('these are no bytes of a file', 'give an ArrayBuffer or a Uint8Array');
+  }
+  demandPresent(value.buffer ?? value);
+  if (value.byteLength > MOST_BYTES) {
+    throw new SomsError('out_of_memory', `the file has ${value.byteLength} bytes, more than ${MOST_BYTES}`,
+                        'it does not fit into the module, which copies it: divide the model');
+  }
+  return ArrayBuffer.isView(value) ? value : new Uint8Array(value);
 }
 
 function isNumbers(value) {

@@ -1,11 +1,23 @@
 // Meshes, shapes, and bodies: shapes at a place.
-import { demandPresent, meshArrays, pose } from './arrays.js';
+import { fileBytes, meshArrays, pose } from './arrays.js';
 import { usage } from './errors.js';
 import { Handle, made, Made, query, run } from './module.js';
 
 const UP_AXES = ['unknown', 'x', 'y', 'z'];
 const NO_PARENT = 0xffffffff;
-const SharedBuffer = globalThis.SharedArrayBuffer ?? ArrayBuffer;  // pages without isolation have none
+const CHECKS = ['trusted', 'safe', 'sound', 'full'];
+
+/** What a mesh holds, of its columns. */
+function contentOf([vertices, triangles, rows, bytes, numbers, hash]) {
+  const words = new TextDecoder().decode(bytes).split('\0').slice(0, -1);
+  const count = rows.length / 3;
+  const parts = words.slice(0, count).map((name, i) => {
+    const [first, size, parent] = rows.subarray(3 * i);
+    return { name, first, count: size, parent: parent === NO_PARENT ? -1 : parent };
+  });
+  const cornerHash = [...hash].map((half) => half.toString(16).padStart(8, '0')).join('');
+  return { vertices, triangles, parts, notes: words.slice(count), unit: numbers[0], up: UP_AXES[numbers[1]], cornerHash };
+}
 
 /** Triangles as read, in double. */
 export class Mesh extends Handle {
@@ -21,16 +33,7 @@ export class Mesh extends Handle {
 
   /** Copies: {vertices, triangles, parts, notes, unit, up, cornerHash}. */
   read() {
-    const [vertices, triangles, rows, bytes, numbers, hash] = query('soms_mesh_columns', this.address);
-    const words = new TextDecoder().decode(bytes).split('\0').slice(0, -1);
-    const count = rows.length / 3;
-    const parts = words.slice(0, count).map((name, i) => {
-      const [first, size, parent] = rows.subarray(3 * i);
-      return { name, first, count: size, parent: parent === NO_PARENT ? -1 : parent };
-    });
-    const cornerHash = [...hash].map((half) => half.toString(16).padStart(8, '0')).join('');
-    return { vertices, triangles, parts, notes: words.slice(count), unit: numbers[0], up: UP_AXES[numbers[1]],
-             cornerHash };
+    return contentOf(query('soms_mesh_columns', this.address));
   }
 }
 
@@ -39,12 +42,8 @@ export function readMesh(bytes, format, { strict = false } = {}) {
   if (typeof format !== 'string') {
     throw usage(`format is ${String(format)}`, "give an extension, such as 'ply', or the file's name");
   }
-  if (!(ArrayBuffer.isView(bytes) || bytes instanceof ArrayBuffer || bytes instanceof SharedBuffer)) {
-    throw usage('these are no bytes of a file', 'give an ArrayBuffer or a Uint8Array');
-  }
-  demandPresent(bytes.buffer ?? bytes);
+  const content = fileBytes(bytes);
   const name = new TextEncoder().encode(`${format.includes('.') ? format : `model.${format}`}\0`);
-  const content = ArrayBuffer.isView(bytes) ? bytes : new Uint8Array(bytes);
   return new Mesh(made(run('soms_read_mesh', content, content.byteLength, name, strict ? 1 : 0)));
 }
 
@@ -55,7 +54,7 @@ export class Shape extends Handle {
     if (layout !== 'wide' && layout !== 'compact') {
       throw usage(`layout is '${layout}'`, "give 'wide' or 'compact'");
     }
-    super(Shape.#made(value, layout === 'compact' ? 1 : 0), 'soms_shape_free', 'Shape');
+    super(value instanceof Made ? value : Shape.#made(value, layout === 'compact' ? 1 : 0), 'soms_shape_free', 'Shape');
   }
 
   static #made(value, compact) {
@@ -80,6 +79,26 @@ export class Shape extends Handle {
   memory() {
     return query('soms_shape_columns', this.address)[1][0];
   }
+
+  /** Copies of what its mesh holds, as of Mesh. */
+  read() {
+    return contentOf(query('soms_shape_mesh_columns', this.address));
+  }
+
+  /** The bytes of its tree file. */
+  save() {
+    return query('soms_save_shape', this.address)[0];
+  }
+}
+
+/** The shape in a tree file's bytes. `check` is one of CHECKS: each finds more faults than those before it. */
+export function openShape(bytes, { check = 'sound' } = {}) {
+  const number = CHECKS.indexOf(check);
+  if (number < 0) {
+    throw usage(`check is '${String(check)}'`, `give one of ${CHECKS.join(', ')}`);
+  }
+  const content = fileBytes(bytes);
+  return new Shape(made(run('soms_open_shape', content, content.byteLength, number)));
 }
 
 /** A shape at a place. */

@@ -3,7 +3,7 @@ import { query } from './module.js';
 
 export { NAMES } from './answers.js';
 export { SomsError } from './errors.js';
-export { Body, Mesh, Shape, readMesh } from './meshes.js';
+export { Body, Mesh, Shape, openShape, readMesh } from './meshes.js';
 export { load, memoryInUse, memorySize } from './module.js';
 export { crossings, distance, distanceBatch, overlap, overlapBatch, solid, solidBatch, within, withinBatch } from './pairs.js';
 export {

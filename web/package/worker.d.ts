@@ -13,6 +13,8 @@ export interface RemoteMesh extends Remote<'Mesh'> {
 export interface RemoteShape extends Remote<'Shape'> {
   bounds(): Promise<{ lower: Float64Array; upper: Float64Array }>;
   memory(): Promise<number>;
+  read(): Promise<soms.MeshContent>;
+  save(): Promise<Uint8Array>;
 }
 export interface RemoteWindingIndex extends Remote<'WindingIndex'> {}
 
@@ -35,6 +37,7 @@ type QueryName = 'allHits' | 'anyHit' | 'anyHitBatch' | 'closest' | 'closestBatc
 export type RemoteSoms = { [Name in QueryName]: Promised<(typeof soms)[Name]> } & {
   mesh(value: soms.MeshLike): Promise<RemoteMesh>;
   readMesh(bytes: ArrayBuffer | ArrayBufferView, format: string, options?: { strict?: boolean }): Promise<RemoteMesh>;
+  openShape(bytes: ArrayBuffer | ArrayBufferView, options?: { check?: soms.TreeCheck }): Promise<RemoteShape>;
   shape(value: RemoteMesh | soms.MeshLike, options?: { layout?: 'wide' | 'compact' }): Promise<RemoteShape>;
   windingIndex(body: RemoteShape | { shape: RemoteShape; pose?: soms.PoseLike }): Promise<RemoteWindingIndex>;
   /** Ends the worker and all that lives in it. */

@@ -7,7 +7,9 @@ export const QUERIES = Object.freeze([
 ]);
 
 /** What makes a handle: the method of the worker, and what it returns. */
-export const MAKERS = Object.freeze({ mesh: 'Mesh', shape: 'Shape', windingIndex: 'WindingIndex', readMesh: 'Mesh' });
+export const MAKERS = Object.freeze({
+  mesh: 'Mesh', shape: 'Shape', windingIndex: 'WindingIndex', openShape: 'Shape', readMesh: 'Mesh',
+});
 
 /** Methods of handles. */
-export const METHODS = Object.freeze({ Mesh: ['read'], Shape: ['bounds', 'memory'], WindingIndex: [] });
+export const METHODS = Object.freeze({ Mesh: ['read'], Shape: ['bounds', 'memory', 'read', 'save'], WindingIndex: [] });

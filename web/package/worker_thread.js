@@ -20,7 +20,8 @@ function free(number) {
 
 function made(name, values) {
   const type = MAKERS[name];
-  held.set(++lastNumber, { handle: name === 'readMesh' ? soms.readMesh(...values) : new soms[type](...values), type });
+  const handle = typeof soms[name] === 'function' ? soms[name](...values) : new soms[type](...values);
+  held.set(++lastNumber, { handle, type });
   return lastNumber;
 }
 
@@ -42,8 +43,9 @@ async function done({ name, values, on }) {
   return name in MAKERS ? made(name, known) : QUERIES.includes(name) ? soms[name](...known) : undefined;
 }
 
+/** What is handed over and not copied: the buffer of an array, or those of an answer's columns. */
 function buffersOf(value) {
-  return Object.values(value ?? {}).filter(ArrayBuffer.isView).map((view) => view.buffer);
+  return ArrayBuffer.isView(value) ? [value.buffer] : Object.values(value ?? {}).filter(ArrayBuffer.isView).map((view) => view.buffer);
 }
 
 async function answer(message, post) {

@@ -25,6 +25,11 @@ const city = new soms.Shape(new soms.Mesh({ vertices: content.vertices, triangle
 const lists = new soms.Shape({ vertices: [0, 0, 0, 1, 0, 0, 0, 1, 0], triangles: [0, 1, 2] });
 const { lower, upper }: { lower: Float64Array; upper: Float64Array } = lists.bounds();
 const bytes: number = lists.memory();
+const check: soms.TreeCheck = 'safe';
+const saved: Uint8Array = lists.save();
+const opened: soms.Shape = soms.openShape(saved, { check });
+const reopened = soms.openShape(new ArrayBuffer(8));
+const drawn: soms.MeshContent = opened.read();
 
 const body = new soms.Body(car, new Matrix4());
 const poses = Float64Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0);
@@ -69,7 +74,7 @@ try {
     console.log(words);
   }
 }
-for (const handle of [read, car, city, lists, index]) {
+for (const handle of [read, car, city, lists, opened, reopened, index]) {
   handle.free();
 }
 {
@@ -85,6 +90,8 @@ const answer: soms.Overlap = await remote.overlap({ shape: far, pose: new Matrix
 const remoteIndex = await remote.windingIndex(far);
 const remoteSide: soms.Side = (await remote.winding(remoteIndex, [0, 0, 0])).side;
 const box: Float64Array = (await far.bounds()).lower;
+const remoteOpened = await remote.openShape(await far.save(), { check: 'full' });
+const remoteDrawn: Uint32Array = (await remoteOpened.read()).triangles;
 const remoteCommon: soms.Crossings = await remote.crossings(far, other, answer.pairs);
 await (await remote.mesh(geometry)).free();
 await remote.close();
@@ -92,6 +99,8 @@ await remote.close();
 // What is no argument is no program.
 // @ts-expect-error: a mode that is none
 soms.overlap(car, city, { mode: 'some' });
+// @ts-expect-error: a check that is none
+soms.openShape(saved, { check: 'some' });
 // @ts-expect-error: a mesh is no shape
 soms.overlap(read, city);
 // @ts-expect-error: a shape of the page is none of the worker
@@ -100,4 +109,5 @@ await remote.overlap(car, far);
 const wrong: number = soms.contains(city, [0, 0, 0]).side;
 
 console.log(size, set, part, lower, upper, bytes, common, row, triangles, gaps, near, nears, relation, named, nearest, nearests, side,
-            sides, rows, within, inside, insides, turns, turnings, hit, first, seen, sights, crossed, remoteSide, box, remoteCommon, wrong);
+            sides, drawn, remoteDrawn, rows, within, inside, insides, turns, turnings, hit, first, seen, sights, crossed, remoteSide,
+            box, remoteCommon, wrong);
