@@ -221,7 +221,7 @@ fuzz:
 # Each fault of tools/faults/*.toml is put into a copy of the source, built and looked for: an hour or more. The copy
 # stays in build/faults; `tools/faults.py --help` says how faults are added.
 faults:
-	@tools/install_packages.sh run test
+	@tools/install_packages.sh run view test
 	@tools/faults.py -j $(JOBS) $(ARGS)
 
 # What takes too long for every run of the suite: builds of 5 million triangles, a million calls of
