@@ -144,10 +144,12 @@ asan-python:
 headers: configured
 	cmake --build --preset release -j $(JOBS) --target all_verify_interface_header_sets
 
+# Everything, tests included: hours. SINCE=COMMIT looks only at sources of library, programs and thesis that changed since.
+SINCE ?=
 tidy:
 	@tools/install_packages.sh run test check
 	cmake --preset tidy $(STRICT)
-	cmake --build --preset tidy -j $(JOBS)
+	$(if $(SINCE),tools/tidy.py -j $(JOBS) $(SINCE),cmake --build --preset tidy -j $(JOBS))
 
 # Queries with NEON kernels, cross-compiled and run by qemu.
 arm64:
