@@ -13,7 +13,7 @@ FIRST = $(if $(wildcard build/release/CMakeCache.txt),,-D SOMS_BUILD_THESIS=OFF)
 # All of soms, whatever `make run` left out.
 ALL = -D SOMS_BUILD_THESIS=ON
 
-.PHONY: help run build view thesis install python cluster test long headers large check wheel asan asan-library asan-python tsan tidy arm64 wasm-configured wasm live wasm-test determinism memcheck endurance packages bare fuzz faults bench format clean
+.PHONY: help run build view thesis install python cluster configured test long headers large check wheel asan asan-library asan-python tsan tidy arm64 wasm-configured wasm live wasm-test determinism memcheck endurance packages bare fuzz faults bench format clean
 
 help:
 	@echo "make run     install what is missing, build, and run the embedded city (ARGS='--frames 60')"
@@ -92,9 +92,12 @@ cluster:
 	cmake --build --preset release -j $(JOBS) --target soms_python_package
 	PYTHONPATH=build/release/python /usr/bin/python3 python/examples/many_poses.py $(ARGS)
 
-test:
+# The release build with its tests. Parts of `make check` build only what they need of it.
+configured:
 	@tools/install_packages.sh run view import test
 	cmake --preset release -D SOMS_BUILD_TESTS=ON $(ALL) -D SOMS_BUILD_PYTHON=ON $(STRICT)
+
+test: configured
 	cmake --build --preset release -j $(JOBS)
 	@tools/install_web_ifc.sh build/release
 	@echo "Not part of this: tests that take long (make long), and the npm package (make wasm-test)"
@@ -138,13 +141,15 @@ asan-python:
 	    /usr/bin/python3 tests/python/$${test}_test.py || exit 1; done
 
 # Every public header, compiled alone.
-headers: test
+headers: configured
 	cmake --build --preset release -j $(JOBS) --target all_verify_interface_header_sets
 
+# Everything, tests included: hours. SINCE=COMMIT looks only at sources of library, programs and thesis that changed since.
+SINCE ?=
 tidy:
 	@tools/install_packages.sh run test check
 	cmake --preset tidy $(STRICT)
-	cmake --build --preset tidy -j $(JOBS)
+	$(if $(SINCE),tools/tidy.py -j $(JOBS) $(SINCE),cmake --build --preset tidy -j $(JOBS))
 
 # Queries with NEON kernels, cross-compiled and run by qemu.
 arm64:
@@ -180,11 +185,13 @@ determinism:
 	tests/determinism/run.sh build/determinism $(JOBS)
 
 # A hundred thousand frames, kills at random moments, disks that are full or read-only.
-endurance: test
+endurance: configured
+	cmake --build --preset release -j $(JOBS) --target soms_command soms_reproduce_command
 	python3 tests/endurance/endurance.py build/release/bin/soms
 
 # Every byte that the golden answers read must have been written.
-memcheck: test
+memcheck: configured
+	cmake --build --preset release -j $(JOBS) --target golden
 	@command -v valgrind >/dev/null || { echo "skipped: memcheck, as valgrind is not installed"; exit 0; } && \
 	  valgrind -q --tool=memcheck --error-exitcode=9 --leak-check=full --errors-for-leak-kinds=definite \
 	    build/release/tests/golden/golden tests/data write > build/memcheck.csv && \
@@ -192,9 +199,8 @@ memcheck: test
 
 # The installed library as outside programs see it, static and shared, the Debian packages, and the
 # command on a processor without any vector extension. The packages stay in build/package.
-packages:
-	@tools/install_packages.sh run view import test packages
-	cmake --preset release -D SOMS_BUILD_TESTS=ON $(ALL) $(STRICT)
+packages: configured
+	@tools/install_packages.sh packages
 	cmake --build --preset release -j $(JOBS) --target soms_installed
 	cmake --preset package -D SOMS_BUILD_PYTHON=ON $(STRICT)
 	cmake --build --preset package -j $(JOBS)
@@ -221,7 +227,7 @@ fuzz:
 # Each fault of tools/faults/*.toml is put into a copy of the source, built and looked for: an hour or more. The copy
 # stays in build/faults; `tools/faults.py --help` says how faults are added.
 faults:
-	@tools/install_packages.sh run test
+	@tools/install_packages.sh run view test
 	@tools/faults.py -j $(JOBS) $(ARGS)
 
 # What takes too long for every run of the suite: builds of 5 million triangles, a million calls of
@@ -230,7 +236,7 @@ large: test
 	SOMS_TEST_LARGE=1 ctest --preset release -R 'FiveMillion|R98'
 
 # The wheel in an environment of its own.
-wheel: test python
+wheel: configured python
 	ctest --preset release -R R99TheWheel
 
 check: WERROR = ON

@@ -89,6 +89,12 @@ function(soms_unite_files target name)
     math(EXPR index "${index} + 1")
   endforeach()
 endfunction()
+# soms_unite_room(<target> <room> <files>...): the same for a room of the library, but for kernels, whose flags differ,
+# what gcc warns of in a lot, and what repeats a name of its neighbors (docs/decisions/0086).
+function(soms_unite_room target room)
+  list(FILTER ARGN EXCLUDE REGEX "/kernels/|/(overlap_run|replay|axis_gap|flat_overlap)\\.cpp")
+  soms_unite_files(${target} ${room} ${ARGN})
+endfunction()
 # soms_precompile(<target> <header>...): compiles headers that most of its files include once, where files come in
 # lots. Without lots each file has its own includes, which checks them.
 function(soms_precompile target)

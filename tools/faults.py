@@ -111,8 +111,11 @@ def run(command, log):
     return process.returncode, process.stdout.decode(errors="replace")
 
 
-def configure():
-    command = ["cmake", "--preset", "release", "-S", TREE, "-D", "SOMS_BUILD_TESTS=ON", "-D", "SOMS_BUILD_VIEW=OFF"]
+def configure(chosen):
+    # The viewer is built only for faults that its tests find.
+    view = any(test.startswith("view_") for fault in chosen for test in fault["tests"])
+    command = ["cmake", "--preset", "release", "-S", TREE, "-D", "SOMS_BUILD_TESTS=ON",
+               "-D", f"SOMS_BUILD_VIEW={'ON' if view else 'OFF'}"]
     if shutil.which("ccache"):
         command += ["-D", "CMAKE_CXX_COMPILER_LAUNCHER=ccache"]
     if run(command, WORK / "configure.log")[0] != 0:
@@ -200,7 +203,7 @@ def main():
         sys.exit("no such fault; --list prints all")
     WORK.mkdir(parents=True, exist_ok=True)
     copy_tree()
-    configure()
+    configure(chosen)
     check_without_faults(chosen, wanted.jobs)
     verdicts = {}
     for fault in chosen:

@@ -16,7 +16,7 @@ one() {
   cmake -G Ninja -S "$root/tests/determinism" -B "$folder" --log-level=WARNING \
     -D CMAKE_CXX_COMPILER="$compiler" -D CMAKE_CXX_FLAGS="$*"
   cmake --build "$folder" -j "$jobs" --target golden -- --quiet
-  ctest --test-dir "$folder" --output-on-failure --no-tests=error
+  ctest --test-dir "$folder" -j "$jobs" --output-on-failure --no-tests=error
 }
 
 # Whole programs for newer processors: what their compilers fuse and widen must not show.

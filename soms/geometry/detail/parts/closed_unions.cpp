@@ -180,6 +180,7 @@ std::vector<std::vector<std::uint32_t>> ClosedUnions::solve() {
     }
   }
   std::vector<std::vector<std::uint32_t>> found;
+  found.reserve(unions.size());
   for (auto& [first, members] : unions) {
     found.push_back(std::move(members));
   }
