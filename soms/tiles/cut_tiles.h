@@ -3,19 +3,20 @@
 ///
 /// \code
 /// const auto folder = std::filesystem::temp_directory_path() / "soms-town";
-/// soms::TileCutter cutter(folder, {.most = 6'000});
+/// std::filesystem::remove_all(folder);
+/// soms::TileCutter cutter(folder, {.most = 5'000});
 /// cutter.add(soms::generate_city({.triangles = 20'000}).mesh);
 /// cutter.finish();
 /// const soms::TiledBody town{soms::TileSet::open(folder)};
 /// const soms::Shape ball(soms::generate_sphere(80));
 /// const std::vector<soms::Pose> poses{soms::Pose{}, soms::Pose::translation(0, 0, 90)};
 /// const soms::DistanceBatch answer = soms::distance(ball, poses, town);
-/// std::cout << town.tiles.tiles().size() << " tiles; on the ground: " << std::boolalpha
+/// std::cout << town.tiles.triangles() << " triangles; on the ground: " << std::boolalpha
 ///           << (answer.upper[0] == 0) << ", above: " << (answer.lower[1] > 80) << '\n';
 /// \endcode
 /// It prints:
 /// \verbatim
-/// 4 tiles; on the ground: true, above: true
+/// 20000 triangles; on the ground: true, above: true
 /// \endverbatim
 #pragma once
 
