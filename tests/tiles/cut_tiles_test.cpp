@@ -206,8 +206,9 @@ TEST(TileCutter, KeepsWhatAnotherRunCut) {
       {meshes[0], {.most = 300, .shape = {.build = {.per_leaf = 4}}}},
       {stated, {.most = 300}},
       {parted, {.most = 300}}};
-  for (const auto& [mesh, options] : others) {
-    EXPECT_EQ(kind_of([&] { TileCutter(folder.path(), options).add(mesh); }), ErrorKind::usage);
+  for (const auto& other : others) {
+    EXPECT_EQ(kind_of([&] { TileCutter(folder.path(), other.second).add(other.first); }),
+              ErrorKind::usage);
   }
   TileCutter fewer(folder.path(), {.most = 300});
   EXPECT_FALSE(fewer.add(meshes[0]));
