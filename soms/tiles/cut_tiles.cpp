@@ -291,13 +291,19 @@ void TileCutter::finish() {
     kept.insert(tile.file);
     kept.insert(tile.ids);
   }
-  std::error_code ignored;
-  if (std::filesystem::exists(receipt(), ignored)) {
+  for (std::size_t k = 0; k < manifest_.sources.size(); ++k) {
+    kept.insert(receipt_name(k));
+  }
+  const std::vector<std::string> names = names_in(folder_);
+  if (std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+        return is_receipt(name) && !kept.contains(name);
+      })) {
     throw Error(ErrorKind::usage, folder_.string() + ": it was cut from more models than these",
                 "name all of them, or a new folder");
   }
+  std::error_code ignored;
   // Tiles of a run that was ended before its model was whole, and that cut it otherwise.
-  for (const std::string& name : names_in(folder_)) {
+  for (const std::string& name : names) {
     if (is_tile_file(name) && !kept.contains(name)) {
       std::filesystem::remove(folder_ / name, ignored);
     }

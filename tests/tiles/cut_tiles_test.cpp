@@ -213,6 +213,15 @@ TEST(TileCutter, KeepsWhatAnotherRunCut) {
   TileCutter fewer(folder.path(), {.most = 300});
   EXPECT_FALSE(fewer.add(meshes[0]));
   EXPECT_EQ(kind_of([&] { fewer.finish(); }), ErrorKind::usage);
+  // Nor where the receipt in between is lost.
+  const test::TemporaryFolder gap;
+  static_cast<void>(test::tiles_of(gap.path(), std::vector<Mesh>{meshes[0], meshes[1], meshes[0]},
+                                   {.most = 300}));
+  std::filesystem::remove(gap.path() / "source-000001.json");
+  TileCutter one(gap.path(), {.most = 300});
+  EXPECT_FALSE(one.add(meshes[0]));
+  EXPECT_EQ(kind_of([&] { one.finish(); }), ErrorKind::usage);
+  verify_tiles(gap.path());
   verify_tiles(folder.path());
   EXPECT_EQ(TileSet::open(folder.path()).manifest(), first.manifest());
   // More models come behind those that are there.
