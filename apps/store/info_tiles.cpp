@@ -23,14 +23,9 @@ char axis_of(UpAxis up) {
 }
 
 Json to_json(const std::string& folder, const TileSet& tiles) {
-  Json sources = Json::array();
-  for (const TileSource& source : tiles.manifest().sources) {
-    sources.push_back(
-        {{"file", source.file}, {"triangles", source.triangles}, {"first", source.first}});
-  }
   Json json{{"schema", "soms.info/1"},        {"file", folder},
             {"triangles", tiles.triangles()}, {"tiles", tiles.tiles().size()},
-            {"bytes", tiles.bytes()},         {"sources", sources}};
+            {"bytes", tiles.bytes()},         {"sources", sources_json(tiles)}};
   const Box& box = tiles.bounds();
   json["bounds"] =
       box.empty() ? Json() : Json::array({point_json(box.lower), point_json(box.upper)});

@@ -22,18 +22,13 @@ namespace {
 
 void print_json(const TileVerbOptions& options, const TileSet& tiles, std::uint64_t cut,
                 Console& console) {
-  Json sources = Json::array();
-  for (const TileSource& source : tiles.manifest().sources) {
-    sources.push_back(
-        {{"file", source.file}, {"triangles", source.triangles}, {"first", source.first}});
-  }
   console.print(json_line({{"schema", "soms.tile/1"},
                            {"folder", options.output},
                            {"triangles", tiles.triangles()},
                            {"tiles", tiles.tiles().size()},
                            {"bytes", tiles.bytes()},
                            {"cut", cut},
-                           {"sources", sources}}));
+                           {"sources", sources_json(tiles)}}));
 }
 
 /// Hours may be between the first model and the last one.

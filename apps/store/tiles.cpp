@@ -48,4 +48,13 @@ std::string describe_tiles(const std::string& folder, const TileSet& tiles) {
                      counted(tiles.tiles().size(), "tile"), readable_bytes(tiles.bytes()));
 }
 
+Json sources_json(const TileSet& tiles) {
+  Json sources = Json::array();
+  for (const TileSource& source : tiles.manifest().sources) {
+    sources.push_back(
+        {{"file", source.file}, {"triangles", source.triangles}, {"first", source.first}});
+  }
+  return sources;
+}
+
 }  // namespace soms::command

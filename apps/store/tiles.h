@@ -6,6 +6,7 @@
 #include "soms/tree/build_options.h"
 
 #include "apps/model/models.h"
+#include "apps/output/json.h"
 
 #include <string>
 #include <string_view>
@@ -40,5 +41,8 @@ void refuse_of_tiles(const std::string& folder, const std::vector<RefusedOfTiles
 
 /// "city: 3,000,000 triangles in 4 tiles, 342 MB".
 [[nodiscard]] std::string describe_tiles(const std::string& folder, const TileSet& tiles);
+
+/// The models of tiles, for JSON.
+[[nodiscard]] Json sources_json(const TileSet& tiles);
 
 }  // namespace soms::command
