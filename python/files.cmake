@@ -7,6 +7,7 @@ set(SOMS_PYTHON_FILES
   src/call.cpp
   src/call.h
   src/enums.cpp
+  src/described.h
   src/enums.h
   src/errors.cpp
   src/errors.h
@@ -33,7 +34,6 @@ set(SOMS_PYTHON_FILES
   src/poses.cpp
   src/poses.h
   src/query/closest.cpp
-  src/query/closest_fields.h
   src/query/contacts.cpp
   src/query/contains.cpp
   src/query/distance.cpp

@@ -115,7 +115,7 @@ NpzColumn& NpzFile::column(std::string name, NpzColumn::Kind kind,
   return *columns_.back();
 }
 
-NpzColumn& NpzFile::names(const std::string& name, std::initializer_list<std::string_view> words) {
+NpzColumn& NpzFile::names(const std::string& name, std::span<const std::string_view> words) {
   words_.push_back({name + "_names", {words.begin(), words.end()}});
   return column(name, NpzColumn::Kind::code);
 }

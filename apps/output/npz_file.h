@@ -9,9 +9,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -64,8 +64,7 @@ class NpzFile {
 
   /// Adds a column of codes, and the array "<name>_names" of what each code means: names[codes] in
   /// NumPy gives the words.
-  [[nodiscard]] NpzColumn& names(const std::string& name,
-                                 std::initializer_list<std::string_view> words);
+  [[nodiscard]] NpzColumn& names(const std::string& name, std::span<const std::string_view> words);
 
   /// Adds an array of one text.
   void text(const std::string& name, const std::string& text) { words_.push_back({name, {text}}); }

@@ -3,6 +3,8 @@ set(SOMS_COMMAND_FILES
   answers/answer_columns.h
   answers/answer_csv.cpp
   answers/answer_csv.h
+  answers/answer_fields.cpp
+  answers/answer_fields.h
   answers/page_plots.cpp
   answers/page_plots.h
   clash/bcf_guid.cpp

@@ -1,5 +1,5 @@
 """Enumerations. Arrays of answers hold their integers, which compare equal to members; functions take
-a member or its name."""
+a member or its name. Written by tools/fields.py from the words that C++ has."""
 
 import enum
 
@@ -24,8 +24,8 @@ class ContactChange(enum.IntEnum):
 
 
 class Coverage(enum.IntEnum):
-    """How much of the question an answer covers: everything, up to the first hit as requested, or
-    what a limit or a deadline left."""
+    """How much of the question an answer covers: everything, up to the first hit as requested,
+    or what a limit or a deadline left."""
 
     complete = 0
     first = 1
@@ -41,7 +41,8 @@ class CrossingKind(enum.IntEnum):
 
 
 class JointType(enum.IntEnum):
-    """How a joint moves its link: not at all, by an angle within limits or without, by a length."""
+    """How a joint moves its link: not at all, by an angle within limits or without, by a
+    length."""
 
     fixed = 0
     revolute = 1
@@ -158,10 +159,20 @@ class Side(enum.IntEnum):
 
 
 class StepScope(enum.IntEnum):
-    """Which pairs of bodies a step compares: all, or those of a mover up to its first contact."""
+    """Which pairs of bodies a step compares: all, or those of a mover up to its first
+    contact."""
 
     every_pair = 0
     first_contact = 1
+
+
+class TreeCheck(enum.IntEnum):
+    """How closely a tree file is looked at before it is used."""
+
+    trusted = 0
+    safe = 1
+    sound = 2
+    full = 3
 
 
 class TriangleFeature(enum.IntEnum):
@@ -178,15 +189,6 @@ class Undecided(enum.IntEnum):
     none = 0
     deadline = 1
     open = 2
-
-
-class TreeCheck(enum.IntEnum):
-    """How closely a tree file is looked at before it is used."""
-
-    trusted = 0
-    safe = 1
-    sound = 2
-    full = 3
 
 
 class UpAxis(enum.IntEnum):

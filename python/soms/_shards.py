@@ -11,7 +11,7 @@ import struct
 import tempfile
 import time
 import zlib
-from typing import Any, Callable, Dict, Iterator, List, NamedTuple, Optional, Tuple, Union
+from typing import Any, Callable, Dict, Iterator, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -102,27 +102,35 @@ def identity(job: Job) -> Dict[str, Any]:
             "of": rows}
 
 
+# Columns of answers, in the order of their fields.
+FIELDS = {"distance": ("lower", "upper", "farther", "triangles", "point_a", "point_b"),
+          "within": ("within", "at_least", "triangles", "point_a", "point_b")}
+
+
 def columns_of(job: Job, answer: Any) -> List[Column]:
     """An answer about several poses as the columns of --binary."""
     def column(name: str, type: str, values: Any, *shape: int) -> Column:
         return Column(name, type, shape, lambda: iter([np.asarray(values)]))
-    cut = column("cut", "|b1", np.asarray(answer.coverage) == soms.Coverage.cut)
+
+    def text(name: str, words: Sequence[str]) -> Column:
+        return column(name, f"<U{max(map(len, words))}", np.array(words))
+    coverage = column("coverage", "|u1", answer.coverage)
+    names = text("coverage_names", [one.name for one in soms.Coverage])
     if job["verb"] == "overlap":
+        any_ = column("any", "|b1", answer.any)
         if not job["question"]["pairs"]:
             count = column("count", "<i8", np.diff(answer.offsets.astype("<i8")))
-            return [column("any", "|b1", answer.any), count, cut]
-        return [column("any", "|b1", answer.any), column("offsets", "<i8", answer.offsets),
-                column("triangles", "<i8", answer.pairs, 2), cut]
-    points = np.stack([answer.point_a, answer.point_b], axis=1)
-    points[answer.triangles[:, 0] < 0] = np.nan  # there is no pair
-    pair = [column("triangles", "<i8", answer.triangles, 2), column("points", "<f8", points, 2, 3), cut]
-    if job["verb"] == "within":
-        return [column("within", "|b1", answer.within), column("at_least", "<f8", answer.at_least), *pair]
-    placed = _georeference(job["b"])
-    where = str(placed) if placed else ""
-    text = [column("georeference", f"<U{len(where)}", np.array([where]))] if where else []
-    return [column("lower", "<f8", answer.lower), column("upper", "<f8", answer.upper),
-            column("farther", "|b1", answer.farther), *pair, *text]
+            return [any_, count, coverage, names]
+        return [any_, column("offsets", "<i8", answer.offsets), column("pairs", "<i8", answer.pairs, 2), coverage, names]
+    fields = []
+    for name in FIELDS[job["verb"]]:
+        values = np.asarray(getattr(answer, name))
+        if name.startswith("point"):
+            values = np.where(answer.triangles[:, :1] < 0, np.nan, values)  # there is no pair
+        fields.append(column(name, {"b": "|b1", "f": "<f8", "i": "<i8"}[values.dtype.kind], values, *values.shape[1:]))
+    placed = _georeference(job["b"]) if job["verb"] == "distance" else None
+    where = [text("georeference", [str(placed)])] if placed else []
+    return [*fields, coverage, names, *where]
 
 
 def _head(type: str, rows: int, shape: Tuple[int, ...]) -> bytes:

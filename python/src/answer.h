@@ -3,6 +3,8 @@
 /// lists its fields and is done.
 #pragma once
 
+#include "soms/base/print_fields.h"
+#include "soms/describe/fields.h"
 #include "soms/query/answer.h"
 
 #include "python/src/arrays.h"
@@ -13,43 +15,42 @@
 #include <pybind11/pybind11.h>
 
 #include <functional>
-#include <sstream>
+#include <optional>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace soms::python {
 
-/// One line, as `<<` prints it.
-template <class T>
-[[nodiscard]] std::string printed(const T& value) {
-  std::ostringstream out;
-  out << value;
-  return out.str();
-}
-
 // A field of a single answer, as Python has it.
 [[nodiscard]] inline py::object to_python(const Vec3& value) {
   return array_of(value);
 }
 
-[[nodiscard]] inline py::object to_python(const std::optional<TriangleId>& value) {
-  return value ? py::object(py::int_(*value)) : py::none();
-}
-
-[[nodiscard]] inline py::object to_python(const std::optional<TrianglePair>& value) {
-  return value ? py::object(py::make_tuple(value->first, value->second)) : py::none();
+[[nodiscard]] inline py::object to_python(const TrianglePair& value) {
+  return py::make_tuple(value.first, value.second);
 }
 
 [[nodiscard]] inline py::object to_python(const std::string& value) {
   return py::cast(Text{value});
 }
 
+/// Whether a structure is a tuple of its fields in Python.
+template <class T>
+inline constexpr bool kIsTuple = false;
+
 template <class T>
 [[nodiscard]] py::object to_python(const T& value) {
   if constexpr (std::is_enum_v<T>) {
     return member(value);
+  } else if constexpr (detail::kIs<T, std::optional>) {
+    return value ? to_python(*value) : py::none();
+  } else if constexpr (kIsTuple<T>) {
+    return std::apply(
+        [&](const auto&... fields) { return py::make_tuple(to_python(fields.of(value))...); },
+        Fields<T>::kList);
   } else {
     return py::cast(value);
   }
@@ -129,11 +130,9 @@ class AnswerClass : public py::class_<T, Bases...> {
         name, [place](const py::object& self) { return column_of(of(self).*place, self); }, doc);
   }
 
-  /// Rows of any length: `of(i)` is that part of the column `name` which belongs to row i.
+  /// Rows of any length: `of(i)` is that part of a column which belongs to row i.
   template <class C, class V, class O>
-  AnswerClass& rows(const char* name, std::vector<O> C::*offsets, std::vector<V> C::*values,
-                    const char* doc) {
-    column(name, values, doc);
+  AnswerClass& rows(std::vector<O> C::*offsets, std::vector<V> C::*values) {
     this->def(
         "of",
         [offsets, values](const py::object& self, std::size_t row) -> py::object {

@@ -2,8 +2,8 @@
 #include "soms/query/answer.h"
 #include "soms/query/print.h"
 
-#include "python/src/answer.h"
 #include "python/src/bind.h"
+#include "python/src/described.h"
 
 #include <utility>
 
@@ -16,11 +16,7 @@ void def_property(py::object of_class, const char* name, Getter get, const char*
 }
 
 void bind_answers(py::module_& module) {
-  AnswerClass<Cost> cost(module, "Cost",
-                         "Work done by a query: counts, the same on every machine.");
-  cost.field("node_tests", &Cost::node_tests, "Boxes, or pairs of boxes, tested.")
-      .field("triangle_tests", &Cost::triangle_tests, "Triangles, or pairs of them, tested.")
-      .field("exact_tests", &Cost::exact_tests, "Of these, those that needed exact arithmetic.");
+  bind_answer<Cost>(module);
 }
 
 }  // namespace soms::python

@@ -279,19 +279,6 @@ py::array column_of(const std::vector<std::array<std::uint32_t, 3>>& values, py:
   return pairs_view(values, 3, py::dtype::of<std::uint32_t>(), owner);
 }
 
-py::dtype RowType<Cost>::get() {
-  return structured({{"node_tests", "u8", offsetof(Cost, node_tests)},
-                     {"triangle_tests", "u8", offsetof(Cost, triangle_tests)},
-                     {"exact_tests", "u8", offsetof(Cost, exact_tests)}},
-                    sizeof(Cost));
-}
-
-py::dtype RowType<PartSide>::get() {
-  return structured(
-      {{"part", "u4", offsetof(PartSide, part)}, {"side", "u1", offsetof(PartSide, side)}},
-      sizeof(PartSide));
-}
-
 py::dtype RowType<Bracket>::get() {
   return structured(
       {{"lower", "f8", offsetof(Bracket, lower)}, {"upper", "f8", offsetof(Bracket, upper)}},

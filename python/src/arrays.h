@@ -7,6 +7,7 @@
 #include "soms/base/bracket.h"
 #include "soms/base/pose.h"
 #include "soms/base/vector.h"
+#include "soms/describe/fields.h"
 #include "soms/geometry/mesh.h"
 #include "soms/query/answer.h"
 #include "soms/query/contains_parts.h"
@@ -129,28 +130,54 @@ struct Field {
 [[nodiscard]] py::array column_of(const std::vector<std::array<std::uint32_t, 3>>& values,
                                   py::handle owner);
 
-/// The type of numpy for a row of T. Structures have specializations.
+/// The type of numpy for one number, or one enumerator.
+template <class T>
+[[nodiscard]] const char* number_type() {
+  if constexpr (std::is_same_v<T, bool>) {
+    return "?";
+  } else if constexpr (std::is_same_v<T, double>) {
+    return "f8";
+  } else if constexpr (std::is_enum_v<T>) {
+    return number_type<std::underlying_type_t<T>>();
+  } else {
+    static_assert(std::is_integral_v<T> && std::is_unsigned_v<T>, "say its type here");
+    return sizeof(T) == 8 ? "u8" : sizeof(T) == 4 ? "u4" : "u1";
+  }
+}
+
+/// The type of numpy for a structure, by the list of its fields.
+template <Described T>
+[[nodiscard]] py::dtype structured_of() {
+  std::vector<Field> fields;
+  const T sample{};
+  for_each_field<T>([&](const auto& field) {
+    using Value = typename std::remove_cvref_t<decltype(field)>::Type;
+    const auto offset = static_cast<std::size_t>(reinterpret_cast<const char*>(&field.of(sample)) -
+                                                 reinterpret_cast<const char*>(&sample));
+    if constexpr (std::is_same_v<Value, Bracket>) {
+      fields.push_back({"lower", "f8", offset + offsetof(Bracket, lower)});
+      fields.push_back({"upper", "f8", offset + offsetof(Bracket, upper)});
+    } else if constexpr (std::is_same_v<Value, Vec3>) {
+      fields.push_back({field.name, "3f8", offset});
+    } else {
+      fields.push_back({field.name, number_type<Value>(), offset});
+    }
+  });
+  return structured(fields, sizeof(T));
+}
+
+/// The type of numpy for a row of T. Structures without a list of fields have specializations.
 template <class T>
 struct RowType {
   static py::dtype get() {
-    if constexpr (std::is_enum_v<T>) {
+    if constexpr (Described<T>) {
+      return structured_of<T>();
+    } else if constexpr (std::is_enum_v<T>) {
       return py::dtype::of<std::underlying_type_t<T>>();
     } else {
       return py::dtype::of<T>();
     }
   }
-};
-
-/// node_tests, triangle_tests, exact_tests.
-template <>
-struct RowType<Cost> {
-  static py::dtype get();
-};
-
-/// part, side.
-template <>
-struct RowType<PartSide> {
-  static py::dtype get();
 };
 
 /// lower, upper.

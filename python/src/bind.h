@@ -32,6 +32,5 @@ void bind_part_bodies(pybind11::module_& module);
 void bind_clash(pybind11::module_& module);
 void bind_robots(pybind11::module_& module);
 void bind_robot_model(pybind11::module_& module);
-void bind_enum_words(pybind11::module_& module);
 
 }  // namespace soms::python

@@ -40,6 +40,5 @@ PYBIND11_MODULE(_soms, module) {
   bind_clash(module);
   bind_robots(module);
   bind_robot_model(module);
-  bind_enum_words(module);
   name_functions(module);
 }

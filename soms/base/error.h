@@ -2,9 +2,10 @@
 /// The one exception type of the library, thrown at its doors: reading, building, posing, writing.
 #pragma once
 
+#include "soms/base/words.h"
+
 #include <stdexcept>
 #include <string>
-#include <string_view>
 
 namespace soms {
 
@@ -25,8 +26,12 @@ enum class ErrorKind {
   cancelled,      ///< the caller requested a stop
 };
 
-/// Name of a kind, in snake_case.
-[[nodiscard]] std::string_view name(ErrorKind kind);
+template <>
+inline constexpr auto kWords<ErrorKind> = words("ErrorKind", "What went wrong.", "usage",
+                                                "cannot_open", "bad_file", "empty_mesh",
+                                                "not_finite", "out_of_range", "not_rigid",
+                                                "not_closed", "unsupported", "out_of_memory",
+                                                "timed_out", "cannot_write", "cancelled");
 
 /// Exit status that the command uses for a kind: 2 usage, 3 bad input, 4 memory or time, 5 output,
 /// 130 cancelled.

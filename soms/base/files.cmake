@@ -23,6 +23,7 @@ set(SOMS_HEADERS
   text.h
   threads.h
   vector.h
+  words.h
 )
 set(SOMS_SOURCES
   arithmetic.cpp

@@ -4,6 +4,7 @@
 
 #include "soms/base/box.h"
 #include "soms/base/vector.h"
+#include "soms/base/words.h"
 
 #include <array>
 #include <span>
@@ -16,6 +17,11 @@ enum class Rotation {
   as_given,  ///< entries as they are, off a rotation by at most 1e-6
   nearest,   ///< what `Pose::normalized` makes of entries that are off by at most 1e-3
 };
+
+template <>
+inline constexpr auto kWords<Rotation> = words(
+    "Rotation", "What a matrix is taken as: its entries as they are, or the nearest rotation.",
+    "as_given", "nearest");
 
 /// Rigid motion `[R | t]`, row-major 3x4 doubles: `r00 r01 r02 tx  r10 r11 r12 ty  r20 r21 r22 tz`.
 /// A default pose is the identity. Queries check a pose once, when they start (`check`).

@@ -58,14 +58,6 @@ std::ostream& operator<<(std::ostream& out, const Pose& value) {
   return out << rows;
 }
 
-std::ostream& operator<<(std::ostream& out, Rotation value) {
-  return out << printed_name("Rotation", static_cast<int>(value), {"as_given", "nearest"});
-}
-
-std::ostream& operator<<(std::ostream& out, ErrorKind value) {
-  return out << name(value);
-}
-
 std::ostream& operator<<(std::ostream& out, const Error& value) {
   return out << PrintedFields("Error").item(name(value.kind())).item(quoted_text(value.what()));
 }

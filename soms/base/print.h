@@ -2,16 +2,18 @@
 /// Values of this room, and errors, printed by `<<`: "Vec3{1, 2, 0.1}".
 #pragma once
 
-#include <iosfwd>
+#include "soms/base/error.h"
+#include "soms/base/pose.h"
+#include "soms/base/words.h"
+
+#include <ostream>
+#include <string>
+#include <string_view>
 
 namespace soms {
 
-class Error;
-enum class ErrorKind;
-enum class Rotation;
 struct Box;
 struct Bracket;
-struct Pose;
 struct Triangle;
 struct Vec3;
 
@@ -22,8 +24,15 @@ std::ostream& operator<<(std::ostream& out, const Triangle& value);
 std::ostream& operator<<(std::ostream& out, const Box& value);
 std::ostream& operator<<(std::ostream& out, const Bracket& value);
 std::ostream& operator<<(std::ostream& out, const Pose& value);
-std::ostream& operator<<(std::ostream& out, Rotation value);
-std::ostream& operator<<(std::ostream& out, ErrorKind value);
 std::ostream& operator<<(std::ostream& out, const Error& value);
+
+/// The word of a value; "Side(7)" where it has none.
+template <Worded E>
+std::ostream& operator<<(std::ostream& out, E value) {
+  const std::string_view word = name(value);
+  return out << (word.empty() ? std::string(kWords<E>.type) + "(" +
+                                    std::to_string(static_cast<long long>(value)) + ")"
+                              : std::string(word));
+}
 
 }  // namespace soms

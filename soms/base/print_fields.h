@@ -5,7 +5,6 @@
 #include "soms/base/text.h"
 
 #include <cstddef>
-#include <initializer_list>
 #include <ostream>
 #include <sstream>
 #include <string>
@@ -37,10 +36,6 @@ template <class T>
 /// "1 triangle", "12 triangles".
 [[nodiscard]] std::string printed_count(std::size_t count, std::string_view singular,
                                         std::string_view plural);
-
-/// Name of an enumerator: `names` has those of a type in order, from value 0; "Type(7)" beyond.
-[[nodiscard]] std::string printed_name(std::string_view type, int value,
-                                       std::initializer_list<std::string_view> names);
 
 /// A value's type and fields, put together. Formats of the stream (width apart), its locale and the
 /// precision have no effect, so the text of a value is always the same.

@@ -24,6 +24,7 @@
 #include "soms/base/bracket.h"
 #include "soms/base/parallel.h"
 #include "soms/base/vector.h"
+#include "soms/base/words.h"
 #include "soms/clash/part_bodies.h"
 #include "soms/clash/penetration.h"
 #include "soms/query/answer.h"
@@ -51,6 +52,11 @@ enum class ClashKind : unsigned char {
   near,       ///< nothing is shared, and the surfaces are within ClashOptions::within
   undecided,  ///< see `Clash::why`
 };
+
+template <>
+inline constexpr auto kWords<ClashKind> =
+    words("ClashKind", "What kind of clash a pair of parts is; undecided where a part is open.",
+          "crossing", "inside", "same", "touching", "near", "undecided");
 
 /// Options of `clashes`.
 struct ClashOptions {

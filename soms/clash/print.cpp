@@ -7,11 +7,6 @@
 
 namespace soms {
 
-std::ostream& operator<<(std::ostream& out, ClashKind value) {
-  return out << printed_name("ClashKind", static_cast<int>(value),
-                             {"crossing", "inside", "same", "touching", "near", "undecided"});
-}
-
 std::ostream& operator<<(std::ostream& out, const Penetration& value) {
   return out << PrintedFields("Penetration")
                     .add("depth", value.depth)

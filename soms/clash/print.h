@@ -2,6 +2,8 @@
 /// Clashes printed by `<<`: "Clash{0 and 3, touching, 18 pairs of triangles, ...}".
 #pragma once
 
+#include "soms/clash/clash.h"
+
 #include <iosfwd>
 
 namespace soms {
@@ -15,7 +17,6 @@ struct PartComponent;
 struct Penetration;
 
 /// One line, as in soms/base/print.h. Lists are counted, not listed.
-std::ostream& operator<<(std::ostream& out, ClashKind value);
 std::ostream& operator<<(std::ostream& out, const Clash& value);
 std::ostream& operator<<(std::ostream& out, const ClashList& value);
 std::ostream& operator<<(std::ostream& out, const OpenUnion& value);

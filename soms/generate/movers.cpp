@@ -134,17 +134,6 @@ Blueprint blueprint(MoverKind kind) {
 
 }  // namespace
 
-std::string_view name(MoverKind kind) {
-  switch (kind) {
-    case MoverKind::car:
-      return "car";
-    case MoverKind::person:
-      return "person";
-    default:
-      return "drone";
-  }
-}
-
 Mesh generate_mover(MoverKind kind, std::uint64_t triangles) {
   const PlainArithmetic plain;
   const Blueprint plan = blueprint(kind);

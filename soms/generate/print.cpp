@@ -44,12 +44,4 @@ std::ostream& operator<<(std::ostream& out, const SpreadOptions& value) {
                     .add("seed", value.seed);
 }
 
-std::ostream& operator<<(std::ostream& out, MoverKind value) {
-  return out << printed_name("MoverKind", static_cast<int>(value), {"car", "person", "drone"});
-}
-
-std::ostream& operator<<(std::ostream& out, UrbanScene value) {
-  return out << printed_name("UrbanScene", static_cast<int>(value), {"mixed", "boxes", "plain"});
-}
-
 }  // namespace soms

@@ -2,12 +2,13 @@
 /// Options of what is generated, cities and routes, printed by `<<`.
 #pragma once
 
+#include "soms/generate/shapes.h"
+#include "soms/generate/urban.h"
+
 #include <iosfwd>
 
 namespace soms {
 
-enum class MoverKind;
-enum class UrbanScene;
 struct City;
 struct CityOptions;
 struct Route;
@@ -18,7 +19,5 @@ std::ostream& operator<<(std::ostream& out, const City& value);
 std::ostream& operator<<(std::ostream& out, const CityOptions& value);
 std::ostream& operator<<(std::ostream& out, const Route& value);
 std::ostream& operator<<(std::ostream& out, const SpreadOptions& value);
-std::ostream& operator<<(std::ostream& out, MoverKind value);
-std::ostream& operator<<(std::ostream& out, UrbanScene value);
 
 }  // namespace soms

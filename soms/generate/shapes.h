@@ -2,6 +2,7 @@
 /// Closed test bodies of an exact number of triangles.
 #pragma once
 
+#include "soms/base/words.h"
 #include "soms/geometry/mesh.h"
 
 #include <cstdint>
@@ -23,8 +24,9 @@ namespace soms {
 /// Kinds of movers that are generated.
 enum class MoverKind { car, person, drone };
 
-/// Name of a kind: car, person, drone.
-[[nodiscard]] std::string_view name(MoverKind kind);
+template <>
+inline constexpr auto kWords<MoverKind> = words("MoverKind", "What kind of mover it is.", "car",
+                                                "person", "drone");
 
 /// A mover in meters, z up, standing on z = 0 (drone: hovering about the origin), heading +x. Every
 /// part (wheel, arm, rotor) is a closed surface of its own. Exactly `triangles`, even; 0 gives the

@@ -3,6 +3,7 @@
 /// each.
 #pragma once
 
+#include "soms/base/words.h"
 #include "soms/geometry/mesh.h"
 
 namespace soms {
@@ -13,6 +14,10 @@ enum class UrbanScene {
   boxes,  ///< four quarters, each one ground quad and 118 boxes
   plain,  ///< 472 boxes and four pads, no large triangle
 };
+
+template <>
+inline constexpr auto kWords<UrbanScene> = words("UrbanScene", "What a generated scene is made of.",
+                                                 "mixed", "boxes", "plain");
 
 /// A stand-in scene, bit for bit the same everywhere: z up, meters, integer or half-integer
 /// coordinates.

@@ -79,13 +79,6 @@ CoordinateFrame frame_of(const MeshView& mesh) {
   return {.unit = mesh.unit, .up = mesh.up, .georeference = mesh.georeference};
 }
 
-std::string_view name(FrameDoubt doubt) {
-  constexpr std::array<std::string_view, 7> kNames{
-      "axes_differ",          "axis_unknown",         "units_differ", "unit_unknown",
-      "georeferences_differ", "georeference_unknown", "boxes_apart"};
-  return kNames.at(static_cast<std::size_t>(doubt));
-}
-
 bool same_unit(double a, double b) {
   constexpr double kRounding = 1e-6;  // of a float: 6e-8
   return std::abs(a - b) <= kRounding * std::max(a, b);

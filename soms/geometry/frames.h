@@ -4,6 +4,7 @@
 #pragma once
 
 #include "soms/base/box.h"
+#include "soms/base/words.h"
 #include "soms/geometry/mesh.h"
 
 #include <string>
@@ -39,8 +40,11 @@ enum class FrameDoubt {
   boxes_apart,           ///< `far_apart` holds
 };
 
-/// Name of a doubt, in snake_case.
-[[nodiscard]] std::string_view name(FrameDoubt doubt);
+template <>
+inline constexpr auto kWords<FrameDoubt> =
+    words("FrameDoubt", "Why the numbers of two bodies may not mean the same.", "axes_differ",
+          "axis_unknown", "units_differ", "unit_unknown", "georeferences_differ",
+          "georeference_unknown", "boxes_apart");
 
 /// True if two units, in meters, are the same but for the rounding of a float.
 [[nodiscard]] bool same_unit(double a, double b);

@@ -4,6 +4,7 @@
 
 #include "soms/base/box.h"
 #include "soms/base/vector.h"
+#include "soms/base/words.h"
 #include "soms/geometry/georeference.h"
 
 #include <array>
@@ -49,6 +50,10 @@ struct Part {
 
 /// Up axis that a file states.
 enum class UpAxis { unknown, x, y, z };
+
+template <>
+inline constexpr auto kWords<UpAxis> = words("UpAxis", "The up axis that a file states.", "unknown",
+                                             "x", "y", "z");
 
 /// A triangle mesh. Triangle `i` is triangle `i` of the input; polygons of n corners gave n-2.
 struct Mesh {

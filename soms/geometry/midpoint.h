@@ -3,6 +3,7 @@
 #pragma once
 
 #include "soms/base/vector.h"
+#include "soms/base/words.h"
 
 namespace soms {
 
@@ -12,6 +13,11 @@ enum class Midpoint {
   centroid,  ///< ((A+B)+C)/3
   aabb,      ///< middle of the triangle's box
 };
+
+template <>
+inline constexpr auto kWords<Midpoint> = words("Midpoint",
+                                               "Which point of a triangle is its middle.", "thesis",
+                                               "centroid", "aabb");
 
 /// Midpoint of a triangle, one rounding an operation. `c_vertex` (0, 1, 2) says which corner is C;
 /// the other two follow in cyclic order: 2 gives (a, b, c), 0 gives (b, c, a), 1 gives (c, a, b).

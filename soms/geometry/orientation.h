@@ -4,6 +4,7 @@
 #pragma once
 
 #include "soms/base/vector.h"
+#include "soms/base/words.h"
 
 namespace soms {
 
@@ -24,6 +25,11 @@ enum class Sign : signed char { negative = -1, zero = 0, positive = 1 };
 
 /// The coordinate plane in which a planar orientation is taken.
 enum class Projection { xy, yz, zx };
+
+template <>
+inline constexpr auto kWords<Projection> = words("Projection",
+                                                 "Which plane a triangle is projected onto.", "xy",
+                                                 "yz", "zx");
 
 /// Turn of `a`, `b`, `c` after dropping one coordinate: `positive` if counter-clockwise in the
 /// plane (first, second) of `plane`, `zero` only if the projected points are exactly collinear.

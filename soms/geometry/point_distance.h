@@ -4,6 +4,7 @@
 
 #include "soms/base/bracket.h"
 #include "soms/base/vector.h"
+#include "soms/base/words.h"
 
 #include <cstdint>
 
@@ -15,6 +16,11 @@ enum class TriangleFeature : std::uint8_t {
   edge,    ///< it is on an edge, and no corner
   face,    ///< it is inside
 };
+
+template <>
+inline constexpr auto kWords<TriangleFeature> = words("TriangleFeature",
+                                                      "Where on a triangle a point lies.", "vertex",
+                                                      "edge", "face");
 
 /// The least distance of a point from a triangle, and where it is.
 struct PointDistance {

@@ -75,10 +75,6 @@ std::ostream& operator<<(std::ostream& out, const PartRun& value) {
                                        : out << fields.add("part", value.part);
 }
 
-std::ostream& operator<<(std::ostream& out, UpAxis value) {
-  return out << printed_name("UpAxis", static_cast<int>(value), {"unknown", "x", "y", "z"});
-}
-
 std::ostream& operator<<(std::ostream& out, const Defects& value) {
   return out << PrintedFields("Defects")
                     .add("degenerate", value.degenerate)
@@ -181,11 +177,6 @@ std::ostream& operator<<(std::ostream& out, const PointDistance& value) {
                     .add("feature", value.feature);
 }
 
-std::ostream& operator<<(std::ostream& out, TriangleFeature value) {
-  return out << printed_name("TriangleFeature", static_cast<int>(value),
-                             {"vertex", "edge", "face"});
-}
-
 std::ostream& operator<<(std::ostream& out, const CommonPoints& value) {
   PrintedFields corners("CommonPoints");
   for (const Vec3& corner : value.points()) {
@@ -195,15 +186,7 @@ std::ostream& operator<<(std::ostream& out, const CommonPoints& value) {
 }
 
 std::ostream& operator<<(std::ostream& out, Sign value) {
-  return out << printed_name("Sign", static_cast<int>(value) + 1, {"negative", "zero", "positive"});
-}
-
-std::ostream& operator<<(std::ostream& out, Projection value) {
-  return out << printed_name("Projection", static_cast<int>(value), {"xy", "yz", "zx"});
-}
-
-std::ostream& operator<<(std::ostream& out, Midpoint value) {
-  return out << printed_name("Midpoint", static_cast<int>(value), {"thesis", "centroid", "aabb"});
+  return out << (value == Sign::negative ? "negative" : value == Sign::zero ? "zero" : "positive");
 }
 
 std::ostream& operator<<(std::ostream& out, const CoordinateFrame& value) {

@@ -2,16 +2,18 @@
 /// Meshes and what is found in them, printed by `<<`: "Mesh{12 triangles, 8 vertices, 1 part}".
 #pragma once
 
+#include "soms/describe/print_answers.h"
+#include "soms/geometry/mesh.h"
+#include "soms/geometry/midpoint.h"
+#include "soms/geometry/orientation.h"
+#include "soms/geometry/point_distance.h"
+
 #include <iosfwd>
 
 namespace soms {
 
 enum class FrameDoubt;
-enum class Midpoint;
-enum class Projection;
 enum class Sign : signed char;
-enum class TriangleFeature : unsigned char;
-enum class UpAxis;
 struct Attribute;
 struct Closedness;
 struct ClosednessOptions;
@@ -43,7 +45,6 @@ std::ostream& operator<<(std::ostream& out, const Part& value);
 std::ostream& operator<<(std::ostream& out, const PartGroup& value);
 
 std::ostream& operator<<(std::ostream& out, const PartRun& value);
-std::ostream& operator<<(std::ostream& out, UpAxis value);
 std::ostream& operator<<(std::ostream& out, const Defects& value);
 std::ostream& operator<<(std::ostream& out, const DefectPlaces& value);
 std::ostream& operator<<(std::ostream& out, const DefectOptions& value);
@@ -57,10 +58,7 @@ std::ostream& operator<<(std::ostream& out, const PartClosedness& value);
 std::ostream& operator<<(std::ostream& out, const CommonPoints& value);
 std::ostream& operator<<(std::ostream& out, const TriangleDistance& value);
 std::ostream& operator<<(std::ostream& out, const PointDistance& value);
-std::ostream& operator<<(std::ostream& out, TriangleFeature value);
 std::ostream& operator<<(std::ostream& out, Sign value);
-std::ostream& operator<<(std::ostream& out, Projection value);
-std::ostream& operator<<(std::ostream& out, Midpoint value);
 std::ostream& operator<<(std::ostream& out, const CoordinateFrame& value);
 std::ostream& operator<<(std::ostream& out, const Georeference& value);
 std::ostream& operator<<(std::ostream& out, const MapConversion& value);

@@ -1,5 +1,6 @@
 #include "soms/io/print.h"
 
+#include "soms/base/print.h"
 #include "soms/base/print_fields.h"
 #include "soms/io/crs.h"
 #include "soms/io/formats.h"
@@ -56,12 +57,6 @@ std::ostream& operator<<(std::ostream& out, const WritableFormat& value) {
                     .add("doubles", value.doubles)
                     .add("names", value.names)
                     .add("unit_and_axis", value.unit_and_axis);
-}
-
-std::ostream& operator<<(std::ostream& out, MeshFormat value) {
-  return out << printed_name(
-             "MeshFormat", static_cast<int>(value),
-             {"ply", "ply_ascii", "obj", "stl", "stl_ascii", "off", "three_ds", "glb"});
 }
 
 std::ostream& operator<<(std::ostream& out, const Rounding& value) {

@@ -2,11 +2,12 @@
 /// Formats and the options of reading, printed by `<<`: "ReadOptions{allow_empty: false, ...}".
 #pragma once
 
+#include "soms/io/write_mesh.h"
+
 #include <iosfwd>
 
 namespace soms {
 
-enum class MeshFormat;
 struct Column;
 struct CrsAxes;
 struct ReadOptions;
@@ -22,7 +23,6 @@ std::ostream& operator<<(std::ostream& out, const ReadOptions& value);
 std::ostream& operator<<(std::ostream& out, const ReadableFormat& value);
 std::ostream& operator<<(std::ostream& out, const RobotReadOptions& value);
 std::ostream& operator<<(std::ostream& out, const WritableFormat& value);
-std::ostream& operator<<(std::ostream& out, MeshFormat value);
 std::ostream& operator<<(std::ostream& out, const Rounding& value);
 
 }  // namespace soms

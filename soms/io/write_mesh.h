@@ -3,6 +3,7 @@
 #pragma once
 
 #include "soms/base/parallel.h"
+#include "soms/base/words.h"
 #include "soms/geometry/mesh.h"
 
 #include <cstdint>
@@ -14,6 +15,12 @@ namespace soms {
 
 /// Formats that can be written.
 enum class MeshFormat { ply, ply_ascii, obj, stl, stl_ascii, off, three_ds, glb };
+
+template <>
+inline constexpr auto kWords<MeshFormat> = words("MeshFormat",
+                                                 "Formats that models are written in.", "ply",
+                                                 "ply_ascii", "obj", "stl", "stl_ascii", "off",
+                                                 "three_ds", "glb");
 
 /// Format for a file name by its extension (.ply, .3ds, .stl, .off, .obj, .glb; any case).
 /// \errors  ErrorKind::unsupported naming the extensions that are offered.

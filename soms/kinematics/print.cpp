@@ -8,11 +8,6 @@
 
 namespace soms {
 
-std::ostream& operator<<(std::ostream& out, JointType value) {
-  return out << printed_name("JointType", static_cast<int>(value),
-                             {"fixed", "revolute", "continuous", "prismatic"});
-}
-
 std::ostream& operator<<(std::ostream& out, const Mimic& value) {
   return out << PrintedFields("Mimic")
                     .add("joint", value.joint)

@@ -2,6 +2,8 @@
 /// Robots printed by `<<`: "Robot{panda, 12 links, 11 joints}".
 #pragma once
 
+#include "soms/kinematics/robot.h"
+
 #include <iosfwd>
 
 namespace soms {
@@ -17,7 +19,6 @@ struct RobotFault;
 struct PrimitiveMesh;
 
 /// One line, as in soms/base/print.h. Lists are counted, not listed.
-std::ostream& operator<<(std::ostream& out, JointType value);
 std::ostream& operator<<(std::ostream& out, const Mimic& value);
 std::ostream& operator<<(std::ostream& out, const Joint& value);
 std::ostream& operator<<(std::ostream& out, const Link& value);

@@ -5,6 +5,7 @@
 #include "soms/base/error.h"
 #include "soms/base/pose.h"
 #include "soms/base/vector.h"
+#include "soms/base/words.h"
 #include "soms/geometry/mesh.h"
 
 #include <compare>
@@ -25,6 +26,12 @@ enum class JointType : unsigned char {
   continuous,  ///< by any angle about its axis
   prismatic,   ///< by a length along its axis, within limits
 };
+
+template <>
+inline constexpr auto kWords<JointType> = words(
+    "JointType",
+    "How a joint moves its link: not at all, by an angle within limits or without, by a length.",
+    "fixed", "revolute", "continuous", "prismatic");
 
 /// A joint that follows another one: its value is `multiplier * value + offset`, both operations
 /// rounded.

@@ -2,6 +2,7 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/limits.h"
+#include "soms/describe/columns.h"
 #include "soms/query/detail/engine/batch.h"
 #include "soms/query/detail/near/point_query.h"
 
@@ -48,28 +49,6 @@ Closest of_empty() {
   return {.distance = {kInfinity, kInfinity}};
 }
 
-void put(const Closest& answer, std::size_t i, ClosestBatch& batch) {
-  batch.lower[i] = answer.distance.lower;
-  batch.upper[i] = answer.distance.upper;
-  batch.triangle[i] = answer.triangle;
-  batch.point[i] = answer.point;
-  batch.feature[i] = answer.feature;
-  batch.farther[i] = answer.farther ? 1 : 0;
-  batch.coverage[i] = answer.coverage;
-  batch.costs[i] = answer.cost;
-}
-
-void resize(ClosestBatch& batch, std::size_t size) {
-  batch.lower.resize(size);
-  batch.upper.resize(size);
-  batch.triangle.resize(size);
-  batch.point.resize(size);
-  batch.feature.resize(size);
-  batch.farther.resize(size);
-  batch.coverage.resize(size);
-  batch.costs.resize(size);
-}
-
 }  // namespace
 
 void check(const ClosestOptions& options) {
@@ -91,8 +70,7 @@ Closest closest(const Body& body, const Vec3& point, const ClosestOptions& optio
 }
 
 Closest ClosestBatch::at(std::size_t i) const {
-  return {{lower[i], upper[i]}, triangle[i], point[i], feature[i],
-          farther[i] != 0,      coverage[i], costs[i]};
+  return row_of<Closest>(*this, i);
 }
 
 ClosestBatch closest(const Body& body, std::span<const Vec3> points, const ClosestOptions& options,
@@ -103,10 +81,10 @@ ClosestBatch closest(const Body& body, std::span<const Vec3> points, const Close
   detail::check_points(points);
   check_stop(parallel);
   ClosestBatch batch;
-  resize(batch, points.size());
+  resize_columns<Closest>(batch, points.size());
   if (detail::is_empty(body.shape)) {
     for (std::size_t i = 0; i < points.size(); ++i) {
-      put(of_empty(), i, batch);
+      put_columns(of_empty(), i, batch);
     }
     return batch;
   }
@@ -118,10 +96,10 @@ ClosestBatch closest(const Body& body, std::span<const Vec3> points, const Close
       [&](PointMemory& memory, std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
           const std::size_t i = order.empty() ? k : order[k];
-          put(ask(frame, points[i], options, alone, memory), i, batch);
+          put_columns(ask(frame, points[i], options, alone, memory), i, batch);
         }
       });
-  batch.cost = detail::sum_of(batch.costs);
+  sum_costs<Closest>(batch);
   return batch;
 }
 

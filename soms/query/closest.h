@@ -23,6 +23,7 @@
 #include "soms/base/bracket.h"
 #include "soms/base/parallel.h"
 #include "soms/base/vector.h"
+#include "soms/describe/fields.h"
 #include "soms/geometry/point_distance.h"
 #include "soms/query/answer.h"
 #include "soms/query/body.h"
@@ -33,6 +34,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <vector>
 
 namespace soms {
@@ -109,6 +111,27 @@ struct ClosestBatch {
   [[nodiscard]] Closest at(std::size_t point) const;
 };
 
+template <>
+struct Fields<Closest> {
+  static constexpr const char* kName = "Closest";
+  static constexpr const char* kMeaning = "Answer of closest for a point.";
+  static constexpr const char* kBatchName = "ClosestBatch";
+  static constexpr const char* kBatchMeaning = "Answers of closest for n points.";
+  static constexpr const char* kRows = "points";
+  using Batch = ClosestBatch;
+  static constexpr auto kList = std::tuple(
+      field("distance", &Closest::distance, BracketColumns<Batch>{&Batch::lower, &Batch::upper},
+            "The distance"),
+      field("farther", &Closest::farther, &Batch::farther, "The distance exceeds at_most."),
+      field("triangle", &Closest::triangle, &Batch::triangle,
+            "The least triangle at this distance."),
+      field("point", &Closest::point, &Batch::point, "The nearest point, in world.").where_named(),
+      field("feature", &Closest::feature, &Batch::feature, "Where on the triangle that lies.")
+          .where_named(),
+      coverage_field(&Closest::coverage, &Batch::coverage),
+      cost_field(&Closest::cost, &Batch::costs));
+};
+
 /// `closest` of each of `points`: the answers and costs of single queries.
 ///
 /// \shape   `points`: n.
@@ -134,6 +157,23 @@ struct NearTriangles {
 
   /// The number of points.
   [[nodiscard]] std::size_t size() const { return coverage.size(); }
+};
+
+template <>
+struct Fields<NearTriangles> {
+  static constexpr const char* kName = "NearTriangles";
+  static constexpr const char* kMeaning = "Triangles near each of n points.";
+  static constexpr auto kOffsets = &NearTriangles::offsets;
+  static constexpr auto kValues = &NearTriangles::triangle;
+  static constexpr auto kList = std::tuple(
+      list("offsets", &NearTriangles::offsets, "n + 1",
+           "Point i has the triangles offsets[i] to offsets[i + 1]."),
+      list("triangle", &NearTriangles::triangle, "k", "The triangles of all points."),
+      list("lower", &NearTriangles::lower, "k", "The distance is at least this."),
+      list("upper", &NearTriangles::upper, "k", "The distance is at most this."),
+      list("coverage", &NearTriangles::coverage, "n", "How much of the question is decided."),
+      list("costs", &NearTriangles::costs, "n", "Work done."),
+      field("cost", &NearTriangles::cost, "Work done for all points together."));
 };
 
 /// The `count` nearest triangles of each of `points`, or as many as there are within `at_most`:

@@ -3,6 +3,7 @@
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
 #include "soms/base/text.h"
+#include "soms/describe/columns.h"
 #include "soms/query/detail/closed_surface.h"
 #include "soms/query/detail/engine/batch.h"
 #include "soms/query/detail/engine/pair_frame.h"
@@ -127,8 +128,7 @@ Contains contains(const Body& body, const Vec3& point, const ContainsOptions& op
 }
 
 Contains ContainsBatch::at(std::size_t point) const {
-  return {side[point], side[point] == Side::undecided ? Coverage::cut : Coverage::complete,
-          costs[point]};
+  return row_of<Contains>(*this, point);
 }
 
 ContainsBatch contains(const ClosedBody& body, std::span<const Vec3> points,
@@ -141,12 +141,11 @@ ContainsBatch contains(const ClosedBody& body, std::span<const Vec3> points,
     }
   }
   ContainsBatch answer;
-  answer.costs.resize(points.size());
+  resize_columns<Contains>(answer, points.size());
   if (detail::is_empty(shape)) {
     answer.side.assign(points.size(), Side::outside);
     return answer;
   }
-  answer.side.assign(points.size(), Side::undecided);
   const ParityFrame frame(shape.layout(), body.body().pose);
   const std::span<Side> sides(answer.side);
   const std::span<Cost> costs(answer.costs);
@@ -159,10 +158,10 @@ ContainsBatch contains(const ClosedBody& body, std::span<const Vec3> points,
                           costs.subspan(begin, count), limit);
     pool.give_back(std::move(place));
   });
-  answer.cost = detail::sum_of(answer.costs);
-  if (std::find(answer.side.begin(), answer.side.end(), Side::undecided) != answer.side.end()) {
-    answer.coverage = Coverage::cut;
-  }
+  std::transform(answer.side.begin(), answer.side.end(), answer.coverage.begin(), [](Side side) {
+    return side == Side::undecided ? Coverage::cut : Coverage::complete;
+  });
+  sum_costs<Contains>(answer);
   return answer;
 }
 

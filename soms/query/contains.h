@@ -17,6 +17,8 @@
 
 #include "soms/base/parallel.h"
 #include "soms/base/vector.h"
+#include "soms/base/words.h"
+#include "soms/describe/fields.h"
 #include "soms/query/answer.h"
 #include "soms/query/body.h"
 
@@ -27,6 +29,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <vector>
 
 namespace soms {
@@ -46,6 +49,10 @@ enum class Side : unsigned char {
   on,         ///< a point of the surface: of a closed triangle, without area too
   undecided,  ///< the deadline passed before it was decided
 };
+
+template <>
+inline constexpr auto kWords<Side> = words("Side", "Where a point lies.", "outside", "inside", "on",
+                                           "undecided");
 
 /// A body whose surface was found to be closed where its pose moves it. Checked once, queried
 /// often: a value; copies share what was found.
@@ -121,10 +128,10 @@ struct Contains {
 
 /// Answers for a batch of points: columns, one entry a point, as those of `Contains`.
 struct ContainsBatch {
-  std::vector<Side> side;                  ///< n; `undecided` where the deadline passed first
-  std::vector<Cost> costs;                 ///< n
-  Coverage coverage = Coverage::complete;  ///< `cut` if a point is undecided
-  Cost cost;                               ///< of all points together
+  std::vector<Side> side;          ///< n; `undecided` where the deadline passed first
+  std::vector<Coverage> coverage;  ///< n; `cut` where it did
+  std::vector<Cost> costs;         ///< n
+  Cost cost;                       ///< of all points together
 
   [[nodiscard]] bool operator==(const ContainsBatch&) const = default;
 
@@ -132,6 +139,20 @@ struct ContainsBatch {
 
   /// The answer for a point.
   [[nodiscard]] Contains at(std::size_t point) const;
+};
+
+template <>
+struct Fields<Contains> {
+  static constexpr const char* kName = "Contains";
+  static constexpr const char* kMeaning = "Answer of contains for a point.";
+  static constexpr const char* kBatchName = "ContainsBatch";
+  static constexpr const char* kBatchMeaning = "Answers of contains for n points.";
+  static constexpr const char* kRows = "points";
+  using Batch = ContainsBatch;
+  static constexpr auto kList =
+      std::tuple(field("side", &Contains::side, &Batch::side, "Where the point lies."),
+                 coverage_field(&Contains::coverage, &Batch::coverage),
+                 cost_field(&Contains::cost, &Batch::costs));
 };
 
 /// `contains` for each of `points`: the answers of single queries; with the wide layout

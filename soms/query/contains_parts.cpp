@@ -171,7 +171,7 @@ std::span<const PartSide> ContainsPartsBatch::parts_of(std::size_t point) const 
 
 ContainsParts ContainsPartsBatch::at(std::size_t point) const {
   const std::span<const PartSide> row = parts_of(point);
-  return {{row.begin(), row.end()}, coverages[point], costs[point]};
+  return {{row.begin(), row.end()}, coverage[point], costs[point]};
 }
 
 ContainsPartsBatch contains(const DividedBody& body, std::span<const Vec3> points,
@@ -180,13 +180,13 @@ ContainsPartsBatch contains(const DividedBody& body, std::span<const Vec3> point
   detail::check_points(points);
   ContainsPartsBatch answer;
   answer.costs.resize(points.size());
-  answer.coverages.assign(points.size(), Coverage::complete);
+  answer.coverage.assign(points.size(), Coverage::complete);
   answer.offsets.assign(points.size() + 1, 0);
   const Body& whole = body.body();
   if (detail::is_empty(whole.shape)) {
     return answer;
   }
-  std::fill(answer.coverages.begin(), answer.coverages.end(), Coverage::cut);
+  std::fill(answer.coverage.begin(), answer.coverage.end(), Coverage::cut);
   std::vector<std::vector<PartSide>> rows(points.size());
 
   struct Nothing {};
@@ -196,13 +196,12 @@ ContainsPartsBatch contains(const DividedBody& body, std::span<const Vec3> point
       whole, frame, points, options.deadline, answer.costs, parallel,
       [&](Nothing&, std::size_t i, const PointCrossings& met, detail::Limit&) {
         rows[i] = sides_of(body, met);
-        answer.coverages[i] = Coverage::complete;
+        answer.coverage[i] = Coverage::complete;
       });
   for (std::size_t i = 0; i < points.size(); ++i) {
     detail::append(answer.parts, rows[i]);
     answer.offsets[i + 1] = answer.parts.size();
   }
-  answer.coverage = detail::coverage_of(answer.coverages);
   answer.cost = detail::sum_of(answer.costs);
   return answer;
 }

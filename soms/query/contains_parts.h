@@ -19,6 +19,8 @@
 
 #include "soms/base/parallel.h"
 #include "soms/base/vector.h"
+#include "soms/base/words.h"
+#include "soms/describe/fields.h"
 #include "soms/geometry/mesh.h"
 #include "soms/query/answer.h"
 #include "soms/query/body.h"
@@ -28,6 +30,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <tuple>
 #include <vector>
 
 namespace soms {
@@ -39,6 +42,12 @@ enum class Partition : unsigned char {
   named,
   connected,  ///< by vertices in one place: triangles that share one belong together
 };
+
+template <>
+inline constexpr auto kWords<Partition> =
+    words("Partition",
+          "How triangles are divided: by the parts of the file, or by vertices in one place.",
+          "named", "connected");
 
 /// A part of a body, and whether points can be inside it.
 struct DividedPart {
@@ -110,6 +119,15 @@ struct PartSide {
   [[nodiscard]] bool operator==(const PartSide&) const = default;
 };
 
+template <>
+struct Fields<PartSide> {
+  static constexpr const char* kName = "PartSide";
+  static constexpr const char* kMeaning = "A part that holds a point.";
+  static constexpr auto kList =
+      std::tuple(field("part", &PartSide::part, "An index of DividedBody.parts."),
+                 field("side", &PartSide::side, "Inside or on."));
+};
+
 /// Answer of `contains` for a point and the parts of a body.
 struct ContainsParts {
   std::vector<PartSide> parts;  ///< by `part`; empty if the deadline passed
@@ -117,6 +135,16 @@ struct ContainsParts {
   Cost cost = {};
 
   [[nodiscard]] bool operator==(const ContainsParts&) const = default;
+};
+
+template <>
+struct Fields<ContainsParts> {
+  static constexpr const char* kName = "ContainsParts";
+  static constexpr const char* kMeaning = "The parts that hold a point.";
+  static constexpr auto kList =
+      std::tuple(list("parts", &ContainsParts::parts, "k", "Those that the point is inside or on."),
+                 coverage_field(&ContainsParts::coverage, NoColumn()),
+                 field("cost", &ContainsParts::cost, "Work done."));
 };
 
 /// The parts that a point is inside, or on the surface of, each as `contains` decides it for the
@@ -132,22 +160,36 @@ struct ContainsParts {
 /// Answers for a batch of points: those of point k are rows [offsets[k], offsets[k + 1]) of
 /// `parts`.
 struct ContainsPartsBatch {
-  std::vector<std::uint64_t> offsets;      ///< n + 1
-  std::vector<PartSide> parts;             ///< by point, then by part
-  std::vector<Coverage> coverages;         ///< n
-  std::vector<Cost> costs;                 ///< n
-  Coverage coverage = Coverage::complete;  ///< `cut` if that of a point is
-  Cost cost;                               ///< of all points together
+  std::vector<std::uint64_t> offsets;  ///< n + 1
+  std::vector<PartSide> parts;         ///< by point, then by part
+  std::vector<Coverage> coverage;      ///< n
+  std::vector<Cost> costs;             ///< n
+  Cost cost;                           ///< of all points together
 
   [[nodiscard]] bool operator==(const ContainsPartsBatch&) const = default;
 
-  [[nodiscard]] std::size_t size() const { return coverages.size(); }
+  [[nodiscard]] std::size_t size() const { return coverage.size(); }
 
   /// The parts of a point.
   [[nodiscard]] std::span<const PartSide> parts_of(std::size_t point) const;
 
   /// The answer for a point.
   [[nodiscard]] ContainsParts at(std::size_t point) const;
+};
+
+template <>
+struct Fields<ContainsPartsBatch> {
+  static constexpr const char* kName = "ContainsPartsBatch";
+  static constexpr const char* kMeaning = "The parts that hold each of n points.";
+  static constexpr auto kOffsets = &ContainsPartsBatch::offsets;
+  static constexpr auto kValues = &ContainsPartsBatch::parts;
+  static constexpr auto kList = std::tuple(
+      list("offsets", &ContainsPartsBatch::offsets, "n + 1",
+           "Point i has the parts offsets[i] to offsets[i + 1]."),
+      list("parts", &ContainsPartsBatch::parts, "k", "The parts of all points."),
+      list("coverage", &ContainsPartsBatch::coverage, "n", "How much of the question is decided."),
+      list("costs", &ContainsPartsBatch::costs, "n", "Work done."),
+      field("cost", &ContainsPartsBatch::cost, "Work done for all points together."));
 };
 
 /// The same for each of `points`.

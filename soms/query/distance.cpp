@@ -2,6 +2,7 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/limits.h"
+#include "soms/describe/columns.h"
 #include "soms/query/detail/leaf_pairs.h"
 #include "soms/query/detail/near/near_question.h"
 #include "soms/query/detail/overlap_query.h"
@@ -77,16 +78,6 @@ class DistanceQuery {
 
   [[nodiscard]] Distance of_empty() const { return {.distance = {kInfinity, kInfinity}}; }
 
-  void resize(DistanceBatch& batch, std::size_t size) const {
-    detail::resize_columns(size, batch.lower, batch.upper, batch.farther);
-  }
-
-  void put(const Distance& answer, std::size_t pose, DistanceBatch& batch) const {
-    batch.lower[pose] = answer.distance.lower;
-    batch.upper[pose] = answer.distance.upper;
-    batch.farther[pose] = answer.farther ? 1 : 0;
-  }
-
  private:
   DistanceOptions options_;
 };
@@ -105,16 +96,14 @@ Distance distance(const Body& a, const Body& b, const DistanceOptions& options,
 }
 
 Distance DistanceBatch::at(std::size_t pose) const {
-  return {{lower[pose], upper[pose]}, triangles[pose], point_a[pose], point_b[pose],
-          farther[pose] != 0,         coverage[pose],  costs[pose]};
+  return row_of<Distance>(*this, pose);
 }
 
 DistanceBatch distance(const Shape& mover, std::span<const Pose> poses, const Body& fixed,
                        const DistanceOptions& options, const Parallel& parallel) {
   const PlainArithmetic plain;
   check(options);
-  return detail::ask_near_batch<DistanceBatch>(DistanceQuery(options), mover, poses, fixed,
-                                               parallel);
+  return detail::ask_near_batch<Distance>(DistanceQuery(options), mover, poses, fixed, parallel);
 }
 
 }  // namespace soms

@@ -21,6 +21,7 @@
 #include "soms/base/bracket.h"
 #include "soms/base/parallel.h"
 #include "soms/base/vector.h"
+#include "soms/describe/fields.h"
 #include "soms/query/answer.h"
 #include "soms/query/body.h"
 
@@ -30,6 +31,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <vector>
 
 namespace soms {
@@ -104,6 +106,28 @@ struct DistanceBatch {
 
   /// The answer for a pose.
   [[nodiscard]] Distance at(std::size_t pose) const;
+};
+
+template <>
+struct Fields<Distance> {
+  static constexpr const char* kName = "Distance";
+  static constexpr const char* kMeaning = "Answer of distance.";
+  static constexpr const char* kBatchName = "DistanceBatch";
+  static constexpr const char* kBatchMeaning = "Answers of distance for n poses.";
+  static constexpr const char* kRows = "poses";
+  using Batch = DistanceBatch;
+  static constexpr auto kList = std::tuple(
+      field("distance", &Distance::distance, BracketColumns<Batch>{&Batch::lower, &Batch::upper},
+            "The distance"),
+      field("farther", &Distance::farther, &Batch::farther, "The distance exceeds at_most."),
+      field("triangles", &Distance::triangles, &Batch::triangles,
+            "The least pair at this distance."),
+      field("point_a", &Distance::point_a, &Batch::point_a,
+            "The end of its shortest segment on a, in world.")
+          .where_named(),
+      field("point_b", &Distance::point_b, &Batch::point_b, "The other end, on b.").where_named(),
+      coverage_field(&Distance::coverage, &Batch::coverage),
+      cost_field(&Distance::cost, &Batch::costs));
 };
 
 /// `distance` of `mover` at each of `poses` to `fixed`: the answers of single queries.

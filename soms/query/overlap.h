@@ -24,6 +24,8 @@
 #pragma once
 
 #include "soms/base/parallel.h"
+#include "soms/base/words.h"
+#include "soms/describe/fields.h"
 #include "soms/query/answer.h"
 #include "soms/query/body.h"
 
@@ -33,6 +35,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <vector>
 
 namespace soms {
@@ -43,6 +46,11 @@ enum class OverlapMode {
   any,    ///< stop at the first pair found; which one is not promised
   first,  ///< the least pair by (i, j)
 };
+
+template <>
+inline constexpr auto kWords<OverlapMode> =
+    words("OverlapMode", "Which pairs an overlap lists: all, some one, or the least.", "all", "any",
+          "first");
 
 /// Options of an overlap query.
 struct OverlapOptions {
@@ -71,6 +79,19 @@ struct Overlap {
 
   /// FNV-1a 64 over the sorted pairs as little-endian u32: two runs agree when their hashes do.
   [[nodiscard]] std::uint64_t hash() const;
+};
+
+template <>
+struct Fields<Overlap> {
+  static constexpr const char* kName = "Overlap";
+  static constexpr const char* kMeaning = "Answer of overlap.";
+  static constexpr auto kTruth = &Overlap::any;
+  static constexpr auto kList =
+      std::tuple(field("any", &Overlap::any, "Some pair of triangles shares a point."),
+                 list("pairs", &Overlap::pairs, "k",
+                      "Triangle of a, triangle of b; sorted. One pair in modes any, first."),
+                 field("coverage", &Overlap::coverage, "How much of the question is decided."),
+                 field("cost", &Overlap::cost, "Work done."));
 };
 
 /// Pairs of triangles of `a` and `b` that share at least one point, decided exactly on the moved
@@ -107,6 +128,22 @@ struct OverlapBatch {
 
   /// The answer for a pose.
   [[nodiscard]] Overlap at(std::size_t pose) const;
+};
+
+template <>
+struct Fields<OverlapBatch> {
+  static constexpr const char* kName = "OverlapBatch";
+  static constexpr const char* kMeaning = "Answers of overlap for n poses.";
+  static constexpr auto kOffsets = &OverlapBatch::offsets;
+  static constexpr auto kValues = &OverlapBatch::pairs;
+  static constexpr auto kList = std::tuple(
+      list("any", &OverlapBatch::any, "n", "Some pair of triangles shares a point."),
+      list("offsets", &OverlapBatch::offsets, "n + 1",
+           "Pose i has the pairs offsets[i] to offsets[i + 1]."),
+      list("pairs", &OverlapBatch::pairs, "k", "The pairs of all poses."),
+      list("coverage", &OverlapBatch::coverage, "n", "How much of the question is decided."),
+      list("costs", &OverlapBatch::costs, "n", "Work done."),
+      field("cost", &OverlapBatch::cost, "Work done for all poses together."));
 };
 
 /// `overlap` of `mover` at each of `poses` with `fixed`; answers and costs equal those of single

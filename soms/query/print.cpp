@@ -5,6 +5,7 @@
 #include "soms/geometry/print.h"
 #include "soms/query/closest.h"
 #include "soms/query/contains.h"
+#include "soms/query/detail/engine/batch.h"
 #include "soms/query/distance.h"
 #include "soms/query/overlap.h"
 #include "soms/query/ray.h"
@@ -35,21 +36,6 @@ std::string rays_in_words(std::ptrdiff_t hits, std::size_t rays) {
   return std::to_string(hits) + " of " + printed_count(rays, "ray hits", "rays hit");
 }
 
-/// Triangle i of the first body, j of the second.
-std::string pair_in_words(const TrianglePair& pair) {
-  return "triangles " + std::to_string(pair.first) + " and " + std::to_string(pair.second);
-}
-
-/// The pair of triangles that an answer names, if any, and its points.
-template <class Answer>
-void add_nearest(const Answer& value, PrintedFields& fields) {
-  if (value.triangles) {
-    fields.item(pair_in_words(*value.triangles))
-        .add("point_a", value.point_a)
-        .add("point_b", value.point_b);
-  }
-}
-
 }  // namespace
 
 std::ostream& operator<<(std::ostream& out, const Body& value) {
@@ -63,13 +49,6 @@ std::ostream& operator<<(std::ostream& out, const ClosedBody& value) {
   return out << PrintedFields("ClosedBody").item(printed(value.body()));
 }
 
-std::ostream& operator<<(std::ostream& out, const Contains& value) {
-  return out << PrintedFields("Contains")
-                    .add("side", value.side)
-                    .add("coverage", value.coverage)
-                    .add("cost", value.cost);
-}
-
 std::ostream& operator<<(std::ostream& out, const ContainsBatch& value) {
   const auto inside = std::count(value.side.begin(), value.side.end(), Side::inside);
   const auto on = std::count(value.side.begin(), value.side.end(), Side::on);
@@ -77,7 +56,7 @@ std::ostream& operator<<(std::ostream& out, const ContainsBatch& value) {
                     .item(std::to_string(inside) + " of " +
                           printed_count(value.size(), "point", "points") + " inside, " +
                           std::to_string(on) + " on the surface")
-                    .add("coverage", value.coverage)
+                    .add("coverage", detail::coverage_of(value.coverage))
                     .add("cost", value.cost);
 }
 
@@ -87,34 +66,6 @@ std::ostream& operator<<(std::ostream& out, const ContainsOptions& value) {
     fields.item("deadline set");
   }
   return out << fields;
-}
-
-std::ostream& operator<<(std::ostream& out, const Cost& value) {
-  return out << PrintedFields("Cost")
-                    .add("node_tests", value.node_tests)
-                    .add("triangle_tests", value.triangle_tests)
-                    .add("exact_tests", value.exact_tests);
-}
-
-std::ostream& operator<<(std::ostream& out, Coverage value) {
-  return out << printed_name("Coverage", static_cast<int>(value), {"complete", "first", "cut"});
-}
-
-std::ostream& operator<<(std::ostream& out, const Overlap& value) {
-  return out << PrintedFields("Overlap")
-                    .add("any", value.any)
-                    .item(pairs_in_words(value.pairs))
-                    .add("coverage", value.coverage)
-                    .add("cost", value.cost);
-}
-
-std::ostream& operator<<(std::ostream& out, const Closest& value) {
-  PrintedFields fields("Closest");
-  fields.add("distance", value.distance).add("farther", value.farther);
-  if (value.triangle) {
-    fields.add("triangle", *value.triangle).add("point", value.point).add("feature", value.feature);
-  }
-  return out << fields.add("coverage", value.coverage).add("cost", value.cost);
 }
 
 std::ostream& operator<<(std::ostream& out, const ClosestBatch& value) {
@@ -139,13 +90,6 @@ std::ostream& operator<<(std::ostream& out, const NearTriangles& value) {
                     .add("cost", value.cost);
 }
 
-std::ostream& operator<<(std::ostream& out, const Distance& value) {
-  PrintedFields fields("Distance");
-  fields.add("distance", value.distance).add("farther", value.farther);
-  add_nearest(value, fields);
-  return out << fields.add("coverage", value.coverage).add("cost", value.cost);
-}
-
 std::ostream& operator<<(std::ostream& out, const DistanceBatch& value) {
   return out << PrintedFields("DistanceBatch")
                     .item(printed_count(value.size(), "pose", "poses"))
@@ -159,13 +103,6 @@ std::ostream& operator<<(std::ostream& out, const DistanceOptions& value) {
     fields.item("deadline set");
   }
   return out << fields;
-}
-
-std::ostream& operator<<(std::ostream& out, const Within& value) {
-  PrintedFields fields("Within");
-  fields.add("within", value.within).add("at_least", value.at_least);
-  add_nearest(value, fields);
-  return out << fields.add("coverage", value.coverage).add("cost", value.cost);
 }
 
 std::ostream& operator<<(std::ostream& out, const WithinBatch& value) {
@@ -203,10 +140,6 @@ std::ostream& operator<<(std::ostream& out, const OverlapOptions& value) {
   return out << fields;
 }
 
-std::ostream& operator<<(std::ostream& out, OverlapMode value) {
-  return out << printed_name("OverlapMode", static_cast<int>(value), {"all", "any", "first"});
-}
-
 std::ostream& operator<<(std::ostream& out, const Ray& value) {
   return out << PrintedFields("Ray")
                     .add("origin", value.origin)
@@ -229,27 +162,11 @@ std::ostream& operator<<(std::ostream& out, const RayOptions& value) {
   return out << fields;
 }
 
-std::ostream& operator<<(std::ostream& out, const ClosestHit& value) {
-  PrintedFields fields("ClosestHit");
-  fields.add("t", value.t);
-  if (value.triangle) {
-    fields.add("triangle", *value.triangle).add("point", value.point).add("front", value.front);
-  }
-  return out << fields.add("coverage", value.coverage).add("cost", value.cost);
-}
-
 std::ostream& operator<<(std::ostream& out, const ClosestHitBatch& value) {
   const auto hits = std::count_if(value.triangle.begin(), value.triangle.end(),
                                   [](const auto& triangle) { return triangle.has_value(); });
   return out << PrintedFields("ClosestHitBatch")
                     .item(rays_in_words(hits, value.size()))
-                    .add("cost", value.cost);
-}
-
-std::ostream& operator<<(std::ostream& out, const AnyHit& value) {
-  return out << PrintedFields("AnyHit")
-                    .add("hit", value.hit)
-                    .add("coverage", value.coverage)
                     .add("cost", value.cost);
 }
 
@@ -267,43 +184,10 @@ std::ostream& operator<<(std::ostream& out, const AllHits& value) {
                     .add("cost", value.cost);
 }
 
-std::ostream& operator<<(std::ostream& out, CrossingKind value) {
-  return out << printed_name("CrossingKind", static_cast<int>(value), {"enter", "leave", "graze"});
-}
-
-std::ostream& operator<<(std::ostream& out, Side value) {
-  return out << printed_name("Side", static_cast<int>(value),
-                             {"outside", "inside", "on", "undecided"});
-}
-
-std::ostream& operator<<(std::ostream& out, const SignedClosest& value) {
-  return out
-         << PrintedFields("SignedClosest").add("closest", value.closest).add("side", value.side);
-}
-
 std::ostream& operator<<(std::ostream& out, const SignedClosestBatch& value) {
   return out << PrintedFields("SignedClosestBatch")
                     .item(printed_count(value.size(), "point", "points"))
                     .add("cost", value.closest.cost);
-}
-
-std::ostream& operator<<(std::ostream& out, Relation value) {
-  return out << printed_name(
-             "Relation", static_cast<int>(value),
-             {"clear", "touching", "crossing", "a_in_b", "b_in_a", "same", "undecided"});
-}
-
-std::ostream& operator<<(std::ostream& out, Undecided value) {
-  return out << printed_name("Undecided", static_cast<int>(value), {"none", "deadline", "open"});
-}
-
-std::ostream& operator<<(std::ostream& out, const Solid& value) {
-  return out << PrintedFields("Solid")
-                    .add("relation", value.relation)
-                    .add("surfaces_meet", value.surfaces_meet)
-                    .add("why", value.why)
-                    .add("coverage", value.coverage)
-                    .add("cost", value.cost);
 }
 
 std::ostream& operator<<(std::ostream& out, const SolidBatch& value) {

@@ -1,6 +1,7 @@
 #include "soms/base/print.h"
 #include "soms/base/print_fields.h"
 #include "soms/query/contains_parts.h"
+#include "soms/query/detail/engine/batch.h"
 #include "soms/query/print.h"
 #include "soms/query/winding.h"
 
@@ -15,14 +16,6 @@ std::ostream& operator<<(std::ostream& out, const WindingIndex& value) {
                     .item(printed_count(value.boundary_edges(), "boundary edge", "boundary edges"));
 }
 
-std::ostream& operator<<(std::ostream& out, const Winding& value) {
-  return out << PrintedFields("Winding")
-                    .add("side", value.side)
-                    .add("number", value.number)
-                    .add("coverage", value.coverage)
-                    .add("cost", value.cost);
-}
-
 std::ostream& operator<<(std::ostream& out, const WindingBatch& value) {
   const auto inside = std::count(value.side.begin(), value.side.end(), Side::inside);
   const auto open = std::count(value.side.begin(), value.side.end(), Side::undecided);
@@ -30,7 +23,7 @@ std::ostream& operator<<(std::ostream& out, const WindingBatch& value) {
                     .item(std::to_string(inside) + " of " +
                           printed_count(value.size(), "point", "points") + " inside, " +
                           std::to_string(open) + " undecided")
-                    .add("coverage", value.coverage)
+                    .add("coverage", detail::coverage_of(value.coverage))
                     .add("cost", value.cost);
 }
 
@@ -41,10 +34,6 @@ std::ostream& operator<<(std::ostream& out, const WindingOptions& value) {
     fields.item("deadline set");
   }
   return out << fields;
-}
-
-std::ostream& operator<<(std::ostream& out, Partition value) {
-  return out << printed_name("Partition", static_cast<int>(value), {"named", "connected"});
 }
 
 std::ostream& operator<<(std::ostream& out, const DividedPart& value) {
@@ -61,10 +50,6 @@ std::ostream& operator<<(std::ostream& out, const DividedPart& value) {
                     .add("odd_edges", value.odd_edges);
 }
 
-std::ostream& operator<<(std::ostream& out, const PartSide& value) {
-  return out << PrintedFields("PartSide").add("part", value.part).add("side", value.side);
-}
-
 std::ostream& operator<<(std::ostream& out, const DividedBody& value) {
   return out << PrintedFields("DividedBody")
                     .item(printed(value.body()))
@@ -72,17 +57,10 @@ std::ostream& operator<<(std::ostream& out, const DividedBody& value) {
                     .item(std::to_string(value.open_parts()) + " open");
 }
 
-std::ostream& operator<<(std::ostream& out, const ContainsParts& value) {
-  return out << PrintedFields("ContainsParts")
-                    .item(printed_count(value.parts.size(), "part", "parts"))
-                    .add("coverage", value.coverage)
-                    .add("cost", value.cost);
-}
-
 std::ostream& operator<<(std::ostream& out, const ContainsPartsBatch& value) {
   return out << PrintedFields("ContainsPartsBatch")
                     .item(printed_count(value.size(), "point", "points"))
-                    .add("coverage", value.coverage)
+                    .add("coverage", detail::coverage_of(value.coverage))
                     .add("cost", value.cost);
 }
 

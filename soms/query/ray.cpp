@@ -2,6 +2,7 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
+#include "soms/describe/columns.h"
 #include "soms/query/detail/engine/batch.h"
 #include "soms/query/detail/engine/pair_frame.h"
 #include "soms/query/detail/ray/ray_line.h"
@@ -152,53 +153,21 @@ typename Goal::Answer answer_one(const Body& body, const Line& ray, const RayOpt
   return detail::answer_ray<Goal>(body, options.skip, line_of(ray), limit);
 }
 
-template <class Line>
-ClosestHitBatch closest_of(const Body& body, std::span<const Line> rays, const RayOptions& options,
-                           const Parallel& parallel) {
+template <class Goal, class Line>
+BatchOf<typename Goal::Answer> batch_of(const Body& body, std::span<const Line> rays,
+                                        const RayOptions& options, const Parallel& parallel) {
+  using Answer = typename Goal::Answer;
   const PlainArithmetic plain;
   check_all(body, rays, options);
-  ClosestHitBatch batch;
-  batch.lower.resize(rays.size());
-  batch.upper.resize(rays.size());
-  batch.triangle.resize(rays.size());
-  batch.point.resize(rays.size());
-  batch.front.resize(rays.size());
-  batch.coverage.resize(rays.size());
-  batch.costs.resize(rays.size());
-  answer_all<detail::ClosestHitGoal>(body, rays, options, parallel,
-                                     [&](std::size_t i, std::span<const ClosestHit> answers) {
-                                       for (const ClosestHit& answer : answers) {
-                                         batch.lower[i] = answer.t.lower;
-                                         batch.upper[i] = answer.t.upper;
-                                         batch.triangle[i] = answer.triangle;
-                                         batch.point[i] = answer.point;
-                                         batch.front[i] = answer.front ? 1 : 0;
-                                         batch.coverage[i] = answer.coverage;
-                                         batch.costs[i++] = answer.cost;
-                                       }
-                                     });
-  batch.cost = detail::sum_of(batch.costs);
-  return batch;
-}
-
-template <class Line>
-AnyHitBatch any_of(const Body& body, std::span<const Line> rays, const RayOptions& options,
-                   const Parallel& parallel) {
-  const PlainArithmetic plain;
-  check_all(body, rays, options);
-  AnyHitBatch batch;
-  batch.hit.resize(rays.size());
-  batch.coverage.resize(rays.size());
-  batch.costs.resize(rays.size());
-  answer_all<detail::AnyHitGoal>(body, rays, options, parallel,
-                                 [&](std::size_t i, std::span<const AnyHit> answers) {
-                                   for (const AnyHit& answer : answers) {
-                                     batch.hit[i] = answer.hit ? 1 : 0;
-                                     batch.coverage[i] = answer.coverage;
-                                     batch.costs[i++] = answer.cost;
-                                   }
-                                 });
-  batch.cost = detail::sum_of(batch.costs);
+  BatchOf<Answer> batch;
+  resize_columns<Answer>(batch, rays.size());
+  answer_all<Goal>(body, rays, options, parallel,
+                   [&](std::size_t i, std::span<const Answer> answers) {
+                     for (const Answer& answer : answers) {
+                       put_columns(answer, i++, batch);
+                     }
+                   });
+  sum_costs<Answer>(batch);
   return batch;
 }
 
@@ -258,17 +227,17 @@ ClosestHit closest_hit(const Body& body, const Segment& segment, const RayOption
 }
 
 ClosestHit ClosestHitBatch::at(std::size_t i) const {
-  return {{lower[i], upper[i]}, triangle[i], point[i], front[i] != 0, coverage[i], costs[i]};
+  return row_of<ClosestHit>(*this, i);
 }
 
 ClosestHitBatch closest_hit(const Body& body, std::span<const Ray> rays, const RayOptions& options,
                             const Parallel& parallel) {
-  return closest_of(body, rays, options, parallel);
+  return batch_of<detail::ClosestHitGoal>(body, rays, options, parallel);
 }
 
 ClosestHitBatch closest_hit(const Body& body, std::span<const Segment> segments,
                             const RayOptions& options, const Parallel& parallel) {
-  return closest_of(body, segments, options, parallel);
+  return batch_of<detail::ClosestHitGoal>(body, segments, options, parallel);
 }
 
 AnyHit any_hit(const Body& body, const Ray& ray, const RayOptions& options) {
@@ -280,17 +249,17 @@ AnyHit any_hit(const Body& body, const Segment& segment, const RayOptions& optio
 }
 
 AnyHit AnyHitBatch::at(std::size_t i) const {
-  return {hit[i] != 0, coverage[i], costs[i]};
+  return row_of<AnyHit>(*this, i);
 }
 
 AnyHitBatch any_hit(const Body& body, std::span<const Ray> rays, const RayOptions& options,
                     const Parallel& parallel) {
-  return any_of(body, rays, options, parallel);
+  return batch_of<detail::AnyHitGoal>(body, rays, options, parallel);
 }
 
 AnyHitBatch any_hit(const Body& body, std::span<const Segment> segments, const RayOptions& options,
                     const Parallel& parallel) {
-  return any_of(body, segments, options, parallel);
+  return batch_of<detail::AnyHitGoal>(body, segments, options, parallel);
 }
 
 bool sees(const Body& body, const Vec3& a, const Vec3& b) {

@@ -24,6 +24,8 @@
 #include "soms/base/bracket.h"
 #include "soms/base/parallel.h"
 #include "soms/base/vector.h"
+#include "soms/base/words.h"
+#include "soms/describe/fields.h"
 #include "soms/query/answer.h"
 #include "soms/query/body.h"
 
@@ -33,6 +35,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <vector>
 
 namespace soms {
@@ -123,6 +126,26 @@ struct ClosestHitBatch {
   [[nodiscard]] ClosestHit at(std::size_t ray) const;
 };
 
+template <>
+struct Fields<ClosestHit> {
+  static constexpr const char* kName = "ClosestHit";
+  static constexpr const char* kMeaning = "Answer of closest_hit for a ray.";
+  static constexpr const char* kBatchName = "ClosestHitBatch";
+  static constexpr const char* kBatchMeaning = "Answers of closest_hit for n rays.";
+  static constexpr const char* kRows = "rays";
+  using Batch = ClosestHitBatch;
+  static constexpr auto kList = std::tuple(
+      field("t", &ClosestHit::t, BracketColumns<Batch>{&Batch::lower, &Batch::upper},
+            "The least t, infinity where nothing is hit,"),
+      field("triangle", &ClosestHit::triangle, &Batch::triangle,
+            "The least triangle met at this t."),
+      field("point", &ClosestHit::point, &Batch::point, "Where, in world.").where_named(),
+      field("front", &ClosestHit::front, &Batch::front, "The ray meets the front of the triangle.")
+          .where_named(),
+      coverage_field(&ClosestHit::coverage, &Batch::coverage),
+      cost_field(&ClosestHit::cost, &Batch::costs));
+};
+
 /// `closest_hit` of each of `rays`: the answers of single queries.
 ///
 /// \shape   `rays`: n.
@@ -165,6 +188,21 @@ struct AnyHitBatch {
   [[nodiscard]] AnyHit at(std::size_t ray) const;
 };
 
+template <>
+struct Fields<AnyHit> {
+  static constexpr const char* kName = "AnyHit";
+  static constexpr const char* kMeaning = "Answer of any_hit for a ray.";
+  static constexpr const char* kBatchName = "AnyHitBatch";
+  static constexpr const char* kBatchMeaning = "Answers of any_hit for n rays.";
+  static constexpr const char* kRows = "rays";
+  using Batch = AnyHitBatch;
+  static constexpr auto kTruth = &AnyHit::hit;
+  static constexpr auto kList =
+      std::tuple(field("hit", &AnyHit::hit, &Batch::hit, "The ray hits something."),
+                 coverage_field(&AnyHit::coverage, &Batch::coverage),
+                 cost_field(&AnyHit::cost, &Batch::costs));
+};
+
 /// `any_hit` of each of `rays`. \shape `rays`: n. \errors As the batch of `closest_hit`.
 [[nodiscard]] AnyHitBatch any_hit(const Body& body, std::span<const Ray> rays,
                                   const RayOptions& options = {}, const Parallel& parallel = {});
@@ -182,6 +220,11 @@ enum class CrossingKind : unsigned char {
   leave,  ///< through, by more back sides
   graze,  ///< touches, and stays on its side; or passes an even number of sheets in one place
 };
+
+template <>
+inline constexpr auto kWords<CrossingKind> = words("CrossingKind",
+                                                   "How a ray passes a place of the surface.",
+                                                   "enter", "leave", "graze");
 
 /// All places where rays meet a surface: rows of any length, one a ray. Triangles that a ray meets
 /// at exactly the same t and that are connected there are one crossing: the two on an edge, the fan
@@ -202,6 +245,24 @@ struct AllHits {
 
   /// The number of rays.
   [[nodiscard]] std::size_t size() const { return coverage.size(); }
+};
+
+template <>
+struct Fields<AllHits> {
+  static constexpr const char* kName = "AllHits";
+  static constexpr const char* kMeaning = "All places where n rays meet a surface.";
+  static constexpr auto kList = std::tuple(
+      list("offsets", &AllHits::offsets, "n + 1",
+           "Ray i has the crossings offsets[i] to offsets[i + 1]."),
+      list("lower", &AllHits::lower, "m", "The t of each crossing is at least this."),
+      list("upper", &AllHits::upper, "m", "The t of each crossing is at most this."),
+      list("kind", &AllHits::kind, "m", "How the ray passes there."),
+      list("triangle_offsets", &AllHits::triangle_offsets, "m + 1",
+           "Crossing j has the triangles triangle_offsets[j] to triangle_offsets[j + 1]."),
+      list("triangle", &AllHits::triangle, "k", "Triangles of all crossings."),
+      list("coverage", &AllHits::coverage, "n", "How much of the question is decided."),
+      list("costs", &AllHits::costs, "n", "Work done."),
+      field("cost", &AllHits::cost, "Work done for all rays together."));
 };
 
 /// Every triangle that `rays` meet, each at the least t of its points on the ray. Crossings of one

@@ -19,11 +19,13 @@
 #include "soms/base/bracket.h"
 #include "soms/base/parallel.h"
 #include "soms/base/vector.h"
+#include "soms/describe/fields.h"
 #include "soms/query/closest.h"
 #include "soms/query/contains.h"
 
 #include <cstddef>
 #include <span>
+#include <tuple>
 #include <vector>
 
 namespace soms {
@@ -61,6 +63,20 @@ struct SignedClosestBatch {
 
   /// The answer for a point.
   [[nodiscard]] SignedClosest at(std::size_t point) const;
+};
+
+template <>
+struct Fields<SignedClosest> {
+  static constexpr const char* kName = "SignedClosest";
+  static constexpr const char* kMeaning = "Answer of closest for a point and a ClosedBody.";
+  static constexpr const char* kBatchName = "SignedClosestBatch";
+  static constexpr const char* kBatchMeaning = "Answers of closest for n points and a ClosedBody.";
+  static constexpr const char* kRows = "points";
+  using Batch = SignedClosestBatch;
+  static constexpr auto kList = std::tuple(
+      field("closest", &SignedClosest::closest, &Batch::closest,
+            "The nearest point of the surface."),
+      field("side", &SignedClosest::side, &Batch::side, "Where the point lies, as contains says."));
 };
 
 /// The same for each of `points`: the answers and costs of single queries.

@@ -2,6 +2,7 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
+#include "soms/describe/columns.h"
 #include "soms/query/detail/engine/batch.h"
 #include "soms/query/detail/engine/pair_frame.h"
 #include "soms/query/detail/solid/solid_search.h"
@@ -39,14 +40,6 @@ std::optional<ClosedBody> placed(const ClosedBody& mover, const Pose& pose) {
   }
 }
 
-void put(const Solid& answer, std::size_t pose, SolidBatch& batch) {
-  batch.relation[pose] = answer.relation;
-  batch.surfaces_meet[pose] = answer.surfaces_meet ? 1 : 0;
-  batch.why[pose] = answer.why;
-  batch.coverage[pose] = answer.coverage;
-  batch.costs[pose] = answer.cost;
-}
-
 /// Answers a block of poses: contacts of all first, then what else it takes for each.
 void answer_block(const ClosedBody& mover, std::span<const Pose> poses, const ClosedBody& fixed,
                   const SolidOptions& options, const Parallel& parallel, std::size_t begin,
@@ -64,11 +57,11 @@ void answer_block(const ClosedBody& mover, std::span<const Pose> poses, const Cl
       contact.pair = found.pairs_of(i).front();
     }
     const std::optional<ClosedBody> a = placed(mover, poses[i]);
-    put(a ? detail::solid_relation(*a, fixed, contact, options, parallel)
-          : Solid{.surfaces_meet = contact.pair.has_value(),
-                  .why = Undecided::open,
-                  .cost = contact.cost},
-        begin + i, batch);
+    put_columns(a ? detail::solid_relation(*a, fixed, contact, options, parallel)
+                  : Solid{.surfaces_meet = contact.pair.has_value(),
+                          .why = Undecided::open,
+                          .cost = contact.cost},
+                begin + i, batch);
   }
 }
 
@@ -97,7 +90,7 @@ Solid solid(const Body& a, const Body& b, const SolidOptions& options, const Par
 }
 
 Solid SolidBatch::at(std::size_t pose) const {
-  return {relation[pose], surfaces_meet[pose] != 0, why[pose], coverage[pose], costs[pose]};
+  return row_of<Solid>(*this, pose);
 }
 
 SolidBatch solid(const ClosedBody& mover, std::span<const Pose> poses, const ClosedBody& fixed,
@@ -105,12 +98,9 @@ SolidBatch solid(const ClosedBody& mover, std::span<const Pose> poses, const Clo
   const PlainArithmetic plain;
   SolidBatch batch;
   detail::check_poses(poses, mover.body().shape);
-  batch.relation.assign(poses.size(), Relation::clear);
-  batch.surfaces_meet.assign(poses.size(), 0);
-  batch.why.assign(poses.size(), Undecided::none);
-  batch.coverage.assign(poses.size(), Coverage::complete);
-  batch.costs.resize(poses.size());
+  resize_columns<Solid>(batch, poses.size());
   if (any_empty(mover, fixed)) {
+    batch.relation.assign(poses.size(), Relation::clear);
     return batch;
   }
   const Parallel alone{.threads = 1, .stop = parallel.stop};
@@ -120,7 +110,7 @@ SolidBatch solid(const ClosedBody& mover, std::span<const Pose> poses, const Clo
         answer_block(mover, poses.subspan(begin, end - begin), fixed, options, alone, begin, memory,
                      batch);
       });
-  batch.cost = detail::sum_of(batch.costs);
+  sum_costs<Solid>(batch);
   return batch;
 }
 

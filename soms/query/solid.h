@@ -22,6 +22,8 @@
 #pragma once
 
 #include "soms/base/parallel.h"
+#include "soms/base/words.h"
+#include "soms/describe/fields.h"
 #include "soms/query/answer.h"
 #include "soms/query/body.h"
 #include "soms/query/contains.h"
@@ -31,6 +33,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <vector>
 
 namespace soms {
@@ -46,12 +49,22 @@ enum class Relation : unsigned char {
   undecided,  ///< see Undecided
 };
 
+template <>
+inline constexpr auto kWords<Relation> = words("Relation",
+                                               "How two closed bodies stand to each other.",
+                                               "clear", "touching", "crossing", "a_in_b", "b_in_a",
+                                               "same", "undecided");
+
 /// Why a relation is undecided.
 enum class Undecided : unsigned char {
   none,      ///< it is decided
   deadline,  ///< the deadline passed first
   open,      ///< a T-junction of the mover opens where this pose rounds it
 };
+
+template <>
+inline constexpr auto kWords<Undecided> = words("Undecided", "Why a relation is undecided.", "none",
+                                                "deadline", "open");
 
 /// Options of `solid`.
 struct SolidOptions {
@@ -116,6 +129,22 @@ struct SolidBatch {
 
   /// The answer for a pose.
   [[nodiscard]] Solid at(std::size_t pose) const;
+};
+
+template <>
+struct Fields<Solid> {
+  static constexpr const char* kName = "Solid";
+  static constexpr const char* kMeaning = "Answer of solid.";
+  static constexpr const char* kBatchName = "SolidBatch";
+  static constexpr const char* kBatchMeaning = "Answers of solid for n poses.";
+  static constexpr const char* kRows = "poses";
+  using Batch = SolidBatch;
+  static constexpr auto kList = std::tuple(
+      field("relation", &Solid::relation, &Batch::relation, "How the bodies stand to each other."),
+      field("surfaces_meet", &Solid::surfaces_meet, &Batch::surfaces_meet,
+            "Triangles of the two overlap."),
+      field("why", &Solid::why, &Batch::why, "Why the relation is undecided."),
+      coverage_field(&Solid::coverage, &Batch::coverage), cost_field(&Solid::cost, &Batch::costs));
 };
 
 /// `solid` of `mover` at each of `poses`, in place of its own, and `fixed`: the answers of single

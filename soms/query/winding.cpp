@@ -2,6 +2,7 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
+#include "soms/describe/columns.h"
 #include "soms/query/detail/engine/pair_frame.h"
 #include "soms/query/detail/near/point_query.h"
 #include "soms/query/detail/parity/crossing_batch.h"
@@ -62,7 +63,7 @@ Winding winding(const WindingIndex& index, const Vec3& point, const WindingOptio
 }
 
 Winding WindingBatch::at(std::size_t point) const {
-  return {side[point], number[point], coverages[point], costs[point]};
+  return row_of<Winding>(*this, point);
 }
 
 WindingBatch winding(const WindingIndex& index, std::span<const Vec3> points,
@@ -71,16 +72,16 @@ WindingBatch winding(const WindingIndex& index, std::span<const Vec3> points,
   check_width(options.width);
   detail::check_points(points);
   WindingBatch answer;
-  answer.costs.resize(points.size());
-  if (detail::is_empty(index.body().shape)) {
-    answer.side.assign(points.size(), Side::outside);
-    answer.number.assign(points.size(), {});
-    answer.coverages.assign(points.size(), Coverage::complete);
+  resize_columns<Winding>(answer, points.size());
+  const bool empty = detail::is_empty(index.body().shape);
+  const Winding first = empty ? Winding{.side = Side::outside}
+                              : Winding{.number = kAllNumbers, .coverage = Coverage::cut};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    put_columns(first, i, answer);
+  }
+  if (empty) {
     return answer;
   }
-  answer.side.assign(points.size(), Side::undecided);
-  answer.number.assign(points.size(), kAllNumbers);
-  answer.coverages.assign(points.size(), Coverage::cut);
   const Body& body = index.body();
   const WindingTree& tree = detail::tree_of(index);
   const ParityFrame frame(body.shape.layout(), body.pose);
@@ -89,15 +90,16 @@ WindingBatch winding(const WindingIndex& index, std::span<const Vec3> points,
       [&](WindingTree::Memory& memory, std::size_t i, const PointCrossings& met, Limit& limit) {
         const bool forward = frame.start(points[i]).sign > 0;
         Cost cost;
-        answer.number[i] =
+        const Bracket number =
             tree.number(body, points[i], frame.axis(), forward, met, options.width, memory, cost);
-        answer.side[i] = side_of(answer.number[i], !met.on.empty());
-        answer.coverages[i] = Coverage::complete;
+        answer.lower[i] = number.lower;
+        answer.upper[i] = number.upper;
+        answer.side[i] = side_of(number, !met.on.empty());
+        answer.coverage[i] = Coverage::complete;
         answer.costs[i] += cost;
         static_cast<void>(limit.spend(1 + cost.triangle_tests + cost.node_tests));
       });
-  answer.cost = detail::sum_of(answer.costs);
-  answer.coverage = detail::coverage_of(answer.coverages);
+  sum_costs<Winding>(answer);
   return answer;
 }
 

@@ -24,6 +24,7 @@
 #include "soms/base/bracket.h"
 #include "soms/base/parallel.h"
 #include "soms/base/vector.h"
+#include "soms/describe/fields.h"
 #include "soms/query/answer.h"
 #include "soms/query/body.h"
 #include "soms/query/contains.h"
@@ -34,6 +35,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <vector>
 
 namespace soms {
@@ -125,12 +127,12 @@ struct Winding {
 
 /// Answers for a batch of points: columns, one entry a point, as those of `Winding`.
 struct WindingBatch {
-  std::vector<Side> side;                  ///< n
-  std::vector<Bracket> number;             ///< n
-  std::vector<Coverage> coverages;         ///< n
-  std::vector<Cost> costs;                 ///< n
-  Coverage coverage = Coverage::complete;  ///< `cut` if that of a point is
-  Cost cost;                               ///< of all points together
+  std::vector<Side> side;          ///< n
+  std::vector<double> lower;       ///< n, of the number
+  std::vector<double> upper;       ///< n, of the number
+  std::vector<Coverage> coverage;  ///< n
+  std::vector<Cost> costs;         ///< n
+  Cost cost;                       ///< of all points together
 
   [[nodiscard]] bool operator==(const WindingBatch&) const = default;
 
@@ -138,6 +140,22 @@ struct WindingBatch {
 
   /// The answer for a point.
   [[nodiscard]] Winding at(std::size_t point) const;
+};
+
+template <>
+struct Fields<Winding> {
+  static constexpr const char* kName = "Winding";
+  static constexpr const char* kMeaning = "Answer of winding for a point.";
+  static constexpr const char* kBatchName = "WindingBatch";
+  static constexpr const char* kBatchMeaning = "Answers of winding for n points.";
+  static constexpr const char* kRows = "points";
+  using Batch = WindingBatch;
+  static constexpr auto kList = std::tuple(
+      field("side", &Winding::side, &Batch::side, "Where the point lies, by the number."),
+      field("number", &Winding::number, BracketColumns<Batch>{&Batch::lower, &Batch::upper},
+            "The winding number"),
+      coverage_field(&Winding::coverage, &Batch::coverage),
+      cost_field(&Winding::cost, &Batch::costs));
 };
 
 /// `winding` for each of `points`: the answers of single queries, sooner.

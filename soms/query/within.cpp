@@ -1,6 +1,7 @@
 #include "soms/query/within.h"
 
 #include "soms/base/arithmetic.h"
+#include "soms/describe/columns.h"
 #include "soms/query/detail/near/near_question.h"
 
 #include <limits>
@@ -43,15 +44,6 @@ class WithinQuery {
     return {.at_least = std::numeric_limits<double>::infinity()};
   }
 
-  void resize(WithinBatch& batch, std::size_t size) const {
-    detail::resize_columns(size, batch.within, batch.at_least);
-  }
-
-  void put(const Within& answer, std::size_t pose, WithinBatch& batch) const {
-    batch.within[pose] = answer.within ? 1 : 0;
-    batch.at_least[pose] = answer.at_least;
-  }
-
  private:
   double clearance_;
   WithinOptions options_;
@@ -71,16 +63,15 @@ Within within(const Body& a, const Body& b, double clearance, const WithinOption
 }
 
 Within WithinBatch::at(std::size_t pose) const {
-  return {within[pose] != 0, triangles[pose], point_a[pose], point_b[pose],
-          at_least[pose],    coverage[pose],  costs[pose]};
+  return row_of<Within>(*this, pose);
 }
 
 WithinBatch within(const Shape& mover, std::span<const Pose> poses, const Body& fixed,
                    double clearance, const WithinOptions& options, const Parallel& parallel) {
   const PlainArithmetic plain;
   check_clearance(clearance);
-  return detail::ask_near_batch<WithinBatch>(WithinQuery(clearance, options), mover, poses, fixed,
-                                             parallel);
+  return detail::ask_near_batch<Within>(WithinQuery(clearance, options), mover, poses, fixed,
+                                        parallel);
 }
 
 }  // namespace soms

@@ -19,6 +19,7 @@
 
 #include "soms/base/parallel.h"
 #include "soms/base/vector.h"
+#include "soms/describe/fields.h"
 #include "soms/query/answer.h"
 #include "soms/query/body.h"
 
@@ -27,6 +28,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <vector>
 
 namespace soms {
@@ -82,6 +84,27 @@ struct WithinBatch {
 
   /// The answer for a pose.
   [[nodiscard]] Within at(std::size_t pose) const;
+};
+
+template <>
+struct Fields<Within> {
+  static constexpr const char* kName = "Within";
+  static constexpr const char* kMeaning = "Answer of within.";
+  static constexpr const char* kBatchName = "WithinBatch";
+  static constexpr const char* kBatchMeaning = "Answers of within for n poses.";
+  static constexpr const char* kRows = "poses";
+  using Batch = WithinBatch;
+  static constexpr auto kTruth = &Within::within;
+  static constexpr auto kList = std::tuple(
+      field("within", &Within::within, &Batch::within, "The distance is at most the clearance."),
+      field("at_least", &Within::at_least, &Batch::at_least, "A lower bound of the distance."),
+      field("triangles", &Within::triangles, &Batch::triangles, "Some pair within the clearance."),
+      field("point_a", &Within::point_a, &Batch::point_a,
+            "The end of its shortest segment on a, in world.")
+          .where_named(),
+      field("point_b", &Within::point_b, &Batch::point_b, "The other end, on b.").where_named(),
+      coverage_field(&Within::coverage, &Batch::coverage),
+      cost_field(&Within::cost, &Batch::costs));
 };
 
 /// `within` of `mover` at each of `poses` and `fixed`: the answers of single queries.

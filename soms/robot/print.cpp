@@ -8,11 +8,6 @@
 
 namespace soms {
 
-std::ostream& operator<<(std::ostream& out, RobotVerdict value) {
-  return out << printed_name("RobotVerdict", static_cast<int>(value),
-                             {"free", "contact", "undecided"});
-}
-
 std::ostream& operator<<(std::ostream& out, const RobotPair& value) {
   return out << PrintedFields("RobotPair")
                     .add("link", value.link)

@@ -2,6 +2,8 @@
 /// Answers about robots printed by `<<`: "RobotAnswer{contact, 2 contacts, ...}".
 #pragma once
 
+#include "soms/robot/robot_query.h"
+
 #include <iosfwd>
 
 namespace soms {
@@ -17,7 +19,6 @@ struct RobotOptions;
 struct RobotPair;
 
 /// One line, as in soms/base/print.h. Lists are counted, not listed.
-std::ostream& operator<<(std::ostream& out, RobotVerdict value);
 std::ostream& operator<<(std::ostream& out, const RobotAnswer& value);
 std::ostream& operator<<(std::ostream& out, const RobotMeshPart& value);
 std::ostream& operator<<(std::ostream& out, const RobotBody& value);

@@ -23,6 +23,7 @@
 #include "soms/base/bracket.h"
 #include "soms/base/parallel.h"
 #include "soms/base/vector.h"
+#include "soms/base/words.h"
 #include "soms/query/answer.h"
 #include "soms/robot/robot_model.h"
 
@@ -42,6 +43,11 @@ enum class RobotVerdict : unsigned char {
   contact,    ///< something does
   undecided,  ///< nothing touches for sure, and a pair was not decided: RobotAnswer::undecided
 };
+
+template <>
+inline constexpr auto kWords<RobotVerdict> =
+    words("RobotVerdict", "What a state of a robot is: free, with contact, or not decided.", "free",
+          "contact", "undecided");
 
 /// A pair that touches.
 struct RobotContact {

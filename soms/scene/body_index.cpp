@@ -2,6 +2,7 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
+#include "soms/describe/columns.h"
 #include "soms/scene/detail/residents.h"
 #include "soms/scene/detail/search/body_search.h"
 
@@ -24,11 +25,11 @@ struct BodyIndex::Content {
 };
 
 BodyClosest BodyClosestBatch::at(std::size_t i) const {
-  return {ClosestBatch::at(i), body[i]};
+  return row_of<BodyClosest>(*this, i);
 }
 
 BodyHit BodyHitBatch::at(std::size_t i) const {
-  return {ClosestHitBatch::at(i), body[i]};
+  return row_of<BodyHit>(*this, i);
 }
 
 BodyIndex::BodyIndex() : BodyIndex(std::span<const Body>()) {

@@ -20,6 +20,7 @@
 
 #include "soms/base/parallel.h"
 #include "soms/base/vector.h"
+#include "soms/describe/fields.h"
 #include "soms/query/body.h"
 #include "soms/query/closest.h"
 #include "soms/query/ray.h"
@@ -29,6 +30,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <vector>
 
 namespace soms {
@@ -53,6 +55,19 @@ struct BodyClosestBatch : ClosestBatch {
   [[nodiscard]] BodyClosest at(std::size_t point) const;
 };
 
+template <>
+struct Fields<BodyClosest> {
+  static constexpr const char* kName = "BodyClosest";
+  static constexpr const char* kMeaning = "Answer of closest about a BodyIndex.";
+  static constexpr const char* kBatchName = "BodyClosestBatch";
+  static constexpr const char* kBatchMeaning = "Answers of closest about a BodyIndex.";
+  static constexpr const char* kRows = "points";
+  using Base = Closest;
+  using Batch = BodyClosestBatch;
+  static constexpr auto kList =
+      std::tuple(field("body", &BodyClosest::body, &Batch::body, "Which body it is."));
+};
+
 /// The first hit of a ray on many bodies: the answer of `closest_hit` for the body that is hit
 /// first.
 struct BodyHit : ClosestHit {
@@ -73,12 +88,34 @@ struct BodyHitBatch : ClosestHitBatch {
   [[nodiscard]] BodyHit at(std::size_t ray) const;
 };
 
+template <>
+struct Fields<BodyHit> {
+  static constexpr const char* kName = "BodyHit";
+  static constexpr const char* kMeaning = "Answer of closest_hit about a BodyIndex.";
+  static constexpr const char* kBatchName = "BodyHitBatch";
+  static constexpr const char* kBatchMeaning = "Answers of closest_hit about a BodyIndex.";
+  static constexpr const char* kRows = "rays";
+  using Base = ClosestHit;
+  using Batch = BodyHitBatch;
+  static constexpr auto kList =
+      std::tuple(field("body", &BodyHit::body, &Batch::body, "Which body it is."));
+};
+
 /// All places where rays meet many bodies: the columns of AllHits, and the bodies. A crossing is of
 /// one body.
 struct BodyAllHits : AllHits {
   std::vector<std::uint32_t> body = {};  ///< m
 
   [[nodiscard]] bool operator==(const BodyAllHits&) const = default;
+};
+
+template <>
+struct Fields<BodyAllHits> {
+  static constexpr const char* kName = "BodyAllHits";
+  static constexpr const char* kMeaning = "All places where n rays meet many bodies.";
+  using Base = AllHits;
+  static constexpr auto kList =
+      std::tuple(list("body", &BodyAllHits::body, "m", "The body of each crossing."));
 };
 
 /// Which bodies take part in a query of many.

@@ -24,6 +24,7 @@
 #include "soms/base/parallel.h"
 #include "soms/base/pose.h"
 #include "soms/base/vector.h"
+#include "soms/base/words.h"
 #include "soms/query/answer.h"
 #include "soms/query/body.h"
 #include "soms/scene/motion_path.h"
@@ -91,6 +92,11 @@ enum class ClearanceVerdict : std::uint8_t {
   contact,    ///< the surfaces overlap somewhere
   undecided,  ///< neither is proved within the accuracy
 };
+
+template <>
+inline constexpr auto kWords<ClearanceVerdict> = words("ClearanceVerdict",
+                                                       "What a stretch of a path is.", "ok",
+                                                       "below", "contact", "undecided");
 
 /// The verdict on a station, and on a stretch. \pre `clearance` >= 0.
 [[nodiscard]] ClearanceVerdict verdict(const ClearanceStation& station, double clearance);

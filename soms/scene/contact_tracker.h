@@ -22,10 +22,13 @@
 /// \endverbatim
 #pragma once
 
+#include "soms/base/words.h"
+#include "soms/describe/fields.h"
 #include "soms/scene/step_report.h"
 
 #include <compare>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 namespace soms {
@@ -37,6 +40,11 @@ enum class ContactChange : std::uint8_t {
   end,    ///< they do not touch, and did before; one of them may have been removed
 };
 
+template <>
+inline constexpr auto kWords<ContactChange> =
+    words("ContactChange", "What became of a contact of two bodies since the step before.", "begin",
+          "stay", "end");
+
 /// Change of a contact between a mover and a part of the environment, which is a whole body.
 struct EnvironmentEvent {
   MoverId mover = 0;
@@ -46,6 +54,16 @@ struct EnvironmentEvent {
   [[nodiscard]] auto operator<=>(const EnvironmentEvent&) const = default;
 };
 
+template <>
+struct Fields<EnvironmentEvent> {
+  static constexpr const char* kName = "EnvironmentEvent";
+  static constexpr const char* kMeaning = "Change of a contact with the environment.";
+  static constexpr auto kList =
+      std::tuple(field("mover", &EnvironmentEvent::mover, "The mover."),
+                 field("part", &EnvironmentEvent::part, "Number of the body of the environment."),
+                 field("change", &EnvironmentEvent::change, "What became of the contact."));
+};
+
 /// Change of a contact between two movers; `a` is less than `b`.
 struct MoverEvent {
   MoverId a = 0;
@@ -53,6 +71,16 @@ struct MoverEvent {
   ContactChange change = ContactChange::begin;
 
   [[nodiscard]] auto operator<=>(const MoverEvent&) const = default;
+};
+
+template <>
+struct Fields<MoverEvent> {
+  static constexpr const char* kName = "MoverEvent";
+  static constexpr const char* kMeaning = "Change of a contact between two movers.";
+  static constexpr auto kList =
+      std::tuple(field("a", &MoverEvent::a, "The mover of the lesser number."),
+                 field("b", &MoverEvent::b, "The other mover."),
+                 field("change", &MoverEvent::change, "What became of the contact."));
 };
 
 /// Changes from one step to the next, each pair of bodies once: two sorted lists.

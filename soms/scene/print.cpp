@@ -18,16 +18,6 @@ namespace soms {
 
 namespace {
 
-/// An answer about one of many bodies, and its body: of `Answer`, what `<<` prints of one body.
-template <class Answer, class Value>
-std::ostream& print_with_body(std::ostream& out, const char* name, const Value& value) {
-  PrintedFields fields(name);
-  if (value.body) {
-    fields.add("body", *value.body);
-  }
-  return out << fields.item(printed(static_cast<const Answer&>(value)));
-}
-
 std::ostream& print_filter(std::ostream& out, PrintedFields& fields, const auto& except) {
   if (except) {
     fields.add("except", *except);
@@ -36,10 +26,6 @@ std::ostream& print_filter(std::ostream& out, PrintedFields& fields, const auto&
 }
 
 }  // namespace
-
-std::ostream& operator<<(std::ostream& out, const BodyClosest& value) {
-  return print_with_body<Closest>(out, "BodyClosest", value);
-}
 
 std::ostream& operator<<(std::ostream& out, const BodyClosestBatch& value) {
   return out << PrintedFields("BodyClosestBatch")
@@ -51,10 +37,6 @@ std::ostream& operator<<(std::ostream& out, const BodyFilter& value) {
   return print_filter(out, fields, value.except);
 }
 
-std::ostream& operator<<(std::ostream& out, const BodyHit& value) {
-  return print_with_body<ClosestHit>(out, "BodyHit", value);
-}
-
 std::ostream& operator<<(std::ostream& out, const BodyHitBatch& value) {
   return out
          << PrintedFields("BodyHitBatch").item(printed(static_cast<const ClosestHitBatch&>(value)));
@@ -62,18 +44,6 @@ std::ostream& operator<<(std::ostream& out, const BodyHitBatch& value) {
 
 std::ostream& operator<<(std::ostream& out, const BodyAllHits& value) {
   return out << PrintedFields("BodyAllHits").item(printed(static_cast<const AllHits&>(value)));
-}
-
-std::ostream& operator<<(std::ostream& out, SceneBodyKind value) {
-  return out << printed_name("SceneBodyKind", static_cast<int>(value), {"environment", "mover"});
-}
-
-std::ostream& operator<<(std::ostream& out, const SceneBody& value) {
-  return out << PrintedFields("SceneBody").add("kind", value.kind).add("id", value.id);
-}
-
-std::ostream& operator<<(std::ostream& out, const SceneClosest& value) {
-  return print_with_body<Closest>(out, "SceneClosest", value);
 }
 
 std::ostream& operator<<(std::ostream& out, const SceneClosestBatch& value) {
@@ -87,10 +57,6 @@ std::ostream& operator<<(std::ostream& out, const SceneFilter& value) {
   return print_filter(out, fields, value.except);
 }
 
-std::ostream& operator<<(std::ostream& out, const SceneHit& value) {
-  return print_with_body<ClosestHit>(out, "SceneHit", value);
-}
-
 std::ostream& operator<<(std::ostream& out, const SceneHitBatch& value) {
   return out << PrintedFields("SceneHitBatch")
                     .item(printed(static_cast<const ClosestHitBatch&>(value)));
@@ -98,46 +64,6 @@ std::ostream& operator<<(std::ostream& out, const SceneHitBatch& value) {
 
 std::ostream& operator<<(std::ostream& out, const SceneAllHits& value) {
   return out << PrintedFields("SceneAllHits").item(printed(static_cast<const AllHits&>(value)));
-}
-
-std::ostream& operator<<(std::ostream& out, const EnvironmentContact& value) {
-  return out << PrintedFields("EnvironmentContact")
-                    .add("mover", value.mover)
-                    .add("part", value.part)
-                    .add("i", value.i)
-                    .add("j", value.j);
-}
-
-std::ostream& operator<<(std::ostream& out, const MoverContact& value) {
-  return out << PrintedFields("MoverContact")
-                    .add("a", value.a)
-                    .add("b", value.b)
-                    .add("i", value.i)
-                    .add("j", value.j);
-}
-
-std::ostream& operator<<(std::ostream& out, const EnvironmentGap& value) {
-  return out << PrintedFields("EnvironmentGap")
-                    .add("mover", value.mover)
-                    .add("part", value.part)
-                    .add("i", value.i)
-                    .add("j", value.j)
-                    .add("lower", value.distance.lower)
-                    .add("upper", value.distance.upper)
-                    .add("point_a", value.point_a)
-                    .add("point_b", value.point_b);
-}
-
-std::ostream& operator<<(std::ostream& out, const MoverGap& value) {
-  return out << PrintedFields("MoverGap")
-                    .add("a", value.a)
-                    .add("b", value.b)
-                    .add("i", value.i)
-                    .add("j", value.j)
-                    .add("lower", value.distance.lower)
-                    .add("upper", value.distance.upper)
-                    .add("point_a", value.point_a)
-                    .add("point_b", value.point_b);
 }
 
 std::ostream& operator<<(std::ostream& out, const Clearance& value) {
@@ -184,11 +110,6 @@ std::ostream& operator<<(std::ostream& out, const ClearanceStretch& value) {
                     .add("queries", value.queries);
 }
 
-std::ostream& operator<<(std::ostream& out, ClearanceVerdict value) {
-  return out << printed_name("ClearanceVerdict", static_cast<int>(value),
-                             {"ok", "below", "contact", "undecided"});
-}
-
 std::ostream& operator<<(std::ostream& out, const FirstContact& value) {
   return out << PrintedFields("FirstContact")
                     .add("free_until", value.free_until)
@@ -202,24 +123,6 @@ std::ostream& operator<<(std::ostream& out, const MotionPath& value) {
                                        ? 0.0
                                        : value.chainage.back() - value.chainage.front())
                     .add("pivot", value.pivot);
-}
-
-std::ostream& operator<<(std::ostream& out, ContactChange value) {
-  return out << printed_name("ContactChange", static_cast<int>(value), {"begin", "stay", "end"});
-}
-
-std::ostream& operator<<(std::ostream& out, const EnvironmentEvent& value) {
-  return out << PrintedFields("EnvironmentEvent")
-                    .add("mover", value.mover)
-                    .add("part", value.part)
-                    .add("change", value.change);
-}
-
-std::ostream& operator<<(std::ostream& out, const MoverEvent& value) {
-  return out << PrintedFields("MoverEvent")
-                    .add("a", value.a)
-                    .add("b", value.b)
-                    .add("change", value.change);
 }
 
 std::ostream& operator<<(std::ostream& out, const ContactEvents& value) {
@@ -251,10 +154,6 @@ std::ostream& operator<<(std::ostream& out, const ContactSpan& value) {
                     .add("place", value.place)
                     .add("box", value.box)
                     .add("lasts", value.lasts);
-}
-
-std::ostream& operator<<(std::ostream& out, StepScope value) {
-  return out << printed_name("StepScope", static_cast<int>(value), {"every_pair", "first_contact"});
 }
 
 std::ostream& operator<<(std::ostream& out, const StepReport& value) {
@@ -290,8 +189,7 @@ std::ostream& operator<<(std::ostream& out, const StepOptions& value) {
 std::ostream& operator<<(std::ostream& out, const RecordedMesh& value) {
   return out << PrintedFields("RecordedMesh")
                     .item(quoted_text(value.name))
-                    .item("origin: " + printed_name("Origin", static_cast<int>(value.origin),
-                                                    {"file", "city", "mover"}))
+                    .add("origin", value.origin)
                     .add("source", value.source)
                     .item(printed_count(value.triangles, "triangle", "triangles"));
 }
@@ -318,11 +216,6 @@ std::ostream& operator<<(std::ostream& out, const RecordedFrame& value) {
                     .add("movers", value.movers.size())
                     .add("environment_gaps", value.environment_gaps.size())
                     .add("mover_gaps", value.mover_gaps.size());
-}
-
-std::ostream& operator<<(std::ostream& out, RecordingEnding value) {
-  return out << printed_name("RecordingEnding", static_cast<int>(value),
-                             {"complete", "timed_out", "interrupted"});
 }
 
 std::ostream& operator<<(std::ostream& out, const RecordingEnd& value) {

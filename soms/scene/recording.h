@@ -24,6 +24,7 @@
 
 #include "soms/base/hash.h"
 #include "soms/base/pose.h"
+#include "soms/base/words.h"
 #include "soms/geometry/mesh.h"
 #include "soms/scene/scene.h"
 
@@ -58,6 +59,12 @@ struct RecordedMesh {
 
   [[nodiscard]] bool operator==(const RecordedMesh&) const = default;
 };
+
+template <>
+inline constexpr auto kWords<RecordedMesh::Origin> =
+    words("RecordedOrigin",
+          "What a recorded mesh is from: a file, or generate(\"city\"), or generate of a mover.",
+          "file", "city", "mover");
 
 /// A body that stands still; part k of the environment is body k.
 struct RecordedBody {
@@ -95,6 +102,11 @@ struct RecordedFrame {
 
 /// How a recording came to its end.
 enum class RecordingEnding : std::uint8_t { complete, timed_out, interrupted };
+
+template <>
+inline constexpr auto kWords<RecordingEnding> = words("RecordingEnding",
+                                                      "How a recording came to its end.",
+                                                      "complete", "timed_out", "interrupted");
 
 /// What a whole recording ends with.
 struct RecordingEnd {

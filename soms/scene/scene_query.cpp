@@ -2,6 +2,7 @@
 #include "soms/scene/scene_query.h"
 
 #include "soms/base/arithmetic.h"
+#include "soms/describe/columns.h"
 #include "soms/scene/detail/scene_state.h"
 #include "soms/scene/detail/search/body_search.h"
 #include "soms/scene/scene.h"
@@ -118,11 +119,11 @@ class Scene::View {
 };
 
 SceneClosest SceneClosestBatch::at(std::size_t i) const {
-  return {ClosestBatch::at(i), body[i]};
+  return row_of<SceneClosest>(*this, i);
 }
 
 SceneHit SceneHitBatch::at(std::size_t i) const {
-  return {ClosestHitBatch::at(i), body[i]};
+  return row_of<SceneHit>(*this, i);
 }
 
 SceneClosest Scene::closest(const Vec3& point, const ClosestOptions& options,

@@ -4,11 +4,14 @@
 
 #include "soms/base/bracket.h"
 #include "soms/base/vector.h"
+#include "soms/base/words.h"
+#include "soms/describe/fields.h"
 #include "soms/geometry/mesh.h"
 #include "soms/query/answer.h"
 
 #include <compare>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 namespace soms {
@@ -27,6 +30,18 @@ struct EnvironmentContact {
   [[nodiscard]] auto operator<=>(const EnvironmentContact&) const = default;
 };
 
+template <>
+struct Fields<EnvironmentContact> {
+  static constexpr const char* kName = "EnvironmentContact";
+  static constexpr const char* kMeaning =
+      "A triangle of a mover touches a triangle of the environment.";
+  static constexpr auto kList =
+      std::tuple(field("mover", &EnvironmentContact::mover, "The mover."),
+                 field("part", &EnvironmentContact::part, "Number of the body of the environment."),
+                 field("i", &EnvironmentContact::i, "Triangle of the mover."),
+                 field("j", &EnvironmentContact::j, "Triangle of that body."));
+};
+
 /// A triangle of one mover touches a triangle of another; `a` is less than `b`.
 struct MoverContact {
   MoverId a = 0;
@@ -35,6 +50,17 @@ struct MoverContact {
   TriangleId j = 0;  ///< triangle of b
 
   [[nodiscard]] auto operator<=>(const MoverContact&) const = default;
+};
+
+template <>
+struct Fields<MoverContact> {
+  static constexpr const char* kName = "MoverContact";
+  static constexpr const char* kMeaning = "A triangle of one mover touches a triangle of another.";
+  static constexpr auto kList =
+      std::tuple(field("a", &MoverContact::a, "The mover of the lesser number."),
+                 field("b", &MoverContact::b, "The other mover."),
+                 field("i", &MoverContact::i, "Triangle of a."),
+                 field("j", &MoverContact::j, "Triangle of b."));
 };
 
 /// A mover is within the clearance of a body of the environment and does not touch it.
@@ -50,6 +76,22 @@ struct EnvironmentGap {
   [[nodiscard]] bool operator==(const EnvironmentGap&) const = default;
 };
 
+template <>
+struct Fields<EnvironmentGap> {
+  static constexpr const char* kName = "EnvironmentGap";
+  static constexpr const char* kMeaning =
+      "A mover is within the clearance of a body of the environment.";
+  static constexpr auto kList =
+      std::tuple(field("mover", &EnvironmentGap::mover, "The mover."),
+                 field("part", &EnvironmentGap::part, "Number of the body of the environment."),
+                 field("i", &EnvironmentGap::i, "Triangle of the mover."),
+                 field("j", &EnvironmentGap::j, "Triangle of that body."),
+                 field("distance", &EnvironmentGap::distance, "The distance"),
+                 field("point_a", &EnvironmentGap::point_a,
+                       "The end of a shortest segment on the first, in world."),
+                 field("point_b", &EnvironmentGap::point_b, "The other end."));
+};
+
 /// Two movers are within the clearance of each other and do not touch; `a` is less than `b`.
 struct MoverGap {
   MoverId a = 0;
@@ -63,6 +105,19 @@ struct MoverGap {
   [[nodiscard]] bool operator==(const MoverGap&) const = default;
 };
 
+template <>
+struct Fields<MoverGap> {
+  static constexpr const char* kName = "MoverGap";
+  static constexpr const char* kMeaning = "Two movers are within the clearance of each other.";
+  static constexpr auto kList = std::tuple(
+      field("a", &MoverGap::a, "The mover of the lesser number."),
+      field("b", &MoverGap::b, "The other mover."), field("i", &MoverGap::i, "Triangle of a."),
+      field("j", &MoverGap::j, "Triangle of b."),
+      field("distance", &MoverGap::distance, "The distance"),
+      field("point_a", &MoverGap::point_a, "The end of a shortest segment on the first, in world."),
+      field("point_b", &MoverGap::point_b, "The other end."));
+};
+
 /// Which pairs of bodies a step compares.
 enum class StepScope {
   every_pair,  ///< all whose boxes meet: every pair of bodies that touch is reported
@@ -70,6 +125,12 @@ enum class StepScope {
   /// reported, with one contact that shows it.
   first_contact,
 };
+
+template <>
+inline constexpr auto kWords<StepScope> = words(
+    "StepScope",
+    "Which pairs of bodies a step compares: all, or those of a mover up to its first contact.",
+    "every_pair", "first_contact");
 
 /// What a step found: sorted lists, the same bytes for any number of threads. A pair of bodies has
 /// contacts or one gap, never both.

@@ -34,25 +34,6 @@ std::ostream& operator<<(std::ostream& out, const TraversalOptions& value) {
                     .add("update", value.update);
 }
 
-std::ostream& operator<<(std::ostream& out, Traversal value) {
-  return out << printed_name("Traversal", static_cast<int>(value),
-                             {"fast", "a_first", "b_first", "alternate", "larger", "simultaneous",
-                              "ericson", "larsson", "e_node", "e_node_front"});
-}
-
-std::ostream& operator<<(std::ostream& out, Descent value) {
-  return out << printed_name("Descent", static_cast<int>(value),
-                             {"both", "larger", "cross", "fewest"});
-}
-
-std::ostream& operator<<(std::ostream& out, EntryOrder value) {
-  return out << printed_name("EntryOrder", static_cast<int>(value), {"tree", "volume"});
-}
-
-std::ostream& operator<<(std::ostream& out, BoxUpdate value) {
-  return out << printed_name("BoxUpdate", static_cast<int>(value), {"refit", "rebox"});
-}
-
 std::ostream& thesis::operator<<(std::ostream& out, const CountedOverlap& value) {
   return out
          << PrintedFields("CountedOverlap").add("answer", value.answer).add("counts", value.counts);

@@ -2,14 +2,12 @@
 /// Traversals, their options and their counts, printed by `<<`.
 #pragma once
 
+#include "soms/thesis/traversal_options.h"
+
 #include <iosfwd>
 
 namespace soms {
 
-enum class BoxUpdate;
-enum class Descent;
-enum class EntryOrder;
-enum class Traversal;
 struct NodePair;
 struct TraversalCounts;
 struct TraversalOptions;
@@ -18,10 +16,6 @@ struct TraversalOptions;
 std::ostream& operator<<(std::ostream& out, const TraversalCounts& value);
 std::ostream& operator<<(std::ostream& out, const NodePair& value);
 std::ostream& operator<<(std::ostream& out, const TraversalOptions& value);
-std::ostream& operator<<(std::ostream& out, Traversal value);
-std::ostream& operator<<(std::ostream& out, Descent value);
-std::ostream& operator<<(std::ostream& out, EntryOrder value);
-std::ostream& operator<<(std::ostream& out, BoxUpdate value);
 
 namespace thesis {
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "soms/base/idle_option.h"
+#include "soms/base/words.h"
 
 #include <vector>
 
@@ -22,17 +23,35 @@ enum class Traversal {
   e_node_front,  ///< E-Node that starts from the last front (a session keeps it)
 };
 
+template <>
+inline constexpr auto kWords<Traversal> = words("Traversal", "Which traversal of the thesis it is.",
+                                                "fast", "a_first", "b_first", "alternate", "larger",
+                                                "simultaneous", "ericson", "larsson", "e_node",
+                                                "e_node_front");
+
 /// Which child pairs E-Node tests.
 enum class Descent { both, larger, cross, fewest };
 
+template <>
+inline constexpr auto kWords<Descent> = words("Descent", "Which node is descended into first.",
+                                              "both", "larger", "cross", "fewest");
+
 /// Order in which E-Node enters overlapping child pairs.
 enum class EntryOrder { tree, volume };
+
+template <>
+inline constexpr auto kWords<EntryOrder> = words("EntryOrder", "In which order nodes are entered.",
+                                                 "tree", "volume");
 
 /// How node boxes follow a pose.
 enum class BoxUpdate {
   refit,  ///< recomputed from the moved vertices: exact bounds
   rebox,  ///< bounds of the eight moved corners, widened outward: looser, cheaper
 };
+
+template <>
+inline constexpr auto kWords<BoxUpdate> = words("BoxUpdate", "How boxes follow what moves.",
+                                                "refit", "rebox");
 
 /// Options of a named traversal; `fast` has none. One that has no effect beside `traversal` stays
 /// at its default, or the query is refused (`idle_options`).

@@ -1,5 +1,6 @@
 // How far is a mover from tiles, and is it within a clearance of them?
 #include "soms/base/arithmetic.h"
+#include "soms/describe/columns.h"
 #include "soms/geometry/detail/pair_distance.h"
 #include "soms/query/detail/engine/batch.h"
 #include "soms/query/detail/moved_triangle.h"
@@ -163,17 +164,9 @@ DistanceBatch distance(const Shape& mover, std::span<const Pose> poses, const Ti
   DistanceBatch batch = distance(mover, poses, Body(), options);
   for_each_pose(mover, poses, tiles, parallel,
                 [&](std::size_t row, const Body& body, const Parallel& threads) {
-                  const Distance answer = distance_of(body, tiles, options, threads);
-                  batch.lower[row] = answer.distance.lower;
-                  batch.upper[row] = answer.distance.upper;
-                  batch.triangles[row] = answer.triangles;
-                  batch.point_a[row] = answer.point_a;
-                  batch.point_b[row] = answer.point_b;
-                  batch.farther[row] = answer.farther ? 1 : 0;
-                  batch.coverage[row] = answer.coverage;
-                  batch.costs[row] = answer.cost;
+                  put_columns(distance_of(body, tiles, options, threads), row, batch);
                 });
-  batch.cost = detail::sum_of(batch.costs);
+  sum_costs<Distance>(batch);
   return batch;
 }
 
@@ -186,16 +179,9 @@ WithinBatch within(const Shape& mover, std::span<const Pose> poses, const TiledB
   WithinBatch batch = within(mover, poses, Body(), clearance, options);  // checks the clearance
   for_each_pose(mover, poses, tiles, parallel,
                 [&](std::size_t row, const Body& body, const Parallel& threads) {
-                  const Within answer = within_of(body, tiles, clearance, options, threads);
-                  batch.within[row] = answer.within ? 1 : 0;
-                  batch.triangles[row] = answer.triangles;
-                  batch.point_a[row] = answer.point_a;
-                  batch.point_b[row] = answer.point_b;
-                  batch.at_least[row] = answer.at_least;
-                  batch.coverage[row] = answer.coverage;
-                  batch.costs[row] = answer.cost;
+                  put_columns(within_of(body, tiles, clearance, options, threads), row, batch);
                 });
-  batch.cost = detail::sum_of(batch.costs);
+  sum_costs<Within>(batch);
   return batch;
 }
 

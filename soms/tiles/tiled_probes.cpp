@@ -1,6 +1,7 @@
 // The point of tiles that is nearest to another one, and what rays hit first.
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
+#include "soms/describe/columns.h"
 #include "soms/query/detail/engine/batch.h"
 #include "soms/scene/detail/search/measures.h"
 #include "soms/tiles/detail/nearest_tile.h"
@@ -161,16 +162,9 @@ ClosestHitBatch first_hits(const TiledBody& body, std::span<const Line> lines,
   const detail::TileBoxes tiles(body);
   ClosestHitBatch batch = closest_hit(Body(), lines);
   for_each_line(lines, tiles, parallel, [&](std::size_t row) {
-    const ClosestHit answer = first_hit(lines[row], tiles, options);
-    batch.lower[row] = answer.t.lower;
-    batch.upper[row] = answer.t.upper;
-    batch.triangle[row] = answer.triangle;
-    batch.point[row] = answer.point;
-    batch.front[row] = answer.front ? 1 : 0;
-    batch.coverage[row] = answer.coverage;
-    batch.costs[row] = answer.cost;
+    put_columns(first_hit(lines[row], tiles, options), row, batch);
   });
-  batch.cost = detail::sum_of(batch.costs);
+  sum_costs<ClosestHit>(batch);
   return batch;
 }
 
@@ -182,12 +176,9 @@ AnyHitBatch some_hits(const TiledBody& body, std::span<const Line> lines, const 
   const detail::TileBoxes tiles(body);
   AnyHitBatch batch = any_hit(Body(), lines);
   for_each_line(lines, tiles, parallel, [&](std::size_t row) {
-    const AnyHit answer = some_hit(lines[row], tiles, options);
-    batch.hit[row] = answer.hit ? 1 : 0;
-    batch.coverage[row] = answer.coverage;
-    batch.costs[row] = answer.cost;
+    put_columns(some_hit(lines[row], tiles, options), row, batch);
   });
-  batch.cost = detail::sum_of(batch.costs);
+  sum_costs<AnyHit>(batch);
   return batch;
 }
 
@@ -229,18 +220,10 @@ ClosestBatch closest(const TiledBody& body, std::span<const Vec3> points,
             tiles, [&](const Box& box) { return detail::distance_at_least(points[row], box); });
       },
       [&](std::size_t row) {
-        const Closest answer =
-            closest_of(points[row], tiles, options, points.size() == 1 ? parallel : alone);
-        batch.lower[row] = answer.distance.lower;
-        batch.upper[row] = answer.distance.upper;
-        batch.triangle[row] = answer.triangle;
-        batch.point[row] = answer.point;
-        batch.feature[row] = answer.feature;
-        batch.farther[row] = answer.farther ? 1 : 0;
-        batch.coverage[row] = answer.coverage;
-        batch.costs[row] = answer.cost;
+        put_columns(closest_of(points[row], tiles, options, points.size() == 1 ? parallel : alone),
+                    row, batch);
       });
-  batch.cost = detail::sum_of(batch.costs);
+  sum_costs<Closest>(batch);
   return batch;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "soms/base/idle_option.h"
+#include "soms/base/words.h"
 #include "soms/geometry/midpoint.h"
 
 #include <optional>
@@ -23,11 +24,21 @@ enum class Rule {
   quick,           ///< by Morton codes: soonest built, for meshes that change or are loaded
 };
 
+template <>
+inline constexpr auto kWords<Rule> = words("Rule", "How nodes of a tree are divided.",
+                                           "object_median", "object_mean", "spatial_median", "soms",
+                                           "sah", "soms_sah", "fast", "quality", "quick");
+
 /// Box whose longest axis is split.
 enum class AxisFrom {
   outer,  ///< box of all corners
   inner,  ///< box of the midpoints
 };
+
+template <>
+inline constexpr auto kWords<AxisFrom> = words("AxisFrom",
+                                               "From which list the axis of a split is taken.",
+                                               "outer", "inner");
 
 /// What happens when a rule leaves one side empty.
 enum class EmptySide {
@@ -36,6 +47,11 @@ enum class EmptySide {
   object_median,  ///< object median on the first axis
   chain,          ///< one child without triangles, the other with all; goes on to the last level
 };
+
+template <>
+inline constexpr auto kWords<EmptySide> = words("EmptySide",
+                                                "What happens where a side of a split is empty.",
+                                                "stop", "next_axis", "object_median", "chain");
 
 /// Options of a build. The defaults are the product's; `thesis_options` gives the thesis'.
 struct BuildOptions {

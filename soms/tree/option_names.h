@@ -8,11 +8,6 @@
 
 namespace soms {
 
-/// Name of a value, in snake_case. Rules have theirs in `rule/rules.h`.
-[[nodiscard]] std::string_view name(Midpoint value);
-[[nodiscard]] std::string_view name(AxisFrom value);
-[[nodiscard]] std::string_view name(EmptySide value);
-
 /// The value with this name, in snake_case or kebab-case.
 /// \errors  ErrorKind::usage, which lists the names.
 [[nodiscard]] Midpoint midpoint_named(std::string_view name);

@@ -74,21 +74,6 @@ std::ostream& operator<<(std::ostream& out, const BuildOptions& value) {
                     .add("per_leaf", value.per_leaf);
 }
 
-std::ostream& operator<<(std::ostream& out, Rule value) {
-  return out << printed_name("Rule", static_cast<int>(value),
-                             {"object_median", "object_mean", "spatial_median", "soms", "sah",
-                              "soms_sah", "fast", "quality", "quick"});
-}
-
-std::ostream& operator<<(std::ostream& out, AxisFrom value) {
-  return out << printed_name("AxisFrom", static_cast<int>(value), {"outer", "inner"});
-}
-
-std::ostream& operator<<(std::ostream& out, EmptySide value) {
-  return out << printed_name("EmptySide", static_cast<int>(value),
-                             {"stop", "next_axis", "object_median", "chain"});
-}
-
 std::ostream& operator<<(std::ostream& out, const Shape& value) {
   PrintedFields fields("Shape");
   fields.item(printed(value.mesh()));
@@ -102,15 +87,6 @@ std::ostream& operator<<(std::ostream& out, const ShapeOptions& value) {
                     .add("build", value.build)
                     .add("keep_tree", value.keep_tree)
                     .add("layout", value.layout);
-}
-
-std::ostream& operator<<(std::ostream& out, Layout value) {
-  return out << printed_name("Layout", static_cast<int>(value), {"wide", "compact"});
-}
-
-std::ostream& operator<<(std::ostream& out, TreeCheck value) {
-  return out << printed_name("TreeCheck", static_cast<int>(value),
-                             {"trusted", "safe", "sound", "full"});
 }
 
 std::ostream& operator<<(std::ostream& out, const OpenOptions& value) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "soms/base/parallel.h"
+#include "soms/base/words.h"
 #include "soms/geometry/mesh.h"
 #include "soms/tree/build_options.h"
 #include "soms/tree/tree.h"
@@ -36,6 +37,11 @@ enum class Layout {
   wide,     ///< for speed: boxes and corners in float, 70 to 80 bytes a triangle
   compact,  ///< for memory: boxes in bytes, corners read from the mesh; about 12 bytes a triangle
 };
+
+template <>
+inline constexpr auto kWords<Layout> = words("Layout",
+                                             "How a tree is kept: for speed, or for memory.",
+                                             "wide", "compact");
 
 /// What a shape keeps beside its mesh.
 struct ShapeOptions {

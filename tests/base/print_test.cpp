@@ -77,9 +77,11 @@ TEST(Print, QuotesWordsFitForATerminal) {
 }
 
 TEST(Print, NamesEnumeratorsAndNumbersWhatIsNone) {
-  EXPECT_EQ(printed_name("Color", 1, {"red", "green"}), "green");
-  EXPECT_EQ(printed_name("Color", 2, {"red", "green"}), "Color(2)");
-  EXPECT_EQ(printed_name("Color", -1, {"red", "green"}), "Color(-1)");
+  EXPECT_EQ(printed(Rotation::as_given), "as_given");
+  EXPECT_EQ(printed(static_cast<Rotation>(2)), "Rotation(2)");
+  EXPECT_EQ(printed(static_cast<Rotation>(-1)), "Rotation(-1)");
+  EXPECT_EQ(name(ErrorKind::not_rigid), "not_rigid");
+  EXPECT_EQ(name(static_cast<ErrorKind>(99)), "");
 }
 
 TEST(Error, IsEqualByKindPlaceAndRemedy) {

@@ -195,9 +195,9 @@ TEST_F(BinaryColumns, OfClosest) {
             (std::vector<double>{2, std::numeric_limits<double>::infinity()}));
   EXPECT_EQ(arrays["triangle.npy"].header, described("<i8", "(2,)"));
   EXPECT_EQ(arrays["triangle.npy"].counts().at(1), -1);
-  EXPECT_EQ(arrays["at.npy"].header, described("<f8", "(2, 3)"));
-  EXPECT_EQ(arrays["at.npy"].numbers()[2], 1);
-  EXPECT_TRUE(std::isnan(arrays["at.npy"].numbers()[3]));
+  EXPECT_EQ(arrays["point.npy"].header, described("<f8", "(2, 3)"));
+  EXPECT_EQ(arrays["point.npy"].numbers()[2], 1);
+  EXPECT_TRUE(std::isnan(arrays["point.npy"].numbers()[3]));
   EXPECT_EQ(arrays["feature.npy"].header, described("|u1", "(2,)"));
   EXPECT_EQ(names_of_codes(arrays["feature_names.npy"]),
             (std::vector<std::string>{"vertex", "edge", "face"}));
@@ -206,7 +206,7 @@ TEST_F(BinaryColumns, OfClosest) {
   EXPECT_EQ(arrays["farther.npy"].digits(), "01");
   EXPECT_EQ(arrays["side.npy"].digits(), "00");
   EXPECT_EQ(names_of_codes(arrays["side_names.npy"])[1], "inside");
-  EXPECT_EQ(arrays["cut.npy"].digits(), "00");
+  EXPECT_EQ(arrays["coverage.npy"].digits(), "00");
 }
 
 TEST_F(BinaryColumns, OfListsOfTriangles) {
@@ -216,7 +216,7 @@ TEST_F(BinaryColumns, OfListsOfTriangles) {
                 .status,
             0);
   auto arrays = arrays_of(at("lists.npz"));
-  ASSERT_EQ(arrays.size(), 5U);
+  ASSERT_EQ(arrays.size(), 6U);
   EXPECT_EQ(arrays["offsets.npy"].counts(), (std::vector<std::int64_t>{0, 3, 6}));
   EXPECT_EQ(arrays["lower.npy"].numbers()[3], 8);
   EXPECT_EQ(arrays["triangle.npy"].counts().size(), 6U);
@@ -227,7 +227,8 @@ TEST_F(BinaryColumns, OfContains) {
   ASSERT_EQ(soms_run({"contains", box(), "--points", points, "--binary", at("sides.npz")}).status,
             0);
   auto arrays = arrays_of(at("sides.npz"));
-  ASSERT_EQ(arrays.size(), 2U);
+  ASSERT_EQ(arrays.size(), 4U);
+  EXPECT_EQ(arrays["coverage.npy"].digits(), "000");
   EXPECT_EQ(arrays["side.npy"].digits(), "120");
   EXPECT_EQ(names_of_codes(arrays["side_names.npy"]),
             (std::vector<std::string>{"outside", "inside", "on", "undecided"}));
@@ -243,17 +244,17 @@ TEST_F(BinaryColumns, OfRays) {
     return arrays_of(at("hits.npz"));
   };
   auto first = answers({});
-  ASSERT_EQ(first.size(), 7U);
+  ASSERT_EQ(first.size(), 8U);
   EXPECT_EQ(first["hit.npy"].digits(), "100");
   EXPECT_EQ(first["lower.npy"].numbers()[0], 2);
   EXPECT_EQ(first["triangle.npy"].counts()[1], -1);
-  EXPECT_EQ(first["at.npy"].header, described("<f8", "(3, 3)"));
+  EXPECT_EQ(first["point.npy"].header, described("<f8", "(3, 3)"));
   EXPECT_EQ(first["front.npy"].digits()[0], '1');
   auto any = answers({"--any"});
-  ASSERT_EQ(any.size(), 2U);
+  ASSERT_EQ(any.size(), 3U);
   EXPECT_EQ(any["hit.npy"].digits(), "100");
   auto all = answers({"--all"});
-  ASSERT_EQ(all.size(), 8U);
+  ASSERT_EQ(all.size(), 9U);
   EXPECT_EQ(all["offsets.npy"].counts(), (std::vector<std::int64_t>{0, 2, 2, 2}));
   EXPECT_EQ(all["lower.npy"].numbers(), (std::vector<double>{2, 4}));
   EXPECT_EQ(all["kind.npy"].digits(), "01");
@@ -271,16 +272,16 @@ TEST_F(BinaryColumns, OfPairs) {
     return arrays_of(at("pairs.npz"));
   };
   auto near = answers({"distance"});
-  ASSERT_EQ(near.size(), 6U);
+  ASSERT_EQ(near.size(), 8U);
   EXPECT_EQ(near["lower.npy"].numbers(), (std::vector<double>{3, 0}));
   EXPECT_EQ(near["triangles.npy"].header, described("<i8", "(2, 2)"));
-  EXPECT_EQ(near["points.npy"].header, described("<f8", "(2, 2, 3)"));
+  EXPECT_EQ(near["point_a.npy"].header, described("<f8", "(2, 3)"));
   auto within = answers({"within", "--clearance", "1"});
-  ASSERT_EQ(within.size(), 5U);
+  ASSERT_EQ(within.size(), 7U);
   EXPECT_EQ(within["within.npy"].digits(), "01");
   EXPECT_EQ(within["triangles.npy"].counts()[0], -1);
   auto solid = answers({"solid"});
-  ASSERT_EQ(solid.size(), 5U);
+  ASSERT_EQ(solid.size(), 7U);
   EXPECT_EQ(solid["relation.npy"].digits(), "02");
   EXPECT_EQ(names_of_codes(solid["relation_names.npy"])[2], "crossing");
   EXPECT_EQ(solid["surfaces_meet.npy"].digits(), "01");
@@ -296,37 +297,37 @@ TEST_F(BinaryColumns, OfPairsOfTrianglesAndOfParts) {
     return arrays_of(at("pairs.npz"));
   };
   auto all = answers({"overlap"});
-  ASSERT_EQ(all.size(), 4U);
+  ASSERT_EQ(all.size(), 5U);
   EXPECT_EQ(all["any.npy"].digits(), "01");
-  EXPECT_EQ(all["cut.npy"].digits(), "00");
+  EXPECT_EQ(all["coverage.npy"].digits(), "00");
   const std::vector<std::int64_t> offsets = all["offsets.npy"].counts();
   ASSERT_EQ(offsets.size(), 3U);
   EXPECT_EQ(offsets[1], 0);
   EXPECT_GT(offsets[2], 2);
   const auto pairs = static_cast<std::size_t>(offsets[2]);
-  EXPECT_EQ(all["triangles.npy"].counts().size(), 2 * pairs);
+  EXPECT_EQ(all["pairs.npy"].counts().size(), 2 * pairs);
 
   auto number = answers({"overlap", "--no-pairs"});
-  ASSERT_EQ(number.size(), 3U);
+  ASSERT_EQ(number.size(), 4U);
   EXPECT_EQ(number["count.npy"].counts(), (std::vector<std::int64_t>{0, offsets[2]}));
 
   auto first = answers({"overlap", "--first"});
   EXPECT_EQ(first["offsets.npy"].counts(), (std::vector<std::int64_t>{0, 0, 1}));
 
   auto parts = answers({"overlap", "--by", "part"});
-  ASSERT_EQ(parts.size(), 6U);
+  ASSERT_EQ(parts.size(), 7U);
   EXPECT_EQ(parts["offsets.npy"].counts(), (std::vector<std::int64_t>{0, 0, 2}));
   EXPECT_EQ(parts["parts.npy"].counts(), (std::vector<std::int64_t>{0, 0, 1, 1}));
   EXPECT_EQ(parts["count.npy"].counts()[0] + parts["count.npy"].counts()[1], offsets[2]);
-  EXPECT_EQ(parts["first.npy"].counts()[0], all["triangles.npy"].counts()[0]);
+  EXPECT_EQ(parts["first.npy"].counts()[0], all["pairs.npy"].counts()[0]);
 
   auto solid = answers({"solid", "--by", "part"});
-  ASSERT_EQ(solid.size(), 8U);  // names of relations and of reasons too
+  ASSERT_EQ(solid.size(), 9U);  // names of codes, too
   EXPECT_EQ(solid["offsets.npy"].counts(), (std::vector<std::int64_t>{0, 0, 2}));
   EXPECT_EQ(solid["parts.npy"].counts(), (std::vector<std::int64_t>{0, 0, 1, 1}));
   EXPECT_EQ(solid["relation.npy"].digits(), "22");
   EXPECT_EQ(solid["surfaces_meet.npy"].digits(), "11");
-  EXPECT_EQ(solid["cut.npy"].digits(), "00");
+  EXPECT_EQ(solid["coverage.npy"].digits(), "00");
 }
 
 TEST_F(BinaryColumns, OfOverlapWithinAreThoseOfWithin) {
@@ -360,7 +361,7 @@ TEST_F(BinaryColumns, AreTheSameInEveryRun) {
   }
   EXPECT_EQ(read_text(at("1.npz")), read_text(at("2.npz")));
   auto arrays = arrays_of(at("1.npz"));
-  ASSERT_EQ(arrays["at.npy"].numbers().size(), 36000U);
+  ASSERT_EQ(arrays["point.npy"].numbers().size(), 36000U);
   EXPECT_EQ(arrays["lower.npy"].numbers()[11640], 1);
 }
 

@@ -25,7 +25,7 @@ std::vector<bool> overlaps(const RunResult& result) {
   std::vector<bool> found;
   for (const Json& answer : json_lines(result.out)) {
     EXPECT_EQ(answer.at("pose"), found.size());
-    found.push_back(answer.at("overlap"));
+    found.push_back(answer.at("any"));
   }
   return found;
 }

@@ -43,7 +43,7 @@ def faults(root, command, folder):
     for name, scenes in draw_terms.SCENES.items():
         for title, a, b, overlaps in scenes:
             said = answer(command, folder, "overlap", a, b)
-            if said["overlap"] != overlaps or not said["verified"]:
+            if said["any"] != overlaps or not said["verified"]:
                 yield f"{name}, {title}: drawn as {overlaps}, soms says {said}"
             if said["hash"] != draw_terms.fnv(draw_terms.bytes_of(said["pairs"])):
                 yield f"{name}, {title}: soms hashes otherwise: {said}"
@@ -51,7 +51,7 @@ def faults(root, command, folder):
         said = answer(command, folder, "distance", a, b)
         if [said["lower"], said["upper"]] != [distance, distance] or not said["verified"]:
             yield f"{title}: drawn with distance {distance}, soms says {said}"
-        if ends and any(not abs(x - y) <= ROUNDING for p, q in zip(ends, said["points"]) for x, y in zip(p, q)):
+        if ends and any(not abs(x - y) <= ROUNDING for p, q in zip(ends, (said["point_a"], said["point_b"])) for x, y in zip(p, q)):
             yield f"{title}: drawn between {ends}, soms says {said}"
 
 

@@ -63,7 +63,7 @@ void check_winding(Bytes& bytes) {
   require(winding(index, points, options, {.threads = 2}) == batch, "two threads");
   const std::vector<Bracket> twin = reference::winding_by_brute_force(body, points);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Bracket& number = batch.number[i];
+    const Bracket number = batch.at(i).number;
     require(number.lower <= number.upper, "a bracket");
     require(number.lower <= twin[i].upper && twin[i].lower <= number.upper, "a winding number");
     require(winding(index, points[i], options) == batch.at(i), "a single point");

@@ -192,7 +192,7 @@ TEST_F(RayScales, WindingNumbersHoldWhatBruteForceFinds) {
     const std::vector<Bracket> twin = reference::winding_by_brute_force(body, points);
     const std::vector<Side> on = reference::contains_by_brute_force(body, points);
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const Bracket& number = batch.number[i];
+      const Bracket number = batch.at(i).number;
       ASSERT_LE(number.lower, number.upper);
       ASSERT_LE(number.lower, twin[i].upper);
       ASSERT_GE(number.upper, twin[i].lower);

@@ -351,7 +351,8 @@ TEST(Values, PrintAndCompareWhatHappensInAScene) {
   EXPECT_EQ(printed(report.environment.at(0)), "EnvironmentContact{mover: 0, part: 0, i: 0, j: 0}");
   EXPECT_EQ(printed(MoverContact{1, 2, 3, 4}), "MoverContact{a: 1, b: 2, i: 3, j: 4}");
   EXPECT_EQ(printed(MoverGap{1, 2, 3, 4, {0.5, 0.75}, {0, 0, 1}, {0, 0, 2}}),
-            "MoverGap{a: 1, b: 2, i: 3, j: 4, lower: 0.5, upper: 0.75, point_a: Vec3{0, 0, "
+            "MoverGap{a: 1, b: 2, i: 3, j: 4, distance: Bracket{lower: 0.5, upper: 0.75}, point_a: "
+            "Vec3{0, 0, "
             "1}, point_b: Vec3{0, 0, 2}}");
   EXPECT_EQ(printed(EnvironmentGap{}).rfind("EnvironmentGap{mover: 0, part: 0, i: 0, j: 0, ", 0),
             0U);

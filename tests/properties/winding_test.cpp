@@ -110,7 +110,7 @@ TEST(WindingProperty, HoldsWhatBruteForceFinds) {
     const std::vector<Bracket> twin = reference::winding_by_brute_force(body, points);
     const std::vector<Side> on = reference::contains_by_brute_force(body, points);
     for (std::size_t i = 0; i < points.size(); ++i) {
-      RC_ASSERT(meet(batch.number[i], twin[i]));
+      RC_ASSERT(meet(batch.at(i).number, twin[i]));
       RC_ASSERT((batch.side[i] == Side::on) == (on[i] == Side::on));
       ++sides[static_cast<std::size_t>(batch.side[i])];
     }
@@ -130,7 +130,7 @@ TEST(WindingProperty, IsAsNarrowAsItSays) {
     const WindingBatch batch = winding(index, winding_points(rng, body, 20), {.width = width});
     const double rounding = 1e-12 + 1e-12 * static_cast<double>(mesh.triangles.size());
     for (std::size_t i = 0; i < batch.size(); ++i) {
-      const Bracket& number = batch.number[i];
+      const Bracket number = batch.at(i).number;
       RC_ASSERT(batch.side[i] == Side::on || number.upper - number.lower <= width + rounding);
     }
   });

@@ -125,6 +125,8 @@ class Pickles(unittest.TestCase):
                 self.assertEqual(copy.deepcopy(answer), answer)
         text = "".join(path.read_text(encoding="utf-8") for path in SOURCES.rglob("*.cpp"))
         bound = set(re.findall(r"AnswerClass<\w+> \w+\(\s*module, \"(\w+)\"", text))
+        bound |= set(re.findall(r"bind_answers?(?:_of)?<(\w+)>\(module\)", text))
+        bound |= {name + "Batch" for name in re.findall(r"bind_(?:answers_of|batch)<(\w+)>\(module\)", text)}
         self.assertGreater(len(bound), 45)
         self.assertEqual(bound, seen)
 

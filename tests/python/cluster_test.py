@@ -70,7 +70,7 @@ class Answers(Clusters):
                 question = {"clearance": 4.0} if verb == "within" else options
                 self.assertEqual((self.folder / verb / "answer.npz").read_bytes(),
                                  bytes_of_one_machine(self.files, verb, question))
-                self.assertEqual(len(answer["cut"]), ROWS)
+                self.assertEqual(len(answer["coverage"]), ROWS)
             # What a user of Dask writes first.
             shape = soms.Shape(soms.read_mesh(paths[1]))
             future = client.submit(soms.overlap, shape, shape, np.eye(4)[None])

@@ -40,15 +40,6 @@ class Stubs(unittest.TestCase):
             made = set(vars(getattr(_soms, name))) - OF_EVERY_CLASS
             self.assertEqual(made, members - OF_EVERY_CLASS, name)
 
-    def test_enumerations_are_those_of_the_library(self):
-        words = dict(_soms._enum_words())
-        enums = {name for name, value in vars(_enums).items() if inspect.isclass(value)}
-        self.assertEqual(set(words), enums - {"RecordedOrigin"})  # which C++ prints as a field only
-        for name in sorted(words):
-            members = list(getattr(_enums, name))
-            self.assertEqual([member.name for member in members], words[name], name)
-            self.assertEqual([int(member) for member in members], list(range(len(members))), name)
-
     def test_arguments_are_those_of_the_docstrings(self):
         for name, arguments in declared()[0].items():
             first = getattr(_soms, name).__doc__.splitlines()[0]

@@ -164,7 +164,7 @@ class Points(unittest.TestCase):
                 if row["answer"] == "on":
                     self.assertEqual(one.side[i], soms.Side.on)
                 else:
-                    self.assertEqual(one.number["lower"][i], one.number["upper"][i])
+                    self.assertEqual(one.lower[i], one.upper[i])
 
 
 class Solids(unittest.TestCase):

@@ -107,7 +107,7 @@ TEST(Contains, IsCutByADeadlineAndSaysSo) {
   const std::vector<Vec3> points(3000, {0.5, 0.5, 0.5});
   const ContainsBatch batch = contains(cube, points, late, {.threads = 2});
   EXPECT_EQ(batch.side, std::vector<Side>(3000, Side::undecided));
-  EXPECT_EQ(batch.coverage, Coverage::cut);
+  EXPECT_EQ(batch.coverage, std::vector<Coverage>(batch.size(), Coverage::cut));
   std::stop_source source;
   source.request_stop();
   EXPECT_EQ(contains_error([&] {

@@ -50,7 +50,7 @@ void expect_sides(const std::vector<Side>& found, const Points& expected) {
 void run(const ClosedBody& body, const Points& points) {
   const ContainsBatch batch = contains(body, points.points);
   ASSERT_NO_FATAL_FAILURE(expect_sides(batch.side, points));
-  ASSERT_EQ(batch.coverage, Coverage::complete);
+  ASSERT_EQ(batch.coverage, std::vector<Coverage>(batch.size(), Coverage::complete));
   ASSERT_EQ(contains(body, points.points, {}, {.threads = 2}), batch);
   Cost cost;
   std::vector<Side> sides;

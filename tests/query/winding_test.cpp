@@ -169,7 +169,8 @@ TEST(Winding, DoesNotDependOnTreesLayoutsOrThreads) {
   for (const Layout layout : {Layout::wide, Layout::compact}) {
     const ShapeOptions options{.build = {.rule = Rule::sah, .per_leaf = 1}, .layout = layout};
     const WindingBatch other = winding(WindingIndex(Body(Shape(mesh, options), pose)), points);
-    EXPECT_EQ(other.number, batch.number);
+    EXPECT_EQ(other.lower, batch.lower);
+    EXPECT_EQ(other.upper, batch.upper);
     EXPECT_EQ(other.side, batch.side);
   }
   for (std::size_t i = 0; i < points.size(); i += 50) {
@@ -193,9 +194,9 @@ TEST(Winding, TakesFarTrianglesTogetherAsTheWidthAllows) {
     edges = batch.cost.triangle_tests;
     const std::vector<Bracket> twin = reference::winding_by_brute_force(index.body(), points);
     for (std::size_t i = 0; i < points.size(); ++i) {
-      ASSERT_LE(batch.number[i].lower, twin[i].upper);
-      ASSERT_GE(batch.number[i].upper, twin[i].lower);
-      ASSERT_LE(batch.number[i].upper - batch.number[i].lower, width + 1e-9);
+      ASSERT_LE(batch.lower[i], twin[i].upper);
+      ASSERT_GE(batch.upper[i], twin[i].lower);
+      ASSERT_LE(batch.upper[i] - batch.lower[i], width + 1e-9);
     }
   }
   // Far away, the root is all that is looked at.
@@ -219,8 +220,8 @@ TEST(Winding, CountsCrossingsOfFarTrianglesOnce) {
   EXPECT_LT(batch.cost.triangle_tests, points.size() * 3 * layers.size() / 2);
   const std::vector<Bracket> twin = reference::winding_by_brute_force(index.body(), points);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    ASSERT_LE(batch.number[i].lower, twin[i].upper);
-    ASSERT_GE(batch.number[i].upper, twin[i].lower);
+    ASSERT_LE(batch.lower[i], twin[i].upper);
+    ASSERT_GE(batch.upper[i], twin[i].lower);
   }
 }
 
@@ -259,7 +260,7 @@ TEST(Winding, LeavesPointsUndecidedAfterTheDeadline) {
   const std::vector<Vec3> points{{1, 2, 0.5}, {3, 4, 5}};
   const WindingBatch late =
       winding(index, points, {.deadline = std::chrono::steady_clock::time_point::min()});
-  EXPECT_EQ(late.coverage, Coverage::cut);
+  EXPECT_EQ(late.coverage.front(), Coverage::cut);
   EXPECT_EQ(late.side, std::vector<Side>(2, Side::undecided));
   EXPECT_EQ(late.at(0).number, (Bracket{-kInfinite, kInfinite}));
   EXPECT_EQ(late.at(1).coverage, Coverage::cut);

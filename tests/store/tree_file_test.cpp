@@ -187,13 +187,5 @@ TEST(TreeFile, OpenedShapesAreRefitAndSavedAgain) {
   EXPECT_EQ(refitted.layout().least_ids().size(), built.layout().least_ids().size());
 }
 
-TEST(TreeFile, NamesOfChecksAreFound) {
-  for (const TreeCheck check :
-       {TreeCheck::trusted, TreeCheck::safe, TreeCheck::sound, TreeCheck::full}) {
-    EXPECT_EQ(tree_check_named(name(check)), check);
-  }
-  EXPECT_THROW(static_cast<void>(tree_check_named("some")), Error);
-}
-
 }  // namespace
 }  // namespace soms

@@ -9,19 +9,20 @@ import sys
 
 MAY_INCLUDE = {
     "base": {"base"},
-    "geometry": {"base", "geometry"},
-    "tree": {"base", "geometry", "tree"},
-    "query": {"base", "geometry", "tree", "query"},
-    "thesis": {"base", "geometry", "tree", "query", "thesis"},
-    "scene": {"base", "geometry", "tree", "query", "scene"},
-    "clash": {"base", "geometry", "tree", "query", "scene", "clash"},
-    "kinematics": {"base", "geometry", "kinematics"},
-    "robot": {"base", "geometry", "kinematics", "tree", "query", "scene", "clash", "robot"},
-    "io": {"base", "geometry", "kinematics", "io"},
-    "store": {"base", "geometry", "tree", "io", "store"},
-    "tiles": {"base", "geometry", "tree", "query", "scene", "io", "store", "tiles"},
-    "generate": {"base", "geometry", "generate"},
-    "adapt": {"base", "geometry", "adapt"},
+    "describe": {"base", "describe"},
+    "geometry": {"base", "describe", "geometry"},
+    "tree": {"base", "describe", "geometry", "tree"},
+    "query": {"base", "describe", "geometry", "tree", "query"},
+    "thesis": {"base", "describe", "geometry", "tree", "query", "thesis"},
+    "scene": {"base", "describe", "geometry", "tree", "query", "scene"},
+    "clash": {"base", "describe", "geometry", "tree", "query", "scene", "clash"},
+    "kinematics": {"base", "describe", "geometry", "kinematics"},
+    "robot": {"base", "describe", "geometry", "kinematics", "tree", "query", "scene", "clash", "robot"},
+    "io": {"base", "describe", "geometry", "kinematics", "io"},
+    "store": {"base", "describe", "geometry", "tree", "io", "store"},
+    "tiles": {"base", "describe", "geometry", "tree", "query", "scene", "io", "store", "tiles"},
+    "generate": {"base", "describe", "geometry", "generate"},
+    "adapt": {"base", "describe", "geometry", "adapt"},
 }
 # Private headers that one other room may see, and why: no user has a need of them.
 LENT = {

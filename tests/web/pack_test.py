@@ -11,7 +11,7 @@ import tempfile
 
 MOST_BYTES = 420_000
 EXPECTED = {"LICENSE", "README.md", "package.json", "soms.wasm", "soms.js", "soms.d.ts", "worker.js", "worker.d.ts",
-            "worker_names.js", "worker_thread.js", "module.js", "host.js", "node_thread.js", "errors.js", "answers.js", "arrays.js",
+            "worker_names.js", "worker_thread.js", "module.js", "host.js", "node_thread.js", "errors.js", "answers.js", "arrays.js", "fields.js",
             "meshes.js", "pairs.js", "points.js", "rays.js"}
 USER = """
 import * as soms from "soms";

@@ -4,6 +4,7 @@
 
 #include "soms/base/error.h"
 #include "soms/base/vector.h"
+#include "soms/describe/columns.h"
 #include "soms/query/answer.h"
 
 #include <cstddef>
@@ -104,6 +105,39 @@ template <class... Columns>
 [[nodiscard]] Answer* answer_of(Columns&&... columns) {
   auto answer = std::make_unique<Answer>();
   (answer->add(std::forward<Columns>(columns)), ...);
+  return answer.release();
+}
+
+/// Adds the columns of a batch, by the fields of answers T; its costs only together, and last.
+template <Described T>
+void add_columns(Answer& answer, BatchOf<T>& batch) {
+  detail::for_each_column<T>([&](auto column, const auto& /*get*/, const auto& /*set*/) {
+    if constexpr (!std::is_same_v<std::remove_cvref_t<decltype(batch.*column)>,
+                                  std::vector<Cost>>) {
+      answer.add(std::move(batch.*column));
+    }
+  });
+  answer.add(batch.cost);
+}
+
+/// An answer with the columns of a batch.
+template <Described T>
+[[nodiscard]] Answer* answer_of_batch(BatchOf<T> batch) {
+  auto answer = std::make_unique<Answer>();
+  add_columns<T>(*answer, batch);
+  return answer.release();
+}
+
+/// An answer with all lists of T, and what it cost.
+template <Described T>
+[[nodiscard]] Answer* answer_of_lists(T lists) {
+  auto answer = std::make_unique<Answer>();
+  for_each_field<T>([&](const auto& field) {
+    if constexpr (!std::is_same_v<typename std::remove_cvref_t<decltype(field)>::Type,
+                                  std::vector<Cost>>) {
+      answer->add(std::move(lists.*(field.place)));
+    }
+  });
   return answer.release();
 }
 

@@ -9,18 +9,17 @@
 #include "web/bridge/held_shape.h"
 
 #include <span>
-#include <utility>
 
 using soms::Body;
 using soms::Pose;
 using soms::web::Answer;
-using soms::web::answer_of;
+using soms::web::answer_of_batch;
 using soms::web::deadline_after;
 using soms::web::guarded;
 using soms::web::HeldShape;
 
-/// Columns: within u8, triangles i32 x 2, points of both f64 x 3, lower bounds f64, coverage u8,
-/// cost.
+// Columns are those of the fields of the answer (fields.js), and its cost.
+
 SOMS_EXPORT(soms_within)
 
 Answer* soms_within(const HeldShape* mover, const Pose* poses, std::uint32_t count,
@@ -29,15 +28,11 @@ Answer* soms_within(const HeldShape* mover, const Pose* poses, std::uint32_t cou
   return guarded([&] {
     soms::WithinOptions options;
     options.deadline = deadline_after(milliseconds);
-    soms::WithinBatch found = within(mover->shape(), std::span(poses, count),
-                                     Body(fixed->shape(), *pose), clearance, options);
-    return answer_of(std::move(found.within), found.triangles, std::move(found.point_a),
-                     std::move(found.point_b), std::move(found.at_least), found.coverage,
-                     found.cost);
+    return answer_of_batch<soms::Within>(within(mover->shape(), std::span(poses, count),
+                                                Body(fixed->shape(), *pose), clearance, options));
   });
 }
 
-/// Columns: relation u8, surfaces meet u8, why it is undecided u8, coverage u8, cost.
 SOMS_EXPORT(soms_solid)
 
 Answer* soms_solid(HeldShape* mover, const Pose* poses, std::uint32_t count, HeldShape* fixed,
@@ -46,9 +41,7 @@ Answer* soms_solid(HeldShape* mover, const Pose* poses, std::uint32_t count, Hel
     soms::SolidOptions options;
     options.deadline = deadline_after(milliseconds);
     const soms::ClosedBody closed = mover->closed_at(count > 0 ? *poses : Pose());
-    soms::SolidBatch found =
-        solid(closed, std::span(poses, count), fixed->closed_at(*pose), options);
-    return answer_of(found.relation, std::move(found.surfaces_meet), found.why, found.coverage,
-                     found.cost);
+    return answer_of_batch<soms::Solid>(
+        solid(closed, std::span(poses, count), fixed->closed_at(*pose), options));
   });
 }

@@ -10,17 +10,18 @@
 #include "web/bridge/failure.h"
 #include "web/bridge/held_shape.h"
 
+#include <memory>
 #include <span>
-#include <utility>
-#include <vector>
 
 using soms::Body;
 using soms::ClosestOptions;
 using soms::Pose;
 using soms::Vec3;
 using soms::WindingIndex;
+using soms::web::add_columns;
 using soms::web::Answer;
-using soms::web::answer_of;
+using soms::web::answer_of_batch;
+using soms::web::answer_of_lists;
 using soms::web::deadline_after;
 using soms::web::guarded;
 using soms::web::HeldShape;
@@ -34,29 +35,22 @@ ClosestOptions closest_options(double at_most, double milliseconds) {
   return options;
 }
 
-Answer* answer_of_rows(soms::NearTriangles found) {
-  return answer_of(found.offsets, std::move(found.triangle), std::move(found.lower),
-                   std::move(found.upper), found.coverage, found.cost);
-}
-
 }  // namespace
 
-/// Columns: lower f64, upper f64, triangle i32, point f64 x 3, feature u8, farther u8, coverage u8,
-/// cost.
+// Columns are those of the fields of the answer (fields.js), and its cost.
+
 SOMS_EXPORT(soms_closest)
 
 Answer* soms_closest(const HeldShape* shape, const Pose* pose, const Vec3* points,
                      std::uint32_t count, double at_most, double milliseconds) {
   return guarded([&] {
-    soms::ClosestBatch found = closest(Body(shape->shape(), *pose), std::span(points, count),
-                                       closest_options(at_most, milliseconds));
-    return answer_of(std::move(found.lower), std::move(found.upper), found.triangle,
-                     std::move(found.point), found.feature, std::move(found.farther),
-                     found.coverage, found.cost);
+    return answer_of_batch<soms::Closest>(closest(Body(shape->shape(), *pose),
+                                                  std::span(points, count),
+                                                  closest_options(at_most, milliseconds)));
   });
 }
 
-/// Columns as of `soms_closest`, and side u8.
+/// Columns as of `soms_closest`, and the side.
 SOMS_EXPORT(soms_signed_closest)
 
 Answer* soms_signed_closest(HeldShape* shape, const Pose* pose, const Vec3* points,
@@ -64,27 +58,26 @@ Answer* soms_signed_closest(HeldShape* shape, const Pose* pose, const Vec3* poin
   return guarded([&] {
     soms::SignedClosestBatch both = closest(shape->closed_at(*pose), std::span(points, count),
                                             closest_options(at_most, milliseconds));
-    soms::ClosestBatch& found = both.closest;
-    return answer_of(std::move(found.lower), std::move(found.upper), found.triangle,
-                     std::move(found.point), found.feature, std::move(found.farther),
-                     found.coverage, found.cost, both.side);
+    auto answer = std::make_unique<Answer>();
+    add_columns<soms::Closest>(*answer, both.closest);
+    answer->add(both.side);
+    return answer.release();
   });
 }
 
-/// The `most` nearest triangles. Columns: offsets u32, triangle u32, lower f64, upper f64, coverage
-/// u8, cost.
+/// The `most` nearest triangles.
 SOMS_EXPORT(soms_nearest_triangles)
 
 Answer* soms_nearest_triangles(const HeldShape* shape, const Pose* pose, const Vec3* points,
                                std::uint32_t count, std::uint32_t most, double at_most,
                                double milliseconds) {
   return guarded([&] {
-    return answer_of_rows(nearest_triangles(Body(shape->shape(), *pose), std::span(points, count),
-                                            most, closest_options(at_most, milliseconds)));
+    return answer_of_lists(nearest_triangles(Body(shape->shape(), *pose), std::span(points, count),
+                                             most, closest_options(at_most, milliseconds)));
   });
 }
 
-/// The triangles within `radius`. Columns as of `soms_nearest_triangles`.
+/// The triangles within `radius`.
 SOMS_EXPORT(soms_near_triangles)
 
 Answer* soms_near_triangles(const HeldShape* shape, const Pose* pose, const Vec3* points,
@@ -92,12 +85,11 @@ Answer* soms_near_triangles(const HeldShape* shape, const Pose* pose, const Vec3
   return guarded([&] {
     ClosestOptions options;
     options.deadline = deadline_after(milliseconds);
-    return answer_of_rows(
+    return answer_of_lists(
         near_triangles(Body(shape->shape(), *pose), std::span(points, count), radius, options));
   });
 }
 
-/// Columns: side u8, coverage u8 (one for all points), cost.
 SOMS_EXPORT(soms_contains)
 
 Answer* soms_contains(HeldShape* shape, const Pose* pose, const Vec3* points, std::uint32_t count,
@@ -105,9 +97,8 @@ Answer* soms_contains(HeldShape* shape, const Pose* pose, const Vec3* points, st
   return guarded([&] {
     soms::ContainsOptions options;
     options.deadline = deadline_after(milliseconds);
-    const soms::ContainsBatch found =
-        contains(shape->closed_at(*pose), std::span(points, count), options);
-    return answer_of(found.side, std::vector<soms::Coverage>{found.coverage}, found.cost);
+    return answer_of_batch<soms::Contains>(
+        contains(shape->closed_at(*pose), std::span(points, count), options));
   });
 }
 
@@ -121,7 +112,6 @@ SOMS_EXPORT(soms_winding_index_free) void soms_winding_index_free(WindingIndex* 
   delete index;
 }
 
-/// Columns: side u8, lower f64, upper f64, coverage u8, cost.
 SOMS_EXPORT(soms_winding)
 
 Answer* soms_winding(const WindingIndex* index, const Vec3* points, std::uint32_t count,
@@ -130,13 +120,6 @@ Answer* soms_winding(const WindingIndex* index, const Vec3* points, std::uint32_
     soms::WindingOptions options;
     options.width = width;
     options.deadline = deadline_after(milliseconds);
-    const soms::WindingBatch found = winding(*index, std::span(points, count), options);
-    std::vector<double> lower;
-    std::vector<double> upper;
-    for (const soms::Bracket& number : found.number) {
-      lower.push_back(number.lower);
-      upper.push_back(number.upper);
-    }
-    return answer_of(found.side, std::move(lower), std::move(upper), found.coverages, found.cost);
+    return answer_of_batch<soms::Winding>(winding(*index, std::span(points, count), options));
   });
 }

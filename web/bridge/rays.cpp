@@ -16,7 +16,8 @@ using soms::Ray;
 using soms::RayOptions;
 using soms::Segment;
 using soms::web::Answer;
-using soms::web::answer_of;
+using soms::web::answer_of_batch;
+using soms::web::answer_of_lists;
 using soms::web::guarded;
 using soms::web::HeldShape;
 
@@ -49,7 +50,6 @@ RayOptions ray_options(std::int32_t skip, double milliseconds) {
 
 }  // namespace
 
-/// Columns: lower f64, upper f64, triangle i32, point f64 x 3, front u8, coverage u8, cost.
 SOMS_EXPORT(soms_closest_hit)
 
 Answer* soms_closest_hit(const HeldShape* shape, const Pose* pose, const double* numbers,
@@ -58,14 +58,11 @@ Answer* soms_closest_hit(const HeldShape* shape, const Pose* pose, const double*
   return guarded([&] {
     const Body body(shape->shape(), *pose);
     const RayOptions options = ray_options(skip, milliseconds);
-    soms::ClosestHitBatch found = Lines{numbers, count, segments != 0}.each(
-        [&](auto lines) { return closest_hit(body, lines, options); });
-    return answer_of(std::move(found.lower), std::move(found.upper), found.triangle,
-                     std::move(found.point), std::move(found.front), found.coverage, found.cost);
+    return answer_of_batch<soms::ClosestHit>(Lines{numbers, count, segments != 0}.each(
+        [&](auto lines) { return closest_hit(body, lines, options); }));
   });
 }
 
-/// Columns: hit u8, coverage u8, cost.
 SOMS_EXPORT(soms_any_hit)
 
 Answer* soms_any_hit(const HeldShape* shape, const Pose* pose, const double* numbers,
@@ -74,14 +71,11 @@ Answer* soms_any_hit(const HeldShape* shape, const Pose* pose, const double* num
   return guarded([&] {
     const Body body(shape->shape(), *pose);
     const RayOptions options = ray_options(skip, milliseconds);
-    soms::AnyHitBatch found = Lines{numbers, count, segments != 0}.each(
-        [&](auto lines) { return any_hit(body, lines, options); });
-    return answer_of(std::move(found.hit), found.coverage, found.cost);
+    return answer_of_batch<soms::AnyHit>(Lines{numbers, count, segments != 0}.each(
+        [&](auto lines) { return any_hit(body, lines, options); }));
   });
 }
 
-/// Columns: offsets u32, lower f64, upper f64, kind u8, triangle offsets u32, triangle u32,
-/// coverage u8, cost.
 SOMS_EXPORT(soms_all_hits)
 
 Answer* soms_all_hits(const HeldShape* shape, const Pose* pose, const double* numbers,
@@ -90,9 +84,7 @@ Answer* soms_all_hits(const HeldShape* shape, const Pose* pose, const double* nu
   return guarded([&] {
     const Body body(shape->shape(), *pose);
     const RayOptions options = ray_options(skip, milliseconds);
-    soms::AllHits found = Lines{numbers, count, segments != 0}.each(
-        [&](auto lines) { return all_hits(body, lines, options); });
-    return answer_of(found.offsets, std::move(found.lower), std::move(found.upper), found.kind,
-                     found.triangle_offsets, std::move(found.triangle), found.coverage, found.cost);
+    return answer_of_lists(Lines{numbers, count, segments != 0}.each(
+        [&](auto lines) { return all_hits(body, lines, options); }));
   });
 }

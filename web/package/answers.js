@@ -1,36 +1,42 @@
 // Answers as callers see them.
 import { number } from './errors.js';
+import { FIELDS, NAMES } from './fields.js';
 
-/** Names of the codes that answers of batches hold. */
-export const NAMES = Object.freeze({
-  coverage: Object.freeze(['complete', 'first', 'cut']),
-  relation: Object.freeze(['clear', 'touching', 'crossing', 'a_in_b', 'b_in_a', 'same', 'undecided']),
-  why: Object.freeze(['none', 'deadline', 'open']),
-  side: Object.freeze(['outside', 'inside', 'on', 'undecided']),
-  feature: Object.freeze(['vertex', 'edge', 'face']),
-  kind: Object.freeze(['enter', 'leave', 'graze']),
-});
-
-export function costOf([nodeTests, triangleTests, exactTests]) {
+function costOf([nodeTests, triangleTests, exactTests]) {
   return { nodeTests, triangleTests, exactTests };
 }
 
+const SINGLE = {
+  flag: ([code]) => code === 1,
+  number: ([value]) => value,
+  name: ([code], field) => NAMES[field][code],
+  point: (numbers) => numbers.slice(0, 3),
+  triangle: ([triangle]) => (triangle < 0 ? null : triangle),
+  pair: ([a, b]) => (a < 0 ? null : [a, b]),
+};
+
 /** Number k of a column, by its name. */
-export function nameOf(names, codes, k = 0) {
-  return NAMES[names][codes[k]];
+export function nameOf(field, codes, k = 0) {
+  return NAMES[field][codes[k]];
 }
 
-/** Three numbers of a column of points. */
-export function pointOf(numbers, k = 0) {
-  return numbers.slice(3 * k, 3 * k + 3);
+/** What a query's columns are called: those of answers `type`, and their cost. */
+export function columnsOf(type, columns) {
+  const names = FIELDS[type].split(' ');
+  const found = Object.fromEntries(names.map((field, k) => [field.split(':')[0], columns[k]]));
+  return { ...found, cost: costOf(columns[names.length]) };
 }
 
-export function triangleOf(numbers, k = 0) {
-  return numbers[k] < 0 ? null : numbers[k];
-}
-
-export function pairOf(numbers, k = 0) {
-  return numbers[2 * k] < 0 ? null : [numbers[2 * k], numbers[2 * k + 1]];
+/** The only answer in columns; lists stay. */
+export function firstOf(type, columns) {
+  const found = { ...columns };
+  for (const field of FIELDS[type].split(' ')) {
+    const [name, kind] = field.split(':');
+    if (kind) {
+      found[name] = SINGLE[kind](columns[name], name);
+    }
+  }
+  return found;
 }
 
 /** A limit of time in milliseconds; none by default. */

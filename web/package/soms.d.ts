@@ -136,17 +136,315 @@ export class Body {
 }
 export type Placed = Shape | Body | { shape: Shape; pose?: PoseLike };
 
-/** Work done; the same on every machine. */
+// Answers, written by tools/fields.py.
+/** How much of the question an answer covers: everything, up to the first hit as requested, or what a limit or a deadline left. */
+export type Coverage = 'complete' | 'first' | 'cut';
+/** How two closed bodies stand to each other. */
+export type Relation = 'clear' | 'touching' | 'crossing' | 'a_in_b' | 'b_in_a' | 'same' | 'undecided';
+/** Where a point lies. */
+export type Side = 'outside' | 'inside' | 'on' | 'undecided';
+/** Where on a triangle a point lies. */
+export type Feature = 'vertex' | 'edge' | 'face';
+/** Work done, the same on every machine. */
 export interface Cost {
+  /** Boxes, or pairs of boxes, tested. */
   nodeTests: number;
+  /** Triangles, or pairs of them, tested. */
   triangleTests: number;
+  /** Of these, those that needed exact arithmetic. */
   exactTests: number;
 }
-/** complete: all was decided. first: ended at the first hit, as requested. cut: a limit or the time ended it. */
-export type Coverage = 'complete' | 'first' | 'cut';
-export type Relation = 'clear' | 'touching' | 'crossing' | 'a_in_b' | 'b_in_a' | 'same' | 'undecided';
-export type Side = 'outside' | 'inside' | 'on' | 'undecided';
-export type Feature = 'vertex' | 'edge' | 'face';
+/** Answer of overlap. */
+export interface Overlap {
+  /** Some pair of triangles shares a point. */
+  any: boolean;
+  /** k x 2. Triangle of a, triangle of b; sorted. One pair in modes any, first. */
+  pairs: Uint32Array;
+  /** How much of the question is decided. */
+  coverage: Coverage;
+  /** Work done. */
+  cost: Cost;
+}
+/** Answers of overlap for n poses. */
+export interface OverlapBatch {
+  /** n. Some pair of triangles shares a point. */
+  any: Uint8Array;
+  /** n + 1. Pose i has the pairs offsets[i] to offsets[i + 1]. */
+  offsets: Uint32Array;
+  /** k x 2. The pairs of all poses. */
+  pairs: Uint32Array;
+  /** n. How much of the question is decided. */
+  coverage: Uint8Array;
+  /** Work done for all poses together. */
+  cost: Cost;
+}
+/** Answer of distance. */
+export interface Distance {
+  /** The distance is at least this. */
+  lower: number;
+  /** The distance is at most this. */
+  upper: number;
+  /** The distance exceeds atMost. */
+  farther: boolean;
+  /** The least pair at this distance. */
+  triangles: [number, number] | null;
+  /** The end of its shortest segment on a, in world. */
+  pointA: Float64Array;
+  /** The other end, on b. */
+  pointB: Float64Array;
+  /** How much of the question is decided. */
+  coverage: Coverage;
+  /** Work done. */
+  cost: Cost;
+}
+/** Answers of distance for n poses. */
+export interface DistanceBatch {
+  /** n. The distance is at least this. */
+  lower: Float64Array;
+  /** n. The distance is at most this. */
+  upper: Float64Array;
+  /** n. The distance exceeds atMost. */
+  farther: Uint8Array;
+  /** n x 2; -1 for none. The least pair at this distance. */
+  triangles: Int32Array;
+  /** n x 3. The end of its shortest segment on a, in world. */
+  pointA: Float64Array;
+  /** n x 3. The other end, on b. */
+  pointB: Float64Array;
+  /** n. How much of the question is decided. */
+  coverage: Uint8Array;
+  /** Work done for all poses together. */
+  cost: Cost;
+}
+/** Answer of within. */
+export interface Within {
+  /** The distance is at most the clearance. */
+  within: boolean;
+  /** A lower bound of the distance. */
+  atLeast: number;
+  /** Some pair within the clearance. */
+  triangles: [number, number] | null;
+  /** The end of its shortest segment on a, in world. */
+  pointA: Float64Array;
+  /** The other end, on b. */
+  pointB: Float64Array;
+  /** How much of the question is decided. */
+  coverage: Coverage;
+  /** Work done. */
+  cost: Cost;
+}
+/** Answers of within for n poses. */
+export interface WithinBatch {
+  /** n. The distance is at most the clearance. */
+  within: Uint8Array;
+  /** n. A lower bound of the distance. */
+  atLeast: Float64Array;
+  /** n x 2; -1 for none. Some pair within the clearance. */
+  triangles: Int32Array;
+  /** n x 3. The end of its shortest segment on a, in world. */
+  pointA: Float64Array;
+  /** n x 3. The other end, on b. */
+  pointB: Float64Array;
+  /** n. How much of the question is decided. */
+  coverage: Uint8Array;
+  /** Work done for all poses together. */
+  cost: Cost;
+}
+/** Answer of solid. */
+export interface Solid {
+  /** How the bodies stand to each other. */
+  relation: Relation;
+  /** Triangles of the two overlap. */
+  surfacesMeet: boolean;
+  /** Why the relation is undecided. */
+  why: 'none' | 'deadline' | 'open';
+  /** How much of the question is decided. */
+  coverage: Coverage;
+  /** Work done. */
+  cost: Cost;
+}
+/** Answers of solid for n poses. */
+export interface SolidBatch {
+  /** n. How the bodies stand to each other. */
+  relation: Uint8Array;
+  /** n. Triangles of the two overlap. */
+  surfacesMeet: Uint8Array;
+  /** n. Why the relation is undecided. */
+  why: Uint8Array;
+  /** n. How much of the question is decided. */
+  coverage: Uint8Array;
+  /** Work done for all poses together. */
+  cost: Cost;
+}
+/** Answer of contains for a point. */
+export interface Contains {
+  /** Where the point lies. */
+  side: Side;
+  /** How much of the question is decided. */
+  coverage: Coverage;
+  /** Work done. */
+  cost: Cost;
+}
+/** Answers of contains for n points. */
+export interface ContainsBatch {
+  /** n. Where the point lies. */
+  side: Uint8Array;
+  /** n. How much of the question is decided. */
+  coverage: Uint8Array;
+  /** Work done for all points together. */
+  cost: Cost;
+}
+/** Answer of closest for a point. */
+export interface Closest {
+  /** The distance is at least this. */
+  lower: number;
+  /** The distance is at most this. */
+  upper: number;
+  /** The distance exceeds atMost. */
+  farther: boolean;
+  /** The least triangle at this distance. */
+  triangle: number | null;
+  /** The nearest point, in world. */
+  point: Float64Array;
+  /** Where on the triangle that lies. */
+  feature: Feature;
+  /** How much of the question is decided. */
+  coverage: Coverage;
+  /** Work done. */
+  cost: Cost;
+}
+/** Answers of closest for n points. */
+export interface ClosestBatch {
+  /** n. The distance is at least this. */
+  lower: Float64Array;
+  /** n. The distance is at most this. */
+  upper: Float64Array;
+  /** n. The distance exceeds atMost. */
+  farther: Uint8Array;
+  /** n; -1 for none. The least triangle at this distance. */
+  triangle: Int32Array;
+  /** n x 3. The nearest point, in world. */
+  point: Float64Array;
+  /** n. Where on the triangle that lies. */
+  feature: Uint8Array;
+  /** n. How much of the question is decided. */
+  coverage: Uint8Array;
+  /** Work done for all points together. */
+  cost: Cost;
+}
+/** Triangles near each of n points. */
+export interface NearTriangles {
+  /** n + 1. Point i has the triangles offsets[i] to offsets[i + 1]. */
+  offsets: Uint32Array;
+  /** k. The triangles of all points. */
+  triangle: Uint32Array;
+  /** k. The distance is at least this. */
+  lower: Float64Array;
+  /** k. The distance is at most this. */
+  upper: Float64Array;
+  /** n. How much of the question is decided. */
+  coverage: Uint8Array;
+  /** Work done for all points together. */
+  cost: Cost;
+}
+/** Answer of winding for a point. */
+export interface Winding {
+  /** Where the point lies, by the number. */
+  side: Side;
+  /** The winding number is at least this. */
+  lower: number;
+  /** The winding number is at most this. */
+  upper: number;
+  /** How much of the question is decided. */
+  coverage: Coverage;
+  /** Work done. */
+  cost: Cost;
+}
+/** Answers of winding for n points. */
+export interface WindingBatch {
+  /** n. Where the point lies, by the number. */
+  side: Uint8Array;
+  /** n. The winding number is at least this. */
+  lower: Float64Array;
+  /** n. The winding number is at most this. */
+  upper: Float64Array;
+  /** n. How much of the question is decided. */
+  coverage: Uint8Array;
+  /** Work done for all points together. */
+  cost: Cost;
+}
+/** Answer of closest_hit for a ray. */
+export interface ClosestHit {
+  /** The least t, infinity where nothing is hit, is at least this. */
+  lower: number;
+  /** The least t, infinity where nothing is hit, is at most this. */
+  upper: number;
+  /** The least triangle met at this t. */
+  triangle: number | null;
+  /** Where, in world. */
+  point: Float64Array;
+  /** The ray meets the front of the triangle. */
+  front: boolean;
+  /** How much of the question is decided. */
+  coverage: Coverage;
+  /** Work done. */
+  cost: Cost;
+}
+/** Answers of closest_hit for n rays. */
+export interface ClosestHitBatch {
+  /** n. The least t, infinity where nothing is hit, is at least this. */
+  lower: Float64Array;
+  /** n. The least t, infinity where nothing is hit, is at most this. */
+  upper: Float64Array;
+  /** n; -1 for none. The least triangle met at this t. */
+  triangle: Int32Array;
+  /** n x 3. Where, in world. */
+  point: Float64Array;
+  /** n. The ray meets the front of the triangle. */
+  front: Uint8Array;
+  /** n. How much of the question is decided. */
+  coverage: Uint8Array;
+  /** Work done for all rays together. */
+  cost: Cost;
+}
+/** Answer of any_hit for a ray. */
+export interface AnyHit {
+  /** The ray hits something. */
+  hit: boolean;
+  /** How much of the question is decided. */
+  coverage: Coverage;
+  /** Work done. */
+  cost: Cost;
+}
+/** Answers of any_hit for n rays. */
+export interface AnyHitBatch {
+  /** n. The ray hits something. */
+  hit: Uint8Array;
+  /** n. How much of the question is decided. */
+  coverage: Uint8Array;
+  /** Work done for all rays together. */
+  cost: Cost;
+}
+/** All places where n rays meet a surface. */
+export interface AllHits {
+  /** n + 1. Ray i has the crossings offsets[i] to offsets[i + 1]. */
+  offsets: Uint32Array;
+  /** m. The t of each crossing is at least this. */
+  lower: Float64Array;
+  /** m. The t of each crossing is at most this. */
+  upper: Float64Array;
+  /** m. How the ray passes there. */
+  kind: Uint8Array;
+  /** m + 1. Crossing j has the triangles triangleOffsets[j] to triangleOffsets[j + 1]. */
+  triangleOffsets: Uint32Array;
+  /** k. Triangles of all crossings. */
+  triangle: Uint32Array;
+  /** n. How much of the question is decided. */
+  coverage: Uint8Array;
+  /** Work done for all rays together. */
+  cost: Cost;
+}
+// End of answers.
 
 /** Names of the codes in answers of batches: NAMES.side[codes[k]]. */
 export const NAMES: {
@@ -169,23 +467,6 @@ export interface OverlapOptions extends TimeOptions {
   /** Most pairs of a pose. */
   limit?: number;
 }
-export interface Overlap {
-  any: boolean;
-  /** k x 2: triangles of the first body and of the second. */
-  pairs: Uint32Array;
-  coverage: Coverage;
-  cost: Cost;
-}
-export interface OverlapBatch {
-  /** n flags. */
-  any: Uint8Array;
-  coverage: Uint8Array;
-  /** n + 1: the pairs of pose k are those from offsets[k] to offsets[k + 1]. */
-  offsets: Uint32Array;
-  /** Of all poses, x 2. */
-  pairs: Uint32Array;
-  cost: Cost;
-}
 /** Which triangles of two surfaces share a point, decided exactly. */
 export function overlap(a: Placed, b: Placed, options?: OverlapOptions): Overlap;
 export function overlapBatch(mover: Shape, poses: PosesLike, fixed: Placed, options?: OverlapOptions): OverlapBatch;
@@ -204,99 +485,19 @@ export interface DistanceOptions extends TimeOptions {
   /** Beyond this the answer is `farther`. */
   atMost?: number;
 }
-export interface Distance {
-  /** The distance is between these: the doubles next to it. Both 0 exactly where the bodies overlap. */
-  lower: number;
-  upper: number;
-  /** The least pair at this distance. */
-  triangles: [number, number] | null;
-  pointA: Float64Array;
-  pointB: Float64Array;
-  farther: boolean;
-  coverage: Coverage;
-  cost: Cost;
-}
-export interface DistanceBatch {
-  lower: Float64Array;
-  upper: Float64Array;
-  /** n x 2; -1 for none. */
-  triangles: Int32Array;
-  /** n x 3. */
-  pointA: Float64Array;
-  pointB: Float64Array;
-  farther: Uint8Array;
-  coverage: Uint8Array;
-  cost: Cost;
-}
 /** The least distance of two surfaces. */
 export function distance(a: Placed, b: Placed, options?: DistanceOptions): Distance;
 export function distanceBatch(mover: Shape, poses: PosesLike, fixed: Placed, options?: DistanceOptions): DistanceBatch;
 
-export interface Within {
-  within: boolean;
-  triangles: [number, number] | null;
-  pointA: Float64Array;
-  pointB: Float64Array;
-  /** A lower bound of the distance. */
-  atLeast: number;
-  coverage: Coverage;
-  cost: Cost;
-}
-export interface WithinBatch {
-  within: Uint8Array;
-  triangles: Int32Array;
-  pointA: Float64Array;
-  pointB: Float64Array;
-  atLeast: Float64Array;
-  coverage: Uint8Array;
-  cost: Cost;
-}
 /** Whether the distance is at most `clearance`, decided exactly. */
 export function within(a: Placed, b: Placed, clearance: number, options?: TimeOptions): Within;
 export function withinBatch(mover: Shape, poses: PosesLike, fixed: Placed, clearance: number,
                             options?: TimeOptions): WithinBatch;
 
-export interface Solid {
-  relation: Relation;
-  surfacesMeet: boolean;
-  /** Why it is undecided. */
-  why: 'none' | 'deadline' | 'open';
-  coverage: Coverage;
-  cost: Cost;
-}
-export interface SolidBatch {
-  relation: Uint8Array;
-  surfacesMeet: Uint8Array;
-  why: Uint8Array;
-  coverage: Uint8Array;
-  cost: Cost;
-}
 /** The relation of two closed bodies. Throws kind 'not_closed' for others. */
 export function solid(a: Placed, b: Placed, options?: TimeOptions): Solid;
 export function solidBatch(mover: Shape, poses: PosesLike, fixed: Placed, options?: TimeOptions): SolidBatch;
 
-export interface Closest {
-  lower: number;
-  upper: number;
-  triangle: number | null;
-  point: Float64Array;
-  feature: Feature;
-  farther: boolean;
-  coverage: Coverage;
-  cost: Cost;
-}
-export interface ClosestBatch {
-  lower: Float64Array;
-  upper: Float64Array;
-  /** -1 for none. */
-  triangle: Int32Array;
-  /** n x 3. */
-  point: Float64Array;
-  feature: Uint8Array;
-  farther: Uint8Array;
-  coverage: Uint8Array;
-  cost: Cost;
-}
 /** The point of a surface that is nearest to a point. */
 export function closest(body: Placed, point: PointLike, options?: DistanceOptions): Closest;
 export function closestBatch(body: Placed, points: PointsLike, options?: DistanceOptions): ClosestBatch;
@@ -305,25 +506,15 @@ export function signedClosest(body: Placed, point: PointLike, options?: Distance
 export function signedClosestBatch(body: Placed, points: PointsLike,
                                    options?: DistanceOptions): ClosestBatch & { side: Uint8Array };
 
-/** Rows of triangles, one row a point, nearest first. */
-export interface TriangleRows {
-  /** n + 1. */
-  offsets: Uint32Array;
-  triangle: Uint32Array;
-  lower: Float64Array;
-  upper: Float64Array;
-  coverage: Uint8Array;
-  cost: Cost;
-}
 export function nearestTriangles(body: Placed, points: PointsLike, count: number,
-                                 options?: DistanceOptions): TriangleRows;
-export function nearTriangles(body: Placed, points: PointsLike, radius: number, options?: TimeOptions): TriangleRows;
+                                 options?: DistanceOptions): NearTriangles;
+export function nearTriangles(body: Placed, points: PointsLike, radius: number, options?: TimeOptions): NearTriangles;
 
 /** On which side of a closed body a point is, decided exactly. */
 export function contains(body: Placed, point: PointLike,
-                         options?: TimeOptions): { side: Side; coverage: Coverage; cost: Cost };
+                         options?: TimeOptions): Contains;
 export function containsBatch(body: Placed, points: PointsLike,
-                              options?: TimeOptions): { side: Uint8Array; coverage: Coverage; cost: Cost };
+                              options?: TimeOptions): ContainsBatch;
 
 /** What `winding` knows of a body. */
 export class WindingIndex extends Handle {
@@ -335,51 +526,19 @@ export interface WindingOptions extends TimeOptions {
 }
 /** The winding number of a point: also of surfaces that are not closed. */
 export function winding(index: WindingIndex, point: PointLike, options?: WindingOptions):
-    { side: Side; lower: number; upper: number; coverage: Coverage; cost: Cost };
+    Winding;
 export function windingBatch(index: WindingIndex, points: PointsLike, options?: WindingOptions):
-    { side: Uint8Array; lower: Float64Array; upper: Float64Array; coverage: Uint8Array; cost: Cost };
+    WindingBatch;
 
 export interface RayOptions extends TimeOptions {
   /** A triangle that takes no part. */
   skip?: number;
 }
-export interface ClosestHit {
-  /** The least t is between these; both infinite where nothing is hit. */
-  lower: number;
-  upper: number;
-  triangle: number | null;
-  point: Float64Array;
-  front: boolean;
-  coverage: Coverage;
-  cost: Cost;
-}
-export interface ClosestHitBatch {
-  lower: Float64Array;
-  upper: Float64Array;
-  /** -1 for none. */
-  triangle: Int32Array;
-  /** n x 3. */
-  point: Float64Array;
-  front: Uint8Array;
-  coverage: Uint8Array;
-  cost: Cost;
-}
 /** Where a ray, or a segment, first meets a surface. */
 export function closestHit(body: Placed, ray: RayLike | SegmentLike, options?: RayOptions): ClosestHit;
 export function closestHitBatch(body: Placed, rays: LinesLike, options?: RayOptions): ClosestHitBatch;
 export function anyHit(body: Placed, ray: RayLike | SegmentLike,
-                       options?: RayOptions): { hit: boolean; coverage: Coverage; cost: Cost };
+                       options?: RayOptions): AnyHit;
 export function anyHitBatch(body: Placed, rays: LinesLike,
-                            options?: RayOptions): { hit: Uint8Array; coverage: Uint8Array; cost: Cost };
-/** Rows of crossings, one row a ray, in the order of t; and rows of triangles, one row a crossing. */
-export interface AllHits {
-  offsets: Uint32Array;
-  lower: Float64Array;
-  upper: Float64Array;
-  kind: Uint8Array;
-  triangleOffsets: Uint32Array;
-  triangle: Uint32Array;
-  coverage: Uint8Array;
-  cost: Cost;
-}
+                            options?: RayOptions): AnyHitBatch;
 export function allHits(body: Placed, rays: LinesLike, options?: RayOptions): AllHits;

@@ -1,7 +1,7 @@
 // soms: exact, fast answers to which triangles touch.
 import { query } from './module.js';
 
-export { NAMES } from './answers.js';
+export { NAMES } from './fields.js';
 export { SomsError } from './errors.js';
 export { Body, Mesh, Shape, openShape, readMesh } from './meshes.js';
 export { load, memoryInUse, memorySize } from './module.js';

@@ -10,24 +10,17 @@ namespace soms::command {
 
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
-/// The number of a triangle, or -1.
-std::int64_t number_or_none(const std::optional<TriangleId>& triangle) {
-  return triangle ? static_cast<std::int64_t>(*triangle) : -1;
-}
-
 /// The number of a part, or -1 for triangles that are in none.
 std::int64_t number_of_part(std::uint32_t part) {
   return part == Part::kNoParent ? -1 : std::int64_t{part};
 }
 
-Vec3 point_or_none(bool there, const Vec3& point) {
-  return there ? point : Vec3{kNone, kNone, kNone};
+NpzColumn& side_column(NpzFile& file) {
+  return file.names("side", kWords<Side>.names);
 }
 
-NpzColumn& side_column(NpzFile& file) {
-  return file.names("side", {"outside", "inside", "on", "undecided"});
+NpzColumn& coverage_column(NpzFile& file) {
+  return file.names("coverage", kWords<Coverage>.names);
 }
 
 template <class Enum>
@@ -49,37 +42,29 @@ void PointColumns::begin(bool lists, bool sides) {
   if (lists) {
     offsets_ = &file_->column("offsets", Kind::count);
     offsets_->add(hits_);
-  }
-  lower_ = &file_->column("lower", Kind::number);
-  upper_ = &file_->column("upper", Kind::number);
-  triangle_ = &file_->column("triangle", Kind::count);
-  if (!lists) {
-    at_ = &file_->column("at", Kind::number, {3});
-    feature_ = &file_->names("feature", {"vertex", "edge", "face"});
-    farther_ = &file_->column("farther", Kind::flag);
+    lower_ = &file_->column("lower", Kind::number);
+    upper_ = &file_->column("upper", Kind::number);
+    triangle_ = &file_->column("triangle", Kind::count);
+    coverage_ = &coverage_column(*file_);
+  } else {
+    fields_.begin<Closest>(*file_);
   }
   if (sides) {
     side_ = &side_column(*file_);
   }
-  cut_ = &file_->column("cut", Kind::flag);
 }
 
 void PointColumns::add(const PointAnswer& answer) {
   if (!file_) {
     return;
   }
-  cut_->add(answer.cut());
   if (answer.hits) {
     add_list(answer);
     return;
   }
-  const Closest& closest = answer.closest;
-  lower_->add(closest.distance.lower);
-  upper_->add(closest.distance.upper);
-  triangle_->add(number_or_none(closest.triangle));
-  at_->add(point_or_none(closest.triangle.has_value(), closest.point));
-  feature_->add(code(closest.feature));
-  farther_->add(closest.farther);
+  Closest closest = answer.closest;
+  closest.coverage = answer.coverage();
+  fields_.add(closest);
   if (side_ != nullptr) {
     side_->add(code(answer.side.value_or(Side::undecided)));
   }
@@ -89,33 +74,11 @@ void PointColumns::add_list(const PointAnswer& answer) {
   for (const ListedTriangle& hit : *answer.hits) {
     lower_->add(hit.distance.lower);
     upper_->add(hit.distance.upper);
-    triangle_->add(number_or_none(hit.triangle));
+    triangle_->add(std::int64_t{hit.triangle});
   }
   hits_ += static_cast<std::int64_t>(answer.hits->size());
   offsets_->add(hits_);
-}
-
-SideColumns::SideColumns(const std::string& path, bool winding) : AnswerColumns(path) {
-  if (file_) {
-    side_ = &side_column(*file_);
-    if (winding) {
-      lower_ = &file_->column("lower", Kind::number);
-      upper_ = &file_->column("upper", Kind::number);
-    }
-  }
-}
-
-void SideColumns::add(Side side) {
-  if (file_) {
-    side_->add(code(side));
-  }
-}
-
-void SideColumns::add(const Bracket& number) {
-  if (file_) {
-    lower_->add(number.lower);
-    upper_->add(number.upper);
-  }
+  coverage_->add(code(answer.coverage()));
 }
 
 void RayColumns::begin(const RayAnswer& like) {
@@ -123,46 +86,36 @@ void RayColumns::begin(const RayAnswer& like) {
     return;
   }
   if (std::holds_alternative<AnyHit>(like)) {
-    hit_ = &file_->column("hit", Kind::flag);
+    fields_.begin<AnyHit>(*file_);
   } else if (std::holds_alternative<ClosestHit>(like)) {
     hit_ = &file_->column("hit", Kind::flag);
-    lower_ = &file_->column("lower", Kind::number);
-    upper_ = &file_->column("upper", Kind::number);
-    triangle_ = &file_->column("triangle", Kind::count);
-    at_ = &file_->column("at", Kind::number, {3});
-    front_ = &file_->column("front", Kind::flag);
+    fields_.begin<ClosestHit>(*file_);
   } else {
     offsets_ = &file_->column("offsets", Kind::count);
     lower_ = &file_->column("lower", Kind::number);
     upper_ = &file_->column("upper", Kind::number);
-    kind_ = &file_->names("kind", {"enter", "leave", "graze"});
+    kind_ = &file_->names("kind", kWords<CrossingKind>.names);
     triangle_offsets_ = &file_->column("triangle_offsets", Kind::count);
     triangle_ = &file_->column("triangle", Kind::count);
+    coverage_ = &coverage_column(*file_);
     offsets_->add(crossings_);
     triangle_offsets_->add(triangles_);
   }
-  cut_ = &file_->column("cut", Kind::flag);
 }
 
 void RayColumns::add(const RayAnswer& answer) {
-  if (!file_) {
-    return;
+  if (file_) {
+    std::visit([this](const auto& one) { add_row(one); }, answer);
   }
-  std::visit([this](const auto& one) { add_row(one); }, answer);
-  cut_->add(is_cut(answer));
 }
 
 void RayColumns::add_row(const ClosestHit& hit) {
   hit_->add(hit.triangle.has_value());
-  lower_->add(hit.t.lower);
-  upper_->add(hit.t.upper);
-  triangle_->add(number_or_none(hit.triangle));
-  at_->add(point_or_none(hit.triangle.has_value(), hit.point));
-  front_->add(hit.front);
+  fields_.add(hit);
 }
 
 void RayColumns::add_row(const AnyHit& hit) {
-  hit_->add(hit.hit);
+  fields_.add(hit);
 }
 
 void RayColumns::add_row(const Crossings& hits) {
@@ -171,89 +124,24 @@ void RayColumns::add_row(const Crossings& hits) {
     upper_->add(place.t.upper);
     kind_->add(code(place.kind));
     for (const TriangleId triangle : place.triangles) {
-      triangle_->add(number_or_none(triangle));
+      triangle_->add(std::int64_t{triangle});
     }
     triangles_ += static_cast<std::int64_t>(place.triangles.size());
     triangle_offsets_->add(triangles_);
   }
   crossings_ += static_cast<std::int64_t>(hits.places.size());
   offsets_->add(crossings_);
+  coverage_->add(code(hits.coverage));
 }
 
-void NearColumns::begin_pair() {
-  triangles_ = &file_->column("triangles", Kind::count, {2});
-  points_ = &file_->column("points", Kind::number, {2, 3});
-  cut_ = &file_->column("cut", Kind::flag);
-}
-
-template <class Answer>
-void NearColumns::add_pair(const Answer& answer) {
-  const bool there = answer.triangles.has_value();
-  triangles_->add(there ? std::int64_t{answer.triangles->first} : -1);
-  triangles_->add(there ? std::int64_t{answer.triangles->second} : -1);
-  points_->add(point_or_none(there, answer.point_a));
-  points_->add(point_or_none(there, answer.point_b));
-  cut_->add(answer.coverage == Coverage::cut);
-}
-
-void NearColumns::begin(const Distance&) {
+SolidPartColumns::SolidPartColumns(const std::string& path) : AnswerColumns(path) {
   if (file_) {
-    lower_ = &file_->column("lower", Kind::number);
-    upper_ = &file_->column("upper", Kind::number);
-    farther_ = &file_->column("farther", Kind::flag);
-    begin_pair();
-  }
-}
-
-void NearColumns::begin(const Within&) {
-  if (file_) {
-    within_ = &file_->column("within", Kind::flag);
-    at_least_ = &file_->column("at_least", Kind::number);
-    begin_pair();
-  }
-}
-
-void NearColumns::add(const Distance& answer) {
-  if (!file_) {
-    return;
-  }
-  lower_->add(answer.distance.lower);
-  upper_->add(answer.distance.upper);
-  farther_->add(answer.farther);
-  add_pair(answer);
-}
-
-void NearColumns::add(const Within& answer) {
-  if (!file_) {
-    return;
-  }
-  within_->add(answer.within);
-  at_least_->add(answer.at_least);
-  add_pair(answer);
-}
-
-SolidColumns::SolidColumns(const std::string& path) : AnswerColumns(path) {
-  if (file_) {
-    relation_ = &file_->names(
-        "relation", {"clear", "touching", "crossing", "a_in_b", "b_in_a", "same", "undecided"});
+    relation_ = &file_->names("relation", kWords<Relation>.names);
     surfaces_meet_ = &file_->column("surfaces_meet", Kind::flag);
-    why_ = &file_->names("why", {"none", "deadline", "open"});
-  }
-}
-
-void SolidColumns::add(const Solid& answer) {
-  if (file_) {
-    relation_->add(code(answer.relation));
-    surfaces_meet_->add(answer.surfaces_meet);
-    why_->add(code(answer.why));
-  }
-}
-
-SolidPartColumns::SolidPartColumns(const std::string& path) : SolidColumns(path) {
-  if (file_) {
+    why_ = &file_->names("why", kWords<Undecided>.names);
     offsets_ = &file_->column("offsets", Kind::count);
     parts_ = &file_->column("parts", Kind::count, {2});
-    cut_ = &file_->column("cut", Kind::flag);
+    coverage_ = &coverage_column(*file_);
     offsets_->add(pairs_);
   }
 }
@@ -265,11 +153,13 @@ void SolidPartColumns::add(std::span<const SolidPair> pairs, bool cut) {
   for (const SolidPair& pair : pairs) {
     parts_->add(number_of_part(pair.a->part));
     parts_->add(number_of_part(pair.b->part));
-    SolidColumns::add(pair.answer);
+    relation_->add(code(pair.answer.relation));
+    surfaces_meet_->add(pair.answer.surfaces_meet);
+    why_->add(code(pair.answer.why));
   }
   pairs_ += static_cast<std::int64_t>(pairs.size());
   offsets_->add(pairs_);
-  cut_->add(cut);
+  coverage_->add(code(cut ? Coverage::cut : Coverage::complete));
 }
 
 void OverlapColumns::begin(List list) {
@@ -285,14 +175,14 @@ void OverlapColumns::begin(List list) {
     offsets_->add(listed_);
   }
   if (list == List::triangles) {
-    triangles_ = &file_->column("triangles", Kind::count, {2});
+    pairs_ = &file_->column("pairs", Kind::count, {2});
   }
   if (list == List::parts) {
     parts_ = &file_->column("parts", Kind::count, {2});
     count_ = &file_->column("count", Kind::count);
     first_ = &file_->column("first", Kind::count, {2});
   }
-  cut_ = &file_->column("cut", Kind::flag);
+  coverage_ = &coverage_column(*file_);
 }
 
 void OverlapColumns::add(const Overlap& answer, std::span<const PartPair> parts) {
@@ -300,7 +190,7 @@ void OverlapColumns::add(const Overlap& answer, std::span<const PartPair> parts)
     return;
   }
   any_->add(answer.any);
-  cut_->add(answer.coverage == Coverage::cut);
+  coverage_->add(code(answer.coverage));
   switch (list_) {
     case List::none:
       count_->add(static_cast<std::int64_t>(answer.pairs.size()));
@@ -316,8 +206,8 @@ void OverlapColumns::add(const Overlap& answer, std::span<const PartPair> parts)
 
 void OverlapColumns::add_triangles(const Overlap& answer) {
   for (const TrianglePair& pair : answer.pairs) {
-    triangles_->add(std::int64_t{pair.first});
-    triangles_->add(std::int64_t{pair.second});
+    pairs_->add(std::int64_t{pair.first});
+    pairs_->add(std::int64_t{pair.second});
   }
   listed_ += static_cast<std::int64_t>(answer.pairs.size());
   offsets_->add(listed_);

@@ -15,6 +15,7 @@
 
 #include "apps/cli/verb.h"
 #include "apps/output/npz_file.h"
+#include "apps/soms/answers/answer_fields.h"
 #include "apps/soms/pairs/overlap_parts.h"
 #include "apps/soms/probes/closest_output.h"
 #include "apps/soms/probes/ray_output.h"
@@ -74,31 +75,14 @@ class PointColumns : public AnswerColumns {
  private:
   void add_list(const PointAnswer& answer);
 
+  FieldColumns fields_;  ///< without lists
+  NpzColumn* side_ = nullptr;
   NpzColumn* offsets_ = nullptr;
   NpzColumn* lower_ = nullptr;
   NpzColumn* upper_ = nullptr;
   NpzColumn* triangle_ = nullptr;
-  NpzColumn* at_ = nullptr;
-  NpzColumn* feature_ = nullptr;
-  NpzColumn* farther_ = nullptr;
-  NpzColumn* side_ = nullptr;
-  NpzColumn* cut_ = nullptr;
+  NpzColumn* coverage_ = nullptr;
   std::int64_t hits_ = 0;
-};
-
-/// Sides of points, and their winding numbers.
-class SideColumns : public AnswerColumns {
- public:
-  /// `winding`: with columns of the numbers.
-  SideColumns(const std::string& path, bool winding);
-
-  void add(Side side);
-  void add(const Bracket& number);
-
- private:
-  NpzColumn* side_ = nullptr;
-  NpzColumn* lower_ = nullptr;
-  NpzColumn* upper_ = nullptr;
 };
 
 /// What rays hit.
@@ -116,75 +100,58 @@ class RayColumns : public AnswerColumns {
   void add_row(const AnyHit& hit);
   void add_row(const Crossings& hits);
 
+  FieldColumns fields_;  ///< of a hit
   NpzColumn* hit_ = nullptr;
+  NpzColumn* offsets_ = nullptr;
   NpzColumn* lower_ = nullptr;
   NpzColumn* upper_ = nullptr;
-  NpzColumn* triangle_ = nullptr;
-  NpzColumn* at_ = nullptr;
-  NpzColumn* front_ = nullptr;
-  NpzColumn* offsets_ = nullptr;
   NpzColumn* kind_ = nullptr;
   NpzColumn* triangle_offsets_ = nullptr;
-  NpzColumn* cut_ = nullptr;
+  NpzColumn* triangle_ = nullptr;
+  NpzColumn* coverage_ = nullptr;
   std::int64_t crossings_ = 0;
   std::int64_t triangles_ = 0;
 };
 
-/// Distances and clearances of two models.
-class NearColumns : public AnswerColumns {
+/// Answers whose arrays are their fields.
+class AnswerArrays : public AnswerColumns {
  public:
   using AnswerColumns::AnswerColumns;
 
-  /// Chooses the columns of answers like this one.
-  void begin(const Distance& like);
-  void begin(const Within& like);
+  /// Chooses the columns: the fields of T.
+  template <Described T>
+  void begin() {
+    if (file_) {
+      fields_.begin<T>(*file_);
+    }
+  }
 
-  void add(const Distance& answer);
-  void add(const Within& answer);
-
- private:
-  void begin_pair();
-
-  template <class Answer>
-  void add_pair(const Answer& answer);
-
-  NpzColumn* lower_ = nullptr;
-  NpzColumn* upper_ = nullptr;
-  NpzColumn* farther_ = nullptr;
-  NpzColumn* within_ = nullptr;
-  NpzColumn* at_least_ = nullptr;
-  NpzColumn* triangles_ = nullptr;
-  NpzColumn* points_ = nullptr;
-  NpzColumn* cut_ = nullptr;
-};
-
-/// Relations of two closed models.
-class SolidColumns : public AnswerColumns {
- public:
-  explicit SolidColumns(const std::string& path);
-
-  void add(const Solid& answer);
+  template <Described T>
+  void add(const T& answer) {
+    if (file_) {
+      fields_.add(answer);
+    }
+  }
 
  private:
-  NpzColumn* relation_ = nullptr;
-  NpzColumn* surfaces_meet_ = nullptr;
-  NpzColumn* why_ = nullptr;
+  FieldColumns fields_;
 };
 
 /// Relations of the parts of two models: a list a row, of those that are not clear.
-class SolidPartColumns : private SolidColumns {
+class SolidPartColumns : public AnswerColumns {
  public:
   explicit SolidPartColumns(const std::string& path);
 
   /// The answer of a pose; `cut` by the deadline.
   void add(std::span<const SolidPair> pairs, bool cut);
 
-  using SolidColumns::finish;
-
  private:
   NpzColumn* offsets_ = nullptr;
   NpzColumn* parts_ = nullptr;
-  NpzColumn* cut_ = nullptr;
+  NpzColumn* relation_ = nullptr;
+  NpzColumn* surfaces_meet_ = nullptr;
+  NpzColumn* why_ = nullptr;
+  NpzColumn* coverage_ = nullptr;
   std::int64_t pairs_ = 0;
 };
 
@@ -208,11 +175,11 @@ class OverlapColumns : public AnswerColumns {
   List list_ = List::none;
   NpzColumn* any_ = nullptr;
   NpzColumn* offsets_ = nullptr;
-  NpzColumn* triangles_ = nullptr;
+  NpzColumn* pairs_ = nullptr;
   NpzColumn* parts_ = nullptr;
   NpzColumn* count_ = nullptr;
   NpzColumn* first_ = nullptr;
-  NpzColumn* cut_ = nullptr;
+  NpzColumn* coverage_ = nullptr;
   std::int64_t listed_ = 0;
 };
 

@@ -3,7 +3,9 @@
 #pragma once
 
 #include "apps/output/output.h"
+#include "apps/soms/answers/answer_fields.h"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,6 +30,28 @@ class AnswerCsv {
 
  private:
   std::optional<OutputFile> file_;
+};
+
+/// A row for each answer, of answers that name no triangle.
+class FieldCsv : public AnswerCsv {
+ public:
+  /// For answers T; the first column is the number of the row, called `key`.
+  template <Described T>
+  [[nodiscard]] static FieldCsv of(const std::string& path, const std::string& key) {
+    return FieldCsv(path, key + "," + field_head<T>() + "\n");
+  }
+
+  /// \errors ErrorKind::cannot_write; ClosedPipe.
+  template <Described T>
+  void add(std::uint64_t row, const T& answer) {
+    if (is_wanted()) {
+      put(std::to_string(row) + "," +
+          field_cells(answer, [](int, const auto&) { return std::string(); }) + "\n");
+    }
+  }
+
+ private:
+  using AnswerCsv::AnswerCsv;
 };
 
 }  // namespace soms::command

@@ -72,7 +72,7 @@ void remove_ignored(const ClashVerbOptions& options, const IgnoredPairs& pairs,
     report.unknown_depth = static_cast<std::uint64_t>(unknown);
   }
   for (const std::string& kind : options.ignored_kinds) {
-    remove(kind, [&](const ClashRow& row) { return clash_name(row.clash.kind) == kind; });
+    remove(kind, [&](const ClashRow& row) { return name(row.clash.kind) == kind; });
   }
   if (options.ignore_siblings) {
     remove("ignore-siblings",
@@ -239,7 +239,7 @@ void add_clash_questions(Parser& parser, ClashVerbOptions& options) {
       ->group(kQuestionGroup);
   std::vector<std::string> kinds;
   for (std::size_t k = 0; k < kClashKinds; ++k) {
-    kinds.emplace_back(clash_name(static_cast<ClashKind>(k)));
+    kinds.emplace_back(name(static_cast<ClashKind>(k)));
   }
   parser
       .add_each_time(

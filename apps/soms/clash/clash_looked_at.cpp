@@ -29,8 +29,8 @@ bool LookedAt::is_left_out(const Json& row) const {
   };
   const std::string key = text_of(row, "key");
   // A row of bodies, one of which may be inside the other, was looked for if these were compared.
-  const bool may_be_of_bodies = text_of(row, "class") == clash_name(ClashKind::undecided) &&
-                                text_of(row, "triangle_pairs") == "0";
+  const bool may_be_of_bodies =
+      text_of(row, "class") == name(ClashKind::undecided) && text_of(row, "triangle_pairs") == "0";
   const auto were_compared = [&](std::uint32_t a, std::uint32_t b) {
     return may_be_of_bodies ? bodies_are_compared(sets_, models_, a, b)
                             : are_compared(sets_, models_, a, b);
@@ -50,7 +50,7 @@ bool LookedAt::is_left_out(const Json& row) const {
 }
 
 bool LookedAt::operator()(const Json& row) const {
-  if (text_of(row, "class") == clash_name(ClashKind::near)) {
+  if (text_of(row, "class") == name(ClashKind::near)) {
     const auto gap = row.find("gap");
     const bool is_known =
         gap != row.end() && gap->is_array() && !gap->empty() && gap->front().is_number();

@@ -57,7 +57,7 @@ std::uint64_t count_status(const ClashReport& report, ClashStatus status) {
 Json by_class_as_json(const ClashCounts& counts) {
   Json by_class = Json::object();
   for (std::size_t k = 0; k < kClashKinds; ++k) {
-    by_class[std::string(clash_name(static_cast<ClashKind>(k)))] = counts[k];
+    by_class[std::string(name(static_cast<ClashKind>(k)))] = counts[k];
   }
   return by_class;
 }
@@ -197,7 +197,7 @@ std::string kinds_in_text(const ClashCounts& counts) {
   for (std::size_t k = 0; k < kClashKinds; ++k) {
     if (counts[k] != 0) {
       text += fmt::format("{}{} {}", text.empty() ? "" : ", ", with_commas(counts[k]),
-                          clash_name(static_cast<ClashKind>(k)));
+                          name(static_cast<ClashKind>(k)));
     }
   }
   return text;
@@ -241,7 +241,7 @@ std::string row_in_text(const ClashReport& report, const ClashRow& row) {
   const Clash& clash = row.clash;
   const std::string_view status = status_name(row.status);
   const auto [a, b] = bodies_in(report.models, clash);
-  return fmt::format("  {:<9}  {}{}{} and {} at {}{}\n", clash_name(clash.kind), status,
+  return fmt::format("  {:<9}  {}{}{} and {} at {}{}\n", name(clash.kind), status,
                      status.empty() ? "" : "  ", label_of(report.models.a, clash.a, a),
                      label_of(report.models.second(), clash.b, b), point_in_text(clash.place),
                      detail_in_text(report, clash));
@@ -280,10 +280,10 @@ Json row_as_json(const ClashReport& report, const ClashRow& row) {
   Json json = {{"schema", "soms.clash/1"},
                {"a", clash_side(report.models.a, clash.a, a)},
                {"b", clash_side(report.models.second(), clash.b, b)},
-               {"class", clash_name(clash.kind)},
-               {"relation", relation_name(clash.relation)}};
+               {"class", name(clash.kind)},
+               {"relation", name(clash.relation)}};
   if (clash.kind == ClashKind::undecided) {
-    json["why"] = reason_name(clash.why);
+    json["why"] = name(clash.why);
   }
   if (const Json open = open_sides(report.models, clash); !open.empty()) {
     json["open"] = open;

@@ -186,7 +186,7 @@ class ClashPageMaker {
     for (std::size_t k = 0; k < kClashKinds; ++k) {
       if (report_.by_kind[k] != 0) {
         text += fmt::format("{}{} {}", text.empty() ? ": " : ", ", with_commas(report_.by_kind[k]),
-                            clash_name(static_cast<ClashKind>(k)));
+                            name(static_cast<ClashKind>(k)));
       }
     }
     return text;

@@ -81,24 +81,6 @@ std::optional<std::pair<std::string, std::string>> two_patterns(const std::strin
 
 }  // namespace
 
-std::string_view clash_name(ClashKind kind) {
-  switch (kind) {
-    case ClashKind::crossing:
-      return "crossing";
-    case ClashKind::inside:
-      return "inside";
-    case ClashKind::same:
-      return "same";
-    case ClashKind::touching:
-      return "touching";
-    case ClashKind::near:
-      return "near";
-    case ClashKind::undecided:
-      break;
-  }
-  return "undecided";
-}
-
 IgnoredPairs::IgnoredPairs(const std::string& file) {
   std::ifstream in = opened(file, "--ignore-pairs");
   std::string line;

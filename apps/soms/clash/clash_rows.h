@@ -21,9 +21,6 @@ inline constexpr std::size_t kClashKinds = 6;
 /// How many clashes there are of each kind.
 using ClashCounts = std::array<std::uint64_t, kClashKinds>;
 
-/// As in JSON and options: "crossing".
-[[nodiscard]] std::string_view clash_name(ClashKind kind);
-
 /// What an older list says of a clash.
 enum class ClashStatus : unsigned char {
   unknown,  ///< there is no older list

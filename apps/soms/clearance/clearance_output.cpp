@@ -85,7 +85,7 @@ std::string table_in_text(const ClearanceReport& report, const NearestNames& nam
     text += table_line(fmt::format(kForm, chainage_text(answer.stations[line.first].chainage),
                                    chainage_text(answer.stations[line.last + 1].chainage),
                                    four_digits(line.least.gap.lower), four_digits(line.at_least),
-                                   chainage_text(line.least.chainage), verdict_name(line.verdict),
+                                   chainage_text(line.least.chainage), name(line.verdict),
                                    names.text(line.least)));
   }
   return text;
@@ -100,7 +100,7 @@ std::string runs_in_text(const ClearanceReport& report) {
   });
   std::string text;
   for (std::size_t k = 0; k < std::min(runs.size(), kRunsInText); ++k) {
-    text += fmt::format("{}{} from {} to {}", k == 0 ? "" : "; ", verdict_name(runs[k].verdict),
+    text += fmt::format("{}{} from {} to {}", k == 0 ? "" : "; ", name(runs[k].verdict),
                         chainage_text(report.answer.stations[runs[k].first].chainage),
                         chainage_text(report.answer.stations[runs[k].last + 1].chainage));
   }
@@ -146,7 +146,7 @@ Json stretch_as_json(const ClearanceReport& report, std::size_t k, const Nearest
   Json least{{"chainage", stretch.least.chainage}};
   add_gap(least, stretch.least, names);
   Json json{{"at_least", finite_or_null(stretch.at_least)},
-            {"verdict", verdict_name(verdict(stretch, report.options.clearance))},
+            {"verdict", name(verdict(stretch, report.options.clearance))},
             {"least", std::move(least)}};
   if (report.options.clearance > 0) {
     json["below"] = Json::array({stretch.below.lower, stretch.below.upper});
@@ -164,7 +164,7 @@ Json station_as_json(const ClearanceReport& report, std::size_t k, const Nearest
             {"at", point_as_json(place_of(report, station))},
             {"row", row ? Json(*row) : Json()}};
   add_gap(json, station, names);
-  json["verdict"] = verdict_name(verdict(station, report.options.clearance));
+  json["verdict"] = name(verdict(station, report.options.clearance));
   json["to_next"] = k < report.answer.stretches.size() ? stretch_as_json(report, k, names) : Json();
   return json;
 }
@@ -183,7 +183,7 @@ Json totals_of_clearance(const ClearanceReport& report, const NearestNames& name
             {"every", options.every},
             {"accuracy", options.accuracy},
             {"clearance", options.clearance > 0 ? Json(options.clearance) : Json()},
-            {"verdict", verdict_name(report.verdict())},
+            {"verdict", name(report.verdict())},
             {"least", std::move(least)},
             {"at_least", finite_or_null(answer.at_least)},
             {"first_contact", nullptr}};
@@ -198,7 +198,7 @@ Json totals_of_clearance(const ClearanceReport& report, const NearestNames& name
   }
   json["runs"] = Json::array();
   for (const VerdictRun& run : verdict_runs(report)) {
-    json["runs"].push_back({{"verdict", verdict_name(run.verdict)},
+    json["runs"].push_back({{"verdict", name(run.verdict)},
                             {"from", answer.stations[run.first].chainage},
                             {"to", answer.stations[run.last + 1].chainage}});
   }
@@ -237,11 +237,6 @@ ClearanceVerdict ClearanceReport::verdict() const {
     all = worse(all, soms::verdict(stretch, options.clearance));
   }
   return all;
-}
-
-std::string_view verdict_name(ClearanceVerdict verdict) {
-  constexpr std::array<std::string_view, 4> kNames{"ok", "below", "contact", "undecided"};
-  return kNames[static_cast<std::size_t>(verdict)];
 }
 
 ClearanceVerdict worse(ClearanceVerdict a, ClearanceVerdict b) {
@@ -363,7 +358,7 @@ std::vector<std::pair<std::string, std::string>> clearance_figures(const Clearan
         fmt::format("{} to {} of {}", chainage_text(answer.below.lower),
                     chainage_text(answer.below.upper), chainage_text(report.length())));
   }
-  figures.emplace_back("verdict", verdict_name(report.verdict()));
+  figures.emplace_back("verdict", name(report.verdict()));
   if (const std::string runs = runs_in_text(report); !runs.empty()) {
     figures.back().second += ": " + runs;
   }
@@ -401,16 +396,16 @@ std::string clearance_as_csv(const ClearanceReport& report, const NearestNames& 
     const ClearanceStation& station = answer.stations[k];
     const std::optional<std::size_t> row = row_of(report, station);
     const Vec3 at = place_of(report, station);
-    text += fmt::format(
-        "{},{},{},{},{},{},{},{},{},{},{},{},{}", k, station.chainage,
-        row ? std::to_string(*row) : "", at.x, at.y, at.z, shortest(station.gap.lower),
-        shortest(station.gap.upper), verdict_name(verdict(station, report.options.clearance)),
-        names.csv(station), station.triangles ? std::to_string(station.triangles->first) : "",
-        point(station, station.point_a), point(station, station.point_b));
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}", k, station.chainage,
+                        row ? std::to_string(*row) : "", at.x, at.y, at.z,
+                        shortest(station.gap.lower), shortest(station.gap.upper),
+                        name(verdict(station, report.options.clearance)), names.csv(station),
+                        station.triangles ? std::to_string(station.triangles->first) : "",
+                        point(station, station.point_a), point(station, station.point_b));
     if (k < answer.stretches.size()) {
       const ClearanceStretch& stretch = answer.stretches[k];
       text += fmt::format(",{},{},{},{},{}", shortest(stretch.at_least),
-                          verdict_name(verdict(stretch, report.options.clearance)),
+                          name(verdict(stretch, report.options.clearance)),
                           shortest(stretch.least.gap.lower), stretch.least.chainage,
                           names.csv(stretch.least));
     } else {

@@ -40,8 +40,6 @@ struct ClearanceReport {
   [[nodiscard]] ClearanceVerdict verdict() const;
 };
 
-[[nodiscard]] std::string_view verdict_name(ClearanceVerdict verdict);
-
 /// The worse of two: contact, below, undecided, ok.
 [[nodiscard]] ClearanceVerdict worse(ClearanceVerdict a, ClearanceVerdict b);
 

@@ -91,7 +91,7 @@ report::Table table_of_stations(const ClearanceReport& report, const NearestName
     table.rows.push_back(
         {with_commas(k), fmt::format("{:.2f}", station.chainage),
          gap_in_text(station.gap, report.unit), names.text(station),
-         std::string(verdict_name(verdict(station, report.options.clearance))),
+         std::string(name(verdict(station, report.options.clearance))),
          k < answer.stretches.size() ? four_digits(answer.stretches[k].at_least) : "",
          point_in_text(station.point_a), point_in_text(station.point_b)});
   }

@@ -41,8 +41,7 @@ std::string bracket_text(const Bracket& bracket) {
 class DistanceQuestion {
  public:
   using Answer = Distance;
-  static constexpr std::string_view kSchema = "soms.distance/1";
-  static constexpr std::string_view kColumns = "lower,upper,farther";
+  static constexpr std::string_view kSchema = "soms.distance/2";
 
   explicit DistanceQuestion(const DistanceOptions& options) : options_(options) {}
 
@@ -60,8 +59,6 @@ class DistanceQuestion {
 
   [[nodiscard]] std::string cell(const Distance& answer) const;
   [[nodiscard]] std::string text(const Distance& answer) const;
-  [[nodiscard]] std::string json(const Distance& answer) const;
-  [[nodiscard]] std::string csv(const Distance& answer) const;
 
   void add(std::uint64_t pose, const Distance& answer);
   [[nodiscard]] NearWords words() const;
@@ -132,18 +129,6 @@ std::string DistanceQuestion::text(const Distance& answer) const {
   }
   return overlap_was_found(answer) ? "distance 0, the surfaces overlap"
                                    : "distance " + readable(lower);
-}
-
-std::string DistanceQuestion::json(const Distance& answer) const {
-  const std::string lower = json_number(answer.distance.lower);
-  return answer.farther
-             ? fmt::format("\"farther\":true,\"lower\":{}", lower)
-             : fmt::format("\"lower\":{},\"upper\":{}", lower, json_number(answer.distance.upper));
-}
-
-std::string DistanceQuestion::csv(const Distance& answer) const {
-  return answer.farther ? fmt::format("{},,true", answer.distance.lower)
-                        : fmt::format("{},{},false", answer.distance.lower, answer.distance.upper);
 }
 
 NearWords DistanceQuestion::words() const {

@@ -19,22 +19,7 @@ std::string side_in_text(const MeshView& mesh, TriangleId i, const Vec3& at) {
                      point_in_text(at));
 }
 
-std::string json_point(const Vec3& p) {
-  return fmt::format("[{},{},{}]", p.x, p.y, p.z);
-}
-
 }  // namespace
-
-std::string json_number(double x) {
-  return std::isfinite(x) ? fmt::format("{}", x) : "null";
-}
-
-std::string near_keys(const NearPair& pair) {
-  return pair.triangles ? fmt::format(",\"triangles\":[{},{}],\"points\":[{},{}]",
-                                      pair.triangles->first, pair.triangles->second,
-                                      json_point(pair.point_a), json_point(pair.point_b))
-                        : std::string();
-}
 
 std::string near_text(const PairReport& report, const NearPair& pair) {
   return pair.triangles ? fmt::format(": {} and {}",
@@ -74,34 +59,18 @@ NearCsv::NearCsv(const std::string& path) {
   }
 }
 
-void NearCsv::begin(const PairReport& report, std::string_view values) {
+void NearCsv::begin(const PairReport& report, std::string_view head) {
   if (file_) {
     report_ = &report;
     parts_a_ = PartsOf(report.a);
     parts_b_ = PartsOf(report.b);
     georeference_ = GeoreferenceColumn(report.georeference);
-    file_->stream() << "pose," << values
-                    << ",coverage,triangle_a,part_a,name_a,triangle_b,part_b,name_b,x_a,y_a,z_a,"
-                       "x_b,y_b,z_b"
-                    << georeference_.head() << '\n';
+    file_->stream() << "pose," << head << georeference_.head() << '\n';
   }
 }
 
-void NearCsv::add(std::uint64_t pose, std::string_view values, const NearPair& pair) {
-  if (!file_) {
-    return;
-  }
-  const auto triangle = [&](TriangleId TrianglePair::*side) {
-    return pair.triangles ? std::optional((*pair.triangles).*side) : std::nullopt;
-  };
-  const auto point = [&](const Vec3& p) {
-    return pair.triangles ? fmt::format("{},{},{}", p.x, p.y, p.z) : std::string(",,");
-  };
-  file_->stream() << fmt::format(
-      "{},{},{},{},{},{}{}\n", pose, values,
-      triangle_csv_fields(report_->a, parts_a_, triangle(&TrianglePair::first)),
-      triangle_csv_fields(report_->b, parts_b_, triangle(&TrianglePair::second)),
-      point(pair.point_a), point(pair.point_b), georeference_.field());
+void NearCsv::put(std::uint64_t pose, std::string_view cells) {
+  file_->stream() << fmt::format("{},{}{}\n", pose, cells, georeference_.field());
   if (!file_->stream().good()) {
     file_->check();
   }

@@ -8,7 +8,9 @@
 
 #include "apps/model/georeference.h"
 #include "apps/output/output.h"
+#include "apps/soms/answers/answer_fields.h"
 #include "apps/soms/pairs/pair_report.h"
+#include "apps/world/part_names.h"
 
 #include <cstdint>
 #include <optional>
@@ -25,12 +27,6 @@ struct NearPair {
   Vec3 point_a;
   Vec3 point_b;
 };
-
-/// A number of JSON that reads back exactly; infinity is null.
-[[nodiscard]] std::string json_number(double x);
-
-/// The keys "triangles" and "points" of JSON, with a comma before; nothing where no pair is named.
-[[nodiscard]] std::string near_keys(const NearPair& pair);
 
 /// ": triangle 3 (wall) of a.ply at (0, 0, 1) and triangle 5 of b.ply at (0, 0, 2)"; nothing where
 /// no pair is named.
@@ -56,17 +52,30 @@ class NearCsv {
   /// Opens the file, unless `path` is empty. \errors ErrorKind::cannot_write.
   explicit NearCsv(const std::string& path);
 
-  /// Writes the names of the columns; `values` are those of the question. The meshes of `report`
-  /// must stay.
-  void begin(const PairReport& report, std::string_view values);
+  /// Writes the names of the columns of answers T. The meshes of `report` must stay.
+  template <Described T>
+  void begin(const PairReport& report) {
+    begin(report, field_head<T>());
+  }
 
   /// \errors ErrorKind::cannot_write; ClosedPipe.
-  void add(std::uint64_t pose, std::string_view values, const NearPair& pair);
+  template <Described T>
+  void add(std::uint64_t pose, const T& answer) {
+    if (file_) {
+      put(pose, field_cells(answer, [this](int side, std::optional<TriangleId> triangle) {
+            return side == 0 ? triangle_csv_fields(report_->a, parts_a_, triangle)
+                             : triangle_csv_fields(report_->b, parts_b_, triangle);
+          }));
+    }
+  }
 
   /// Makes the file appear. \errors As `add`.
   void finish();
 
  private:
+  void begin(const PairReport& report, std::string_view head);
+  void put(std::uint64_t pose, std::string_view cells);
+
   std::optional<OutputFile> file_;
   const PairReport* report_ = nullptr;
   GeoreferenceColumn georeference_;

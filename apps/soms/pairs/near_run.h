@@ -32,18 +32,18 @@ struct NearFiles {
   }
 
   NearCsv csv;
-  NearColumns columns;
+  AnswerArrays columns;
   std::optional<OutputFile> page;
 };
 
 /// `Question` asks the library and says what it answered:
 ///
 ///     using Answer = ...;                          // with triangles, point_a, point_b, coverage
-///     static constexpr std::string_view kSchema, kColumns;   // of JSON; of CSV
+///     static constexpr std::string_view kSchema;   // of JSON
 ///     Answer ask(a, b, parallel); auto ask(mover, poses, fixed, parallel);   // a batch has at(k)
 ///                                                  // fixed: a Body, or a TiledBody
 ///     bool found(answer), undecided(answer);       // for --fail-if and the totals
-///     std::string title(), cell(answer), text(answer), json(answer), csv(answer), totals(...);
+///     std::string title(), cell(answer), text(answer), totals(...);
 ///     void add(pose, answer);                      // to what `totals` says
 ///     NearWords words();                           // of the page
 ///     NearFinding finding(answer, a, b);           // for the page
@@ -54,8 +54,8 @@ class NearRun : public PoseRun {
   NearRun(const PairOptions& options, PoseQuestion about, Question question, NearFiles& files,
           Console& console)
       : PoseRun(options, std::move(about), console), question_(std::move(question)), files_(files) {
-    files_.csv.begin(report(), Question::kColumns);
-    files_.columns.begin(Answer());
+    files_.csv.begin<Answer>(report());
+    files_.columns.begin<Answer>();
     files_.columns.state(report().georeference);
     if (files_.page) {
       page_.emplace(
@@ -105,16 +105,15 @@ class NearRun : public PoseRun {
     const std::uint64_t pose = number();
     const NearPair pair{answer.triangles, answer.point_a, answer.point_b};
     if (console().shared().json) {
-      console().print(fmt::format("{{\"schema\":\"{}\",\"pose\":{},{}{}{}{}}}\n", Question::kSchema,
-                                  pose, question_.json(answer), near_keys(pair),
-                                  coverage_keys(answer.coverage, answer.cost),
-                                  report_keys(report(), pose, right)));
+      console().print(fmt::format(
+          "{{\"schema\":\"{}\",\"pose\":{}{}{}{}}}\n", Question::kSchema, pose, field_keys(answer),
+          coverage_keys(answer.coverage, answer.cost), report_keys(report(), pose, right)));
     } else if (report().single) {
       console().print(question_.text(answer) + near_text(report(), pair) + "\n");
     } else if (report().lists_rows) {
       table_.add(report(), pose, question_.title(), question_.cell(answer), pair, console());
     }
-    files_.csv.add(pose, fmt::format("{},{}", question_.csv(answer), name(answer.coverage)), pair);
+    files_.csv.add(pose, answer);
     files_.columns.add(answer);
     question_.add(pose, answer);
     if (page_) {

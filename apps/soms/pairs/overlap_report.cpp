@@ -38,7 +38,7 @@ void print_json(const OverlapReport& report, std::uint64_t pose, const CountedAn
   const Overlap& answer = result.answer;
   const char* const overlap = is_undecided(answer) ? "null" : answer.any ? "true" : "false";
   std::string text =
-      fmt::format("{{\"schema\":\"soms.overlap/1\",\"pose\":{},\"overlap\":{}", pose, overlap);
+      fmt::format("{{\"schema\":\"soms.overlap/2\",\"pose\":{},\"any\":{}", pose, overlap);
   // Which pair --any finds is not promised, so its number and hash would say nothing.
   if (report.mode != OverlapMode::any) {
     text += fmt::format(",\"count\":{},\"hash\":\"{:016x}\"", answer.pairs.size(), answer.hash());

@@ -29,18 +29,6 @@ std::string warnings_key(const PairReport& report, std::uint64_t pose) {
 
 }  // namespace
 
-std::string_view name(Coverage coverage) {
-  switch (coverage) {
-    case Coverage::complete:
-      return "complete";
-    case Coverage::first:
-      return "first";
-    case Coverage::cut:
-      break;
-  }
-  return "cut";
-}
-
 std::string coverage_keys(Coverage coverage, const Cost& cost, std::string_view more) {
   return fmt::format(
       ",\"coverage\":\"{}\",\"cost\":{{\"node_tests\":{},\"triangle_tests\":{},"

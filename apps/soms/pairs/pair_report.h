@@ -34,9 +34,6 @@ struct PairReport {
   bool boxes_apart = false;       ///< that gap is a `FrameDoubt`
 };
 
-/// "complete", "first" or "cut".
-[[nodiscard]] std::string_view name(Coverage coverage);
-
 /// The keys "coverage" and "cost" of JSON, with a comma before. `more` are further counts, each
 /// with a comma before.
 [[nodiscard]] std::string coverage_keys(Coverage coverage, const Cost& cost,

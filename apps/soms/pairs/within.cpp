@@ -40,8 +40,7 @@ Body only(const Body& body, TriangleId i) {
 class WithinQuestion {
  public:
   using Answer = Within;
-  static constexpr std::string_view kSchema = "soms.within/1";
-  static constexpr std::string_view kColumns = "within,at_least";
+  static constexpr std::string_view kSchema = "soms.within/2";
 
   WithinQuestion(double clearance, const WithinOptions& options)
       : clearance_(clearance), options_(options) {}
@@ -59,8 +58,6 @@ class WithinQuestion {
   [[nodiscard]] std::string title() const;
   [[nodiscard]] std::string cell(const Within& answer) const;
   [[nodiscard]] std::string text(const Within& answer) const;
-  [[nodiscard]] std::string json(const Within& answer) const;
-  [[nodiscard]] std::string csv(const Within& answer) const;
 
   void add(std::uint64_t pose, const Within& answer);
 
@@ -119,18 +116,6 @@ std::string WithinQuestion::text(const Within& answer) const {
              ? fmt::format("not {}: the distance is at least {}", title(),
                            readable(answer.at_least))
              : fmt::format("not {}: the distance is more than that", title());
-}
-
-std::string WithinQuestion::json(const Within& answer) const {
-  return answer.within
-             ? std::string("\"within\":true")
-             : fmt::format("\"within\":{},\"at_least\":{}", undecided(answer) ? "null" : "false",
-                           json_number(answer.at_least));
-}
-
-std::string WithinQuestion::csv(const Within& answer) const {
-  return answer.within ? "true,"
-                       : fmt::format("{},{}", undecided(answer) ? "" : "false", answer.at_least);
 }
 
 NearWords WithinQuestion::words() const {

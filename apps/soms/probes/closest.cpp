@@ -206,7 +206,7 @@ class ClosestRun : public ProbeRun<PointSource> {
     const std::uint64_t point = totals().rows;
     const MeshView& mesh = model_.mesh();
     if (console().shared().json) {
-      print_json(mesh, "point", point_keys(answer), right, last);
+      print_json(mesh, "row", point_keys(answer), right, last);
     } else if (single_) {
       console().print(point_text(answer, mesh, options_.at_most) + "\n");
     } else {

@@ -2,6 +2,7 @@
 
 #include "apps/cli/console.h"
 #include "apps/cli/text.h"
+#include "apps/soms/answers/answer_fields.h"
 #include "apps/soms/pairs/near_output.h"
 #include "apps/soms/pairs/pair_report.h"
 #include "apps/soms/probes/probe_options.h"
@@ -18,32 +19,13 @@ namespace {
 
 constexpr std::size_t kHitsInText = 4;
 
-/// With a comma before.
-std::string bracket_keys(const Bracket& distance) {
-  return fmt::format(",\"lower\":{},\"upper\":{}", json_number(distance.lower),
-                     json_number(distance.upper));
-}
-
 std::string hits_key(const std::vector<ListedTriangle>& hits) {
   std::string text = ",\"hits\":[";
   for (const ListedTriangle& hit : hits) {
     text += fmt::format("{}{{\"triangle\":{}{}}}", text.back() == '[' ? "" : ",", hit.triangle,
-                        bracket_keys(hit.distance));
+                        detail::json_key("distance", hit.distance));
   }
   return text + "]";
-}
-
-std::string closest_keys(const Closest& answer) {
-  if (answer.farther) {
-    return ",\"farther\":true,\"lower\":" + json_number(answer.distance.lower);
-  }
-  std::string text = bracket_keys(answer.distance);
-  if (answer.triangle) {
-    const Vec3& p = answer.point;
-    text += fmt::format(",\"triangle\":{},\"at\":[{},{},{}],\"feature\":\"{}\"", *answer.triangle,
-                        p.x, p.y, p.z, name(answer.feature));
-  }
-  return text;
 }
 
 /// Numbers of the nearest triangles of a list.
@@ -107,25 +89,12 @@ std::string place_text(const Closest& answer, const MeshView& mesh) {
 
 }  // namespace
 
-std::string_view name(TriangleFeature feature) {
-  switch (feature) {
-    case TriangleFeature::vertex:
-      return "vertex";
-    case TriangleFeature::edge:
-      return "edge";
-    case TriangleFeature::face:
-      break;
-  }
-  return "face";
-}
-
 std::string point_keys(const PointAnswer& answer) {
-  std::string text = answer.hits ? hits_key(*answer.hits) : closest_keys(answer.closest);
+  std::string text = answer.hits ? hits_key(*answer.hits) : field_keys(answer.closest);
   if (answer.side) {
     text += fmt::format(",\"side\":\"{}\"", name(*answer.side));
   }
-  return text +
-         coverage_keys(answer.cut() ? Coverage::cut : Coverage::complete, answer.closest.cost);
+  return text + coverage_keys(answer.coverage(), answer.closest.cost);
 }
 
 std::string point_text(const PointAnswer& answer, const MeshView& mesh, double at_most) {
@@ -194,9 +163,8 @@ void PointCsv::begin(const MeshView& mesh, const Georeference& georeference, boo
     mesh_ = mesh;
     parts_ = PartsOf(mesh);
     georeference_ = lists ? GeoreferenceColumn() : GeoreferenceColumn(georeference);
-    file_->stream() << (lists ? "point,lower,upper,coverage,triangle,part,name"
-                              : "point,lower,upper,farther,coverage,triangle,part,name,x,y,z,"
-                                "feature")
+    file_->stream() << (lists ? "row,triangle,part,name,lower,upper,coverage"
+                              : "row," + field_head<Closest>())
                     << (sides ? ",side" : "") << georeference_.head() << '\n';
   }
 }
@@ -205,23 +173,20 @@ void PointCsv::add(std::uint64_t point, const PointAnswer& answer) {
   if (!file_) {
     return;
   }
-  const Closest& closest = answer.closest;
-  const std::string_view coverage = name(answer.cut() ? Coverage::cut : closest.coverage);
+  const auto of_triangle = [this](int, std::optional<TriangleId> triangle) {
+    return triangle_csv_fields(mesh_, parts_, triangle);
+  };
   if (answer.hits) {
     for (const ListedTriangle& hit : *answer.hits) {
-      file_->stream() << fmt::format("{},{},{},{},{}\n", point, hit.distance.lower,
-                                     hit.distance.upper, coverage,
-                                     triangle_csv_fields(mesh_, parts_, hit.triangle));
+      file_->stream() << fmt::format("{},{},{},{},{}\n", point, of_triangle(0, hit.triangle),
+                                     hit.distance.lower, hit.distance.upper,
+                                     name(answer.coverage()));
     }
   } else {
-    const std::string place = closest.triangle
-                                  ? fmt::format("{},{},{},{}", closest.point.x, closest.point.y,
-                                                closest.point.z, name(closest.feature))
-                                  : std::string(",,,");
+    Closest closest = answer.closest;
+    closest.coverage = answer.coverage();
     file_->stream() << fmt::format(
-        "{},{},{},{},{},{},{}{}{}\n", point, closest.distance.lower,
-        closest.farther ? std::string() : fmt::format("{}", closest.distance.upper),
-        closest.farther, coverage, triangle_csv_fields(mesh_, parts_, closest.triangle), place,
+        "{},{}{}{}\n", point, field_cells(closest, of_triangle),
         answer.side ? "," + std::string(name(*answer.side)) : std::string(), georeference_.field());
   }
   if (!file_->stream().good()) {

@@ -33,12 +33,13 @@ struct PointAnswer {
   std::optional<std::vector<ListedTriangle>> hits = std::nullopt;
   std::optional<Side> side = std::nullopt;
 
-  [[nodiscard]] bool cut() const {
-    return closest.coverage == Coverage::cut || side == Side::undecided;
+  /// Of the distance and the side together.
+  [[nodiscard]] Coverage coverage() const {
+    return side == Side::undecided ? Coverage::cut : closest.coverage;
   }
-};
 
-[[nodiscard]] std::string_view name(TriangleFeature feature);
+  [[nodiscard]] bool cut() const { return coverage() == Coverage::cut; }
+};
 
 /// The keys of an answer in JSON, with a comma before.
 [[nodiscard]] std::string point_keys(const PointAnswer& answer);

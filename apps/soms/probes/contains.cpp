@@ -94,9 +94,14 @@ class ContainsRun : public SideRun {
                                                      name(truth), name(side)));
   }
 
+  void put(std::size_t k, SideFiles& files) const override {
+    files.csv.add(totals().rows, answers_.at(k));
+    files.columns.add(answers_.at(k));
+  }
+
   [[nodiscard]] std::string keys(std::size_t k) const override {
     const Contains answer = answers_.at(k);
-    std::string keys = coverage_keys(answer.coverage, answer.cost);
+    std::string keys = field_keys(answer) + coverage_keys(answer.coverage, answer.cost);
     if (left_out_ != 0 && totals().rows == 0) {
       keys += fmt::format(",\"triangles_left_out\":{}", left_out_);
     }

@@ -96,12 +96,12 @@ class PartsRun : public ProbeRun<PointSource> {
   }
 
   [[nodiscard]] Outcome outcome(std::size_t k) const override {
-    const bool cut = answers_.coverages[k] == Coverage::cut;
+    const bool cut = answers_.coverage[k] == Coverage::cut;
     return {.found = !answers_.parts_of(k).empty(), .undecided = cut, .cut = cut};
   }
 
   [[nodiscard]] std::optional<std::string> difference(std::size_t k) override {
-    if (answers_.coverages[k] == Coverage::cut) {
+    if (answers_.coverage[k] == Coverage::cut) {
       return std::nullopt;
     }
     return console().run("verifying", [&](const Parallel& parallel) {
@@ -137,7 +137,7 @@ class PartsRun : public ProbeRun<PointSource> {
     held_ += answers_.parts_of(k).empty() ? 0U : 1U;
     csv_.add(totals().rows, body_, answers_, k);
     if (console().shared().json) {
-      print_json(mesh(), "point", keys(k), right, last);
+      print_json(mesh(), "row", keys(k), right, last);
       return;
     }
     if (totals().rows == 0) {
@@ -150,7 +150,7 @@ class PartsRun : public ProbeRun<PointSource> {
   }
 
   [[nodiscard]] std::string in_words(std::size_t k) const {
-    if (answers_.coverages[k] == Coverage::cut) {
+    if (answers_.coverage[k] == Coverage::cut) {
       return "undecided";
     }
     std::string words;
@@ -177,7 +177,7 @@ class PartsRun : public ProbeRun<PointSource> {
       parts.back()["side"] = std::string(name(part.side));
     }
     std::string keys =
-        ",\"parts\":" + json_text(parts) + coverage_keys(answers_.coverages[k], answers_.costs[k]);
+        ",\"parts\":" + json_text(parts) + coverage_keys(answers_.coverage[k], answers_.costs[k]);
     if (totals().rows == 0) {
       Json open = Json::array();
       for (std::uint32_t part = 0; part < body_.parts().size(); ++part) {

@@ -10,21 +10,8 @@
 
 namespace soms::command {
 
-SideCsv::SideCsv(const std::string& path, bool winding)
-    : AnswerCsv(path, winding ? "point,side,lower,upper,coverage\n" : "point,side,coverage\n") {
-}
-
-void SideCsv::add(std::uint64_t point, Side side, const std::optional<Bracket>& winding,
-                  Coverage coverage) {
-  if (is_wanted()) {
-    put(fmt::format("{},{}{},{}\n", point, name(side),
-                    winding ? fmt::format(",{},{}", winding->lower, winding->upper) : std::string(),
-                    name(coverage)));
-  }
-}
-
 PartSideCsv::PartSideCsv(const std::string& path)
-    : AnswerCsv(path, "point,part,name,path,first,side,coverage\n") {
+    : AnswerCsv(path, "row,part,name,path,first,side,coverage\n") {
 }
 
 void PartSideCsv::add(std::uint64_t point, const DividedBody& body,
@@ -38,7 +25,7 @@ void PartSideCsv::add(std::uint64_t point, const DividedBody& body,
     const std::string path =
         part.named == Part::kNoParent ? "" : csv_field(part_path_label(mesh, part.named));
     put(fmt::format("{},{},{},{},{},{}\n", point, part_csv_fields(mesh, part.named), path,
-                    part.first, name(found.side), name(answers.coverages[k])));
+                    part.first, name(found.side), name(answers.coverage[k])));
   }
 }
 

@@ -5,6 +5,7 @@
 #include "soms/base/bracket.h"
 #include "soms/query/contains.h"
 #include "soms/query/contains_parts.h"
+#include "soms/query/winding.h"
 
 #include "apps/soms/answers/answer_columns.h"
 #include "apps/soms/answers/answer_csv.h"
@@ -16,17 +17,6 @@
 #include <string>
 
 namespace soms::command {
-
-/// A row for each point.
-class SideCsv : public AnswerCsv {
- public:
-  /// `winding`: with columns of the numbers.
-  SideCsv(const std::string& path, bool winding);
-
-  /// \errors ErrorKind::cannot_write; ClosedPipe.
-  void add(std::uint64_t point, Side side, const std::optional<Bracket>& winding,
-           Coverage coverage);
-};
 
 /// A row for each part that holds a point, inside or on its surface.
 class PartSideCsv : public AnswerCsv {
@@ -41,10 +31,14 @@ class PartSideCsv : public AnswerCsv {
 /// Files of sides, opened before the model is read.
 struct SideFiles {
   explicit SideFiles(const ContainsVerbOptions& options)
-      : csv(options.csv, options.winding), columns(options.binary, options.winding) {}
+      : csv(options.winding ? FieldCsv::of<Winding>(options.csv, "row")
+                            : FieldCsv::of<Contains>(options.csv, "row")),
+        columns(options.binary) {
+    options.winding ? columns.begin<Winding>() : columns.begin<Contains>();
+  }
 
-  SideCsv csv;
-  SideColumns columns;
+  FieldCsv csv;
+  AnswerArrays columns;
 };
 
 }  // namespace soms::command

@@ -47,22 +47,21 @@ class WindingRun : public SideRun {
   [[nodiscard]] Side side(std::size_t k) const override { return answers_.side[k]; }
 
   [[nodiscard]] bool is_cut(std::size_t k) const override {
-    return answers_.coverages[k] == Coverage::cut;
+    return answers_.coverage[k] == Coverage::cut;
   }
 
   [[nodiscard]] std::string keys(std::size_t k) const override {
-    const Bracket& number = answers_.number[k];
-    std::string keys =
-        fmt::format(",\"winding\":[{},{}]{}", json_number(number.lower), json_number(number.upper),
-                    coverage_keys(answers_.coverages[k], answers_.costs[k]));
+    const Winding answer = answers_.at(k);
+    std::string keys = field_keys(answer) + coverage_keys(answer.coverage, answer.cost);
     if (totals().rows == 0) {
       keys += fmt::format(",\"boundary_edges\":{}", index_.boundary_edges());
     }
     return keys;
   }
 
-  [[nodiscard]] std::optional<Bracket> winding_number(std::size_t k) const override {
-    return answers_.number[k];
+  void put(std::size_t k, SideFiles& files) const override {
+    files.csv.add(totals().rows, answers_.at(k));
+    files.columns.add(answers_.at(k));
   }
 
   [[nodiscard]] std::string column_head() const override {
@@ -70,7 +69,7 @@ class WindingRun : public SideRun {
   }
 
   [[nodiscard]] std::string column(std::size_t k) const override {
-    const Bracket& number = answers_.number[k];
+    const Bracket number = answers_.at(k).number;
     const double middle = 0.5 * (number.lower + number.upper);
     return fmt::format("{:<12}  ", side(k) == Side::on ? std::string("-")
                                    : is_cut(k)         ? std::string("?")
@@ -84,7 +83,7 @@ class WindingRun : public SideRun {
     return console().run("verifying", [&](const Parallel&) -> std::optional<std::string> {
       const Body& body = index_.body();
       const Bracket truth = reference::winding_by_brute_force(body, block()[k]);
-      const Bracket& number = answers_.number[k];
+      const Bracket number = answers_.at(k).number;
       if (!agrees(number, truth)) {
         return fmt::format(
             "brute force finds a winding number from {} to {}, but the answer is "

@@ -81,7 +81,7 @@ class ProbeRun : public RowRun {
       more += place.empty() ? "" : ",\"georeference\":" + json_text(georeference_json(place));
       more += notes.empty() ? "" : ",\"notes\":" + json_text(notes);
     }
-    console().print(fmt::format("{{\"schema\":\"soms.{}/1\",\"{}\":{}{}{}}}\n", verb_, key,
+    console().print(fmt::format("{{\"schema\":\"soms.{}/2\",\"{}\":{}{}{}}}\n", verb_, key,
                                 totals().rows, keys, more));
   }
 

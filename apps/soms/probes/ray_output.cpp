@@ -2,6 +2,7 @@
 
 #include "apps/cli/console.h"
 #include "apps/cli/text.h"
+#include "apps/soms/answers/answer_fields.h"
 #include "apps/soms/pairs/near_output.h"
 #include "apps/soms/pairs/pair_report.h"
 #include "apps/soms/probes/probe_options.h"
@@ -31,25 +32,12 @@ std::string_view hit_word(const RayAnswer& answer, std::string_view unknown) {
   return is_hit(answer) ? "true" : is_cut(answer) ? unknown : "false";
 }
 
-std::string t_key(const Bracket& t) {
-  return fmt::format("\"t\":[{},{}]", json_number(t.lower), json_number(t.upper));
-}
-
-std::string first_hit_keys(const ClosestHit& hit) {
-  std::string text = "," + t_key(hit.t);
-  if (hit.triangle) {
-    text += fmt::format(",\"triangle\":{},\"at\":[{},{},{}],\"front\":{}", *hit.triangle,
-                        hit.point.x, hit.point.y, hit.point.z, hit.front);
-  }
-  return text;
-}
-
 std::string crossings_keys(const Crossings& hits) {
   std::string text = ",\"hits\":[";
   for (const Crossing& place : hits.places) {
-    text +=
-        fmt::format("{}{{{},\"triangles\":[{}],\"kind\":\"{}\"}}", text.back() == '[' ? "" : ",",
-                    t_key(place.t), fmt::join(place.triangles, ","), name(place.kind));
+    text += fmt::format("{}{{\"kind\":\"{}\"{},\"triangles\":[{}]}}", text.back() == '[' ? "" : ",",
+                        name(place.kind), detail::json_key("t", place.t),
+                        fmt::join(place.triangles, ","));
   }
   return text + fmt::format("],\"count\":{}", hits.count());
 }
@@ -108,14 +96,12 @@ std::string row_in_text(std::uint64_t ray, const RayAnswer& answer, const MeshVi
       answer);
 }
 
-std::string_view columns_of(const RayAnswer& answer) {
+std::string columns_of(const RayAnswer& answer) {
   return std::visit(
-      Overloaded{[](const ClosestHit&) -> std::string_view {
-                   return "ray,hit,lower,upper,coverage,triangle,part,name,x,y,z,front";
-                 },
-                 [](const AnyHit&) -> std::string_view { return "ray,hit,coverage"; },
-                 [](const Crossings&) -> std::string_view {
-                   return "ray,crossing,lower,upper,kind,coverage,triangle,part,name";
+      Overloaded{[](const ClosestHit&) { return "ray,hit," + field_head<ClosestHit>(); },
+                 [](const AnyHit&) { return "ray," + field_head<AnyHit>(); },
+                 [](const Crossings&) {
+                   return std::string("ray,crossing,lower,upper,kind,triangle,part,name,coverage");
                  }},
       answer);
 }
@@ -153,25 +139,15 @@ bool is_cut(const RayAnswer& answer) {
   return std::visit([](const auto& hit) { return hit.coverage == Coverage::cut; }, answer);
 }
 
-std::string_view name(CrossingKind kind) {
-  switch (kind) {
-    case CrossingKind::enter:
-      return "enter";
-    case CrossingKind::leave:
-      return "leave";
-    case CrossingKind::graze:
-      break;
-  }
-  return "graze";
-}
-
 std::string ray_keys(const RayAnswer& answer) {
   const std::string keys =
-      std::visit(Overloaded{[](const ClosestHit& hit) { return first_hit_keys(hit); },
-                            [](const AnyHit&) { return std::string(); },
+      std::visit(Overloaded{[](const ClosestHit& hit) { return field_keys(hit); },
+                            [](const AnyHit& hit) { return field_keys(hit); },
                             [](const Crossings& hits) { return crossings_keys(hits); }},
                  answer);
-  return fmt::format(",\"hit\":{}{}", hit_word(answer, "null"), keys) +
+  return (std::holds_alternative<AnyHit>(answer)
+              ? keys
+              : fmt::format(",\"hit\":{}{}", hit_word(answer, "null"), keys)) +
          std::visit([](const auto& hit) { return coverage_keys(hit.coverage, hit.cost); }, answer);
 }
 
@@ -213,19 +189,16 @@ void RayCsv::add(std::uint64_t ray, const RayAnswer& answer) {
 }
 
 std::string RayCsv::rows_of(std::uint64_t ray, const RayAnswer& answer) const {
-  const auto hit = [&] { return hit_word(answer, ""); };
+  const auto of_triangle = [this](int, std::optional<TriangleId> triangle) {
+    return triangle_csv_fields(mesh_, parts_, triangle);
+  };
   return std::visit(
       Overloaded{[&](const ClosestHit& first) {
-                   return fmt::format(
-                       "{},{},{},{},{},{},{}{}\n", ray, hit(), first.t.lower, first.t.upper,
-                       name(first.coverage), triangle_csv_fields(mesh_, parts_, first.triangle),
-                       first.triangle ? fmt::format("{},{},{},{}", first.point.x, first.point.y,
-                                                    first.point.z, first.front)
-                                      : std::string(",,,"),
-                       georeference_.field());
+                   return fmt::format("{},{},{}{}\n", ray, hit_word(answer, ""),
+                                      field_cells(first, of_triangle), georeference_.field());
                  },
                  [&](const AnyHit& any) {
-                   return fmt::format("{},{},{}\n", ray, hit(), name(any.coverage));
+                   return fmt::format("{},{}\n", ray, field_cells(any, of_triangle));
                  },
                  [&](const Crossings& all) {
                    std::string rows;
@@ -233,8 +206,8 @@ std::string RayCsv::rows_of(std::uint64_t ray, const RayAnswer& answer) const {
                      const Crossing& place = all.places[i];
                      for (const TriangleId triangle : place.triangles) {
                        rows += fmt::format("{},{},{},{},{},{},{}\n", ray, i, place.t.lower,
-                                           place.t.upper, name(place.kind), name(all.coverage),
-                                           triangle_csv_fields(mesh_, parts_, triangle));
+                                           place.t.upper, name(place.kind),
+                                           of_triangle(0, triangle), name(all.coverage));
                      }
                    }
                    return rows;

@@ -50,8 +50,6 @@ using RayAnswer = std::variant<ClosestHit, AnyHit, Crossings>;
 [[nodiscard]] bool is_hit(const RayAnswer& answer);
 [[nodiscard]] bool is_cut(const RayAnswer& answer);
 
-[[nodiscard]] std::string_view name(CrossingKind kind);
-
 /// The keys of an answer in JSON, with a comma before.
 [[nodiscard]] std::string ray_keys(const RayAnswer& answer);
 

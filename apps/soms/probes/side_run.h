@@ -29,16 +29,13 @@ class SideRun : public ProbeRun<PointSource> {
                  console),
         files_(files) {}
 
-  /// The winding number, where sides are decided by it.
-  [[nodiscard]] virtual std::optional<Bracket> winding_number(std::size_t) const {
-    return std::nullopt;
-  }
-
  private:
   [[nodiscard]] virtual const MeshView& mesh() const = 0;
   [[nodiscard]] virtual Side side(std::size_t k) const = 0;
   [[nodiscard]] virtual bool is_cut(std::size_t k) const = 0;
-  /// Keys of a JSON row that follow "side", each after a comma.
+  /// Writes an answer to files.
+  virtual void put(std::size_t k, SideFiles& files) const = 0;
+  /// Keys of a JSON row, each after a comma.
   [[nodiscard]] virtual std::string keys(std::size_t k) const = 0;
 
   /// What stands between side and point in the table for people, and above it.
@@ -54,15 +51,9 @@ class SideRun : public ProbeRun<PointSource> {
 
   void print_row(std::size_t k, bool right, bool last) override {
     ++counts_[static_cast<std::size_t>(side(k))];
-    const std::optional<Bracket> number = winding_number(k);
-    files_.csv.add(totals().rows, side(k), number, is_cut(k) ? Coverage::cut : Coverage::complete);
-    files_.columns.add(side(k));
-    if (number) {
-      files_.columns.add(*number);
-    }
+    put(k, files_);
     if (console().shared().json) {
-      print_json(mesh(), "point", fmt::format(",\"side\":\"{}\"{}", name(side(k)), keys(k)), right,
-                 last);
+      print_json(mesh(), "row", keys(k), right, last);
       return;
     }
     if (totals().rows == 0) {

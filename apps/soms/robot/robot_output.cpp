@@ -21,11 +21,6 @@ namespace {
 
 constexpr std::size_t kPairsInText = 10;
 
-std::string_view verdict_name(RobotVerdict verdict) {
-  constexpr std::array<std::string_view, 3> kNames{"free", "contact", "undecided"};
-  return kNames[static_cast<std::size_t>(verdict)];
-}
-
 /// The second of a pair: a link, or "cell: wall".
 std::string other_label(const RobotModels& models, const RobotPair& pair) {
   if (!pair.cell) {
@@ -202,7 +197,7 @@ std::string models_in_text(const RobotModels& models) {
 
 std::string answer_in_text(const RobotModels& models, std::uint64_t state,
                            const RobotAnswer& answer) {
-  std::string text = fmt::format("state {}: {}", state, verdict_name(answer.verdict));
+  std::string text = fmt::format("state {}: {}", state, name(answer.verdict));
   if (!answer.contacts.empty()) {
     text += ": " + contacts_in_text(models, answer);
   } else if (answer.gap) {
@@ -255,7 +250,7 @@ Json answer_as_json(const RobotModels& models, std::uint64_t state, const RobotA
                     std::optional<bool> verified) {
   Json json = {{"schema", "soms.robot/1"},
                {"state", state},
-               {"verdict", verdict_name(answer.verdict)},
+               {"verdict", name(answer.verdict)},
                {"contacts", Json::array()},
                {"out_of_limits", Json::array()}};
   for (const RobotContact& contact : answer.contacts) {
@@ -380,8 +375,8 @@ std::string answer_as_csv(const RobotModels& models, std::uint64_t state,
         found.pair ? csv_field(models.model.link_names()[found.pair->link]) : std::string(),
         found.pair ? csv_field(other_label(models, *found.pair)) : std::string());
   }
-  return fmt::format("{},{},{},{},{},{}\n", state, verdict_name(answer.verdict),
-                     answer.contacts.size(), csv_field(pairs), csv_field(joints), gap);
+  return fmt::format("{},{},{},{},{},{}\n", state, name(answer.verdict), answer.contacts.size(),
+                     csv_field(pairs), csv_field(joints), gap);
 }
 
 }  // namespace soms::command

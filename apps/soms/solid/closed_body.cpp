@@ -10,20 +10,6 @@
 
 namespace soms::command {
 
-std::string_view name(Side side) {
-  switch (side) {
-    case Side::outside:
-      return "outside";
-    case Side::inside:
-      return "inside";
-    case Side::on:
-      return "on";
-    case Side::undecided:
-      break;
-  }
-  return "undecided";
-}
-
 ClosedBody closed_body(Body body, std::string_view otherwise, Console& console) {
   try {
     return console.run(

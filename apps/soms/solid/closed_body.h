@@ -11,8 +11,6 @@ namespace soms::command {
 
 class Console;
 
-[[nodiscard]] std::string_view name(Side side);
-
 /// \errors As ClosedBody; where the surface is open, `otherwise` ends the remedy.
 [[nodiscard]] ClosedBody closed_body(Body body, std::string_view otherwise, Console& console);
 

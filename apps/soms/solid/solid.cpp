@@ -1,6 +1,7 @@
 #include "apps/soms/solid/solid.h"
 
 #include "soms/base/error.h"
+#include "soms/query/print.h"
 #include "soms/query/reference/solid.h"
 
 #include "apps/cli/console.h"
@@ -100,8 +101,8 @@ class SolidRun : public PoseRun {
     if (truth.relation == answer.relation && truth.surfaces_meet == answer.surfaces_meet) {
       return std::nullopt;
     }
-    return fmt::format("brute force finds {}, but the answer is {}", solid_keys(truth),
-                       solid_keys(answer));
+    return fmt::format("brute force finds {}, but the answer is {}", printed(truth),
+                       printed(answer));
   }
 
   void print_answer(std::size_t k, bool right) override {
@@ -111,8 +112,8 @@ class SolidRun : public PoseRun {
     files_.csv.add(pose, answer);
     files_.columns.add(answer);
     if (console().shared().json) {
-      console().print(fmt::format("{{\"schema\":\"soms.solid/1\",\"pose\":{},{}{}{}}}\n", pose,
-                                  solid_keys(answer), coverage_keys(answer.coverage, answer.cost),
+      console().print(fmt::format("{{\"schema\":\"soms.solid/2\",\"pose\":{}{}{}{}}}\n", pose,
+                                  field_keys(answer), coverage_keys(answer.coverage, answer.cost),
                                   report_keys(report(), pose, right)));
     } else if (report().single) {
       console().print(
@@ -286,15 +287,15 @@ class SolidPartsRun : public PoseRun {
     for (const SolidPair& pair : answers_[k]) {
       cost += pair.answer.cost;
     }
-    console().print(fmt::format("{{\"schema\":\"soms.solid/1\",\"pose\":{}{}{},\"parts\":[", pose,
+    console().print(fmt::format("{{\"schema\":\"soms.solid/2\",\"pose\":{}{}{},\"parts\":[", pose,
                                 coverage_keys(coverage(k), cost),
                                 report_keys(report(), pose, right)));
     for (const SolidPair& pair : answers_[k]) {
       std::string text =
-          fmt::format("{}{{\"a\":{},\"b\":{},{}", &pair == answers_[k].data() ? "" : ",",
+          fmt::format("{}{{\"a\":{},\"b\":{}{}", &pair == answers_[k].data() ? "" : ",",
                       json_text(body_as_json(report().a, pair.a->part, pair.a->joined)),
                       json_text(body_as_json(report().b, pair.b->part, pair.b->joined)),
-                      solid_keys(pair.answer));
+                      field_keys(pair.answer));
       if (pair.answer.why == Undecided::open) {
         text += fmt::format(",\"odd_edges\":[{},{}]", pair.a->odd_edges, pair.b->odd_edges);
       }
@@ -354,7 +355,8 @@ int run_solid(const SolidVerbOptions& options, Console& console) {
     SolidPartFiles files{SolidPartCsv(options.csv), SolidPartColumns(options.binary)};
     return SolidPartsRun(options, files, console).run();
   }
-  SolidFiles files{SolidCsv(options.csv), SolidColumns(options.binary)};
+  SolidFiles files{FieldCsv::of<Solid>(options.csv, "pose"), AnswerArrays(options.binary)};
+  files.columns.begin<Solid>();
   return SolidRun(options, files, console).run();
 }
 

@@ -14,8 +14,7 @@ namespace {
 
 /// "relation,surfaces_meet,why"
 std::string solid_fields(const Solid& answer) {
-  return fmt::format("{},{},{}", relation_name(answer.relation), answer.surfaces_meet,
-                     answer.why == Undecided::none ? std::string_view() : reason_name(answer.why));
+  return fmt::format("{},{},{}", name(answer.relation), answer.surfaces_meet, name(answer.why));
 }
 
 std::string path_field(const MeshView& mesh, std::uint32_t part) {
@@ -23,16 +22,6 @@ std::string path_field(const MeshView& mesh, std::uint32_t part) {
 }
 
 }  // namespace
-
-SolidCsv::SolidCsv(const std::string& path)
-    : AnswerCsv(path, "pose,relation,surfaces_meet,why,coverage\n") {
-}
-
-void SolidCsv::add(std::uint64_t pose, const Solid& answer) {
-  if (is_wanted()) {
-    put(fmt::format("{},{},{}\n", pose, solid_fields(answer), name(answer.coverage)));
-  }
-}
 
 SolidPartCsv::SolidPartCsv(const std::string& path)
     : AnswerCsv(path,

@@ -15,15 +15,6 @@
 
 namespace soms::command {
 
-/// A row for each pose of two models.
-class SolidCsv : public AnswerCsv {
- public:
-  explicit SolidCsv(const std::string& path);
-
-  /// \errors ErrorKind::cannot_write; ClosedPipe.
-  void add(std::uint64_t pose, const Solid& answer);
-};
-
 /// A row for each pair of parts that is not clear.
 class SolidPartCsv : public AnswerCsv {
  public:
@@ -36,8 +27,8 @@ class SolidPartCsv : public AnswerCsv {
 
 /// Files of relations, opened before the models are read.
 struct SolidFiles {
-  SolidCsv csv;
-  SolidColumns columns;
+  FieldCsv csv;
+  AnswerArrays columns;
 };
 
 /// The same of parts.

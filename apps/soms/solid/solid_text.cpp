@@ -4,34 +4,10 @@
 
 namespace soms::command {
 
-std::string_view relation_name(Relation relation) {
-  switch (relation) {
-    case Relation::clear:
-      return "clear";
-    case Relation::touching:
-      return "touching";
-    case Relation::crossing:
-      return "crossing";
-    case Relation::a_in_b:
-      return "a_in_b";
-    case Relation::b_in_a:
-      return "b_in_a";
-    case Relation::same:
-      return "same";
-    case Relation::undecided:
-      break;
-  }
-  return "undecided";
-}
-
 std::string_view relation_label(Relation relation) {
   return relation == Relation::a_in_b   ? "A in B"
          : relation == Relation::b_in_a ? "B in A"
-                                        : relation_name(relation);
-}
-
-std::string_view reason_name(Undecided why) {
-  return why == Undecided::open ? "open" : why == Undecided::deadline ? "deadline" : "none";
+                                        : name(relation);
 }
 
 bool shares_interior(Relation relation) {
@@ -60,15 +36,6 @@ std::string solid_in_words(const Solid& answer, std::string_view a, std::string_
   return answer.why == Undecided::open
              ? "undecided: where this pose rounds its vertices, a model is not closed"
              : "undecided: out of time";
-}
-
-std::string solid_keys(const Solid& answer) {
-  std::string keys = fmt::format("\"relation\":\"{}\",\"surfaces_meet\":{}",
-                                 relation_name(answer.relation), answer.surfaces_meet);
-  if (answer.why != Undecided::none) {
-    keys += fmt::format(",\"why\":\"{}\"", reason_name(answer.why));
-  }
-  return keys;
 }
 
 }  // namespace soms::command

@@ -4,10 +4,9 @@
 #include "soms/query/signed_closest.h"
 #include "soms/tiles/tiled_queries.h"
 
-#include "python/src/answer.h"
 #include "python/src/bind.h"
+#include "python/src/described.h"
 #include "python/src/function.h"
-#include "python/src/query/closest_fields.h"
 #include "python/src/query/point_query.h"
 #include "python/src/query/signed_distance.h"
 #include "python/src/scene/bodies.h"
@@ -101,10 +100,7 @@ NearTriangles near(const py::object& body, const py::object& points, double radi
 }
 
 void bind_signed(py::module_& module) {
-  AnswerClass<SignedClosest> one(module, "SignedClosest",
-                                 "Answer of closest for a point and a ClosedBody.");
-  one.field("closest", &SignedClosest::closest, "Closest, of the surface.")
-      .field("side", &SignedClosest::side, "Side, as contains has it.")
+  bind_answer<SignedClosest>(module)
       .derived(
           "lower", [](const SignedClosest& c) { return c.distance().lower; },
           "The signed distance, below 0 inside, is at least this,")
@@ -116,42 +112,21 @@ void bind_signed(py::module_& module) {
             return signed_distance(c.closest.distance.upper, c.side, c.closest.coverage);
           },
           "The signed distance as one number, as signed_distance returns it.");
-  AnswerClass<SignedClosestBatch> batch(module, "SignedClosestBatch",
-                                        "Answers of closest for n points and a ClosedBody.");
-  batch.field("closest", &SignedClosestBatch::closest, "ClosestBatch, of the surface; a copy.")
-      .column("side", &SignedClosestBatch::side, "(n,) integers of Side.")
-      .derived(
-          "signed",
-          [](const SignedClosestBatch& b) {
-            const std::vector<double> all = signed_distances(b.closest, b.side);
-            return py::array_t<double>(static_cast<py::ssize_t>(all.size()), all.data());
-          },
-          "(n,) float64: the signed distances as signed_distance returns them; a copy.")
-      .entries();
-}
-
-void bind_near(py::module_& module) {
-  AnswerClass<NearTriangles> near(module, "NearTriangles", "Triangles near each of n points.");
-  near.rows("triangle", &NearTriangles::offsets, &NearTriangles::triangle,
-            "(k,) uint32: the triangles of all points; those of point i are of(i).")
-      .column("offsets", &NearTriangles::offsets, "(n + 1,) uint64.")
-      .column("lower", &NearTriangles::lower, "(k,) float64: the distance is between this")
-      .column("upper", &NearTriangles::upper, "(k,) float64: and this.")
-      .column("coverage", &NearTriangles::coverage, "(n,) integers of Coverage.")
-      .column("costs", &NearTriangles::costs, "(n,) node_tests, triangle_tests, exact_tests.")
-      .field("cost", &NearTriangles::cost, "Cost of all points together.")
-      .entries();
+  bind_batch<SignedClosest>(module).derived(
+      "signed",
+      [](const SignedClosestBatch& b) {
+        const std::vector<double> all = signed_distances(b.closest, b.side);
+        return py::array_t<double>(static_cast<py::ssize_t>(all.size()), all.data());
+      },
+      "(n,) float64: the signed distances as signed_distance returns them; a copy.");
 }
 
 }  // namespace
 
 void bind_closest(py::module_& module) {
-  AnswerClass<Closest> one(module, "Closest", "Answer of closest for a point.");
-  closest_fields(one);
-  AnswerClass<ClosestBatch> batch(module, "ClosestBatch", "Answers of closest for n points.");
-  closest_columns(batch);
+  bind_answers_of<Closest>(module);
   bind_signed(module);
-  bind_near(module);
+  bind_answer<NearTriangles>(module);
   def_function(
       module, "closest", &query_closest, kClosestDoc,
       with_limits({{"body"}, {"points"}, {"at_most", py::float_(ClosestOptions{}.at_most), true}}));

@@ -15,20 +15,6 @@
 
 namespace soms::python {
 
-py::dtype RowType<EnvironmentEvent>::get() {
-  return structured({{"mover", "u4", offsetof(EnvironmentEvent, mover)},
-                     {"part", "u4", offsetof(EnvironmentEvent, part)},
-                     {"change", "u1", offsetof(EnvironmentEvent, change)}},
-                    sizeof(EnvironmentEvent));
-}
-
-py::dtype RowType<MoverEvent>::get() {
-  return structured({{"a", "u4", offsetof(MoverEvent, a)},
-                     {"b", "u4", offsetof(MoverEvent, b)},
-                     {"change", "u1", offsetof(MoverEvent, change)}},
-                    sizeof(MoverEvent));
-}
-
 namespace {
 
 void bind_tracker(py::module_& module) {

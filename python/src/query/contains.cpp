@@ -3,8 +3,8 @@
 #include "soms/query/contains_parts.h"
 #include "soms/query/print.h"
 
-#include "python/src/answer.h"
 #include "python/src/bind.h"
+#include "python/src/described.h"
 #include "python/src/function.h"
 #include "python/src/poses.h"
 #include "python/src/query/point_query.h"
@@ -143,35 +143,12 @@ partition: 'named' by the parts of the file, or 'connected' by vertices in one p
 }
 
 void bind_point_answers(py::module_& module) {
-  AnswerClass<Contains> one(module, "Contains", "Answer of contains for a point.");
-  one.field("side", &Contains::side, "Side: outside, inside, on, or undecided.")
-      .field("coverage", &Contains::coverage, "Coverage.")
-      .field("cost", &Contains::cost, "Cost.");
-  AnswerClass<ContainsBatch> batch(module, "ContainsBatch", "Answers of contains for n points.");
-  batch.column("side", &ContainsBatch::side, "(n,) integers of Side.")
-      .column("costs", &ContainsBatch::costs, "(n,) node_tests, triangle_tests, exact_tests.")
-      .field("coverage", &ContainsBatch::coverage, "Coverage: cut if a point is undecided.")
-      .field("cost", &ContainsBatch::cost, "Cost of all points together.")
-      .entries();
+  bind_answers_of<Contains>(module);
 }
 
 void bind_part_answers(py::module_& module) {
-  AnswerClass<ContainsParts> one(module, "ContainsParts", "The parts that hold a point.");
-  one.column("parts", &ContainsParts::parts,
-             "(k,) with fields part, an index of DividedBody.parts, and side: inside or on.")
-      .field("coverage", &ContainsParts::coverage, "Coverage.")
-      .field("cost", &ContainsParts::cost, "Cost.");
-  AnswerClass<ContainsPartsBatch> batch(module, "ContainsPartsBatch",
-                                        "The parts that hold each of n points.");
-  batch
-      .rows("parts", &ContainsPartsBatch::offsets, &ContainsPartsBatch::parts,
-            "(k,) with fields part and side, of all points; those of point i are of(i).")
-      .column("offsets", &ContainsPartsBatch::offsets, "(n + 1,) uint64.")
-      .column("coverages", &ContainsPartsBatch::coverages, "(n,) integers of Coverage.")
-      .column("costs", &ContainsPartsBatch::costs, "(n,) node_tests, triangle_tests, exact_tests.")
-      .field("coverage", &ContainsPartsBatch::coverage, "Coverage: cut if that of a point is.")
-      .field("cost", &ContainsPartsBatch::cost, "Cost of all points together.")
-      .entries();
+  bind_answer<ContainsParts>(module);
+  bind_answer<ContainsPartsBatch>(module);
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 
 #include "soms/query/print.h"
 
-#include "python/src/answer.h"
 #include "python/src/bind.h"
+#include "python/src/described.h"
 #include "python/src/function.h"
 #include "python/src/query/pose_query.h"
 
@@ -40,31 +40,7 @@ py::object query_distance(const py::object& a, const py::object& b, const py::ob
 }  // namespace
 
 void bind_distance(py::module_& module) {
-  AnswerClass<Distance> one(module, "Distance", "Answer of distance.");
-  one.derived(
-         "lower", [](const Distance& d) { return d.distance.lower; },
-         "The largest double that is not above the distance.")
-      .derived(
-          "upper", [](const Distance& d) { return d.distance.upper; },
-          "The least double that is not below it.")
-      .field("triangles", &Distance::triangles,
-             "(triangle of a, triangle of b): the least pair at this distance; None if farther.")
-      .field("point_a", &Distance::point_a, "(3,): the end of a shortest segment on a, in world.")
-      .field("point_b", &Distance::point_b, "(3,): the other end, on b.")
-      .field("farther", &Distance::farther, "The distance exceeds at_most.")
-      .field("coverage", &Distance::coverage, "Coverage.")
-      .field("cost", &Distance::cost, "Cost.");
-  AnswerClass<DistanceBatch> batch(module, "DistanceBatch", "Answers of distance for n poses.");
-  batch.column("lower", &DistanceBatch::lower, "(n,) float64.")
-      .column("upper", &DistanceBatch::upper, "(n,) float64.")
-      .column("triangles", &DistanceBatch::triangles, "(n, 2) int64, -1 where there is no pair.")
-      .column("point_a", &DistanceBatch::point_a, "(n, 3) float64; 0 where there is no pair.")
-      .column("point_b", &DistanceBatch::point_b, "(n, 3) float64; 0 where there is no pair.")
-      .column("farther", &DistanceBatch::farther, "(n,) bool.")
-      .column("coverage", &DistanceBatch::coverage, "(n,) integers of Coverage.")
-      .column("costs", &DistanceBatch::costs, "(n,) node_tests, triangle_tests, exact_tests.")
-      .field("cost", &DistanceBatch::cost, "Cost of all poses together.")
-      .entries();
+  bind_answers_of<Distance>(module);
   def_function(module, "distance", &query_distance, kDistanceDoc,
                with_limits({{"a"},
                             {"b"},

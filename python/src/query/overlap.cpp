@@ -2,9 +2,9 @@
 
 #include "soms/query/print.h"
 
-#include "python/src/answer.h"
 #include "python/src/bind.h"
 #include "python/src/call.h"
+#include "python/src/described.h"
 #include "python/src/function.h"
 #include "python/src/query/pose_query.h"
 
@@ -48,23 +48,9 @@ py::object query_overlap(const py::object& a, const py::object& b, const py::obj
 }  // namespace
 
 void bind_overlap(py::module_& module) {
-  AnswerClass<Overlap> one(module, "Overlap", "Answer of overlap. Its truth is that of any.");
-  one.truth("any", &Overlap::any, "Some pair of triangles shares a point.")
-      .column("pairs", &Overlap::pairs,
-              "(n, 2) uint32: triangle of a, triangle of b; sorted. One pair in modes any, first.")
-      .field("coverage", &Overlap::coverage, "Coverage.")
-      .field("cost", &Overlap::cost, "Cost.");
-  one.def("hash", &Overlap::hash, "hash() -> int\n\nFNV-1a 64 over the pairs.");
-  AnswerClass<OverlapBatch> batch(module, "OverlapBatch", "Answers of overlap for n poses.");
-  batch.column("any", &OverlapBatch::any, "(n,) bool.")
-      .rows("pairs", &OverlapBatch::offsets, &OverlapBatch::pairs,
-            "(k, 2) uint32: the pairs of all poses; those of pose i are of(i).")
-      .column("offsets", &OverlapBatch::offsets,
-              "(n + 1,) uint64: pose i has pairs[offsets[i]:offsets[i + 1]].")
-      .column("coverage", &OverlapBatch::coverage, "(n,) integers of Coverage.")
-      .column("costs", &OverlapBatch::costs, "(n,) node_tests, triangle_tests, exact_tests.")
-      .field("cost", &OverlapBatch::cost, "Cost of all poses together.")
-      .entries();
+  bind_answer<Overlap>(module).def("hash", &Overlap::hash,
+                                   "hash() -> int\n\nFNV-1a 64 over the pairs.");
+  bind_answer<OverlapBatch>(module);
   def_function(module, "overlap", &query_overlap, kOverlapDoc,
                with_limits({{"a"},
                             {"b"},

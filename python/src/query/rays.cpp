@@ -2,11 +2,10 @@
 #include "soms/query/ray.h"
 #include "soms/tiles/tiled_queries.h"
 
-#include "python/src/answer.h"
 #include "python/src/bind.h"
 #include "python/src/call.h"
+#include "python/src/described.h"
 #include "python/src/function.h"
-#include "python/src/query/closest_fields.h"
 #include "python/src/query/ray_arguments.h"
 #include "python/src/scene/bodies.h"
 
@@ -87,24 +86,9 @@ void def_rays(py::module_& module, const char* name, const Query& query, const c
 }  // namespace
 
 void bind_rays(py::module_& module) {
-  AnswerClass<ClosestHit> hit(module, "ClosestHit", "Answer of closest_hit for a ray.");
-  hit_fields(hit);
-  AnswerClass<ClosestHitBatch> hits(module, "ClosestHitBatch",
-                                    "Answers of closest_hit for n rays.");
-  hit_columns(hits);
-  AnswerClass<AnyHit> any(module, "AnyHit",
-                          "Answer of any_hit for a ray. Its truth is that of hit.");
-  any.truth("hit", &AnyHit::hit, "The ray hits something.")
-      .field("coverage", &AnyHit::coverage, "Coverage.")
-      .field("cost", &AnyHit::cost, "Cost.");
-  AnswerClass<AnyHitBatch> anys(module, "AnyHitBatch", "Answers of any_hit for n rays.");
-  anys.column("hit", &AnyHitBatch::hit, "(n,) bool.")
-      .column("coverage", &AnyHitBatch::coverage, "(n,) integers of Coverage.")
-      .column("costs", &AnyHitBatch::costs, "(n,) node_tests, triangle_tests, exact_tests.")
-      .field("cost", &AnyHitBatch::cost, "Cost of all rays together.")
-      .entries();
-  AnswerClass<AllHits> all(module, "AllHits", "All places where n rays meet a surface.");
-  all_hits_columns(all);
+  bind_answers_of<ClosestHit>(module);
+  bind_answers_of<AnyHit>(module);
+  bind_answer<AllHits>(module);
   def_rays<true>(
       module, "closest_hit", [](const auto&... of) { return closest_hit(of...); },
       "The first point of a surface on a ray or segment. Triangles are closed sets, so no ray "

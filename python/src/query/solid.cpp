@@ -2,8 +2,8 @@
 
 #include "soms/query/print.h"
 
-#include "python/src/answer.h"
 #include "python/src/bind.h"
+#include "python/src/described.h"
 #include "python/src/function.h"
 #include "python/src/query/point_query.h"
 #include "python/src/query/pose_query.h"
@@ -87,20 +87,7 @@ py::object query_solid(const py::object& a, const py::object& b, const py::objec
 }  // namespace
 
 void bind_solid(py::module_& module) {
-  AnswerClass<Solid> one(module, "Solid", "Answer of solid.");
-  one.field("relation", &Solid::relation, "Relation.")
-      .field("surfaces_meet", &Solid::surfaces_meet, "Triangles of the two overlap.")
-      .field("why", &Solid::why, "Undecided: why the relation is.")
-      .field("coverage", &Solid::coverage, "Coverage.")
-      .field("cost", &Solid::cost, "Cost.");
-  AnswerClass<SolidBatch> batch(module, "SolidBatch", "Answers of solid for n poses.");
-  batch.column("relation", &SolidBatch::relation, "(n,) integers of Relation.")
-      .column("surfaces_meet", &SolidBatch::surfaces_meet, "(n,) bool.")
-      .column("why", &SolidBatch::why, "(n,) integers of Undecided.")
-      .column("coverage", &SolidBatch::coverage, "(n,) integers of Coverage.")
-      .column("costs", &SolidBatch::costs, "(n,) node_tests, triangle_tests, exact_tests.")
-      .field("cost", &SolidBatch::cost, "Cost of all poses together.")
-      .entries();
+  bind_answers_of<Solid>(module);
   def_function(module, "solid", &query_solid, kSolidDoc,
                with_limits({{"a"}, {"b"}, {"poses", py::none()}}));
 }

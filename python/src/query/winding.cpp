@@ -2,8 +2,8 @@
 
 #include "soms/query/print.h"
 
-#include "python/src/answer.h"
 #include "python/src/bind.h"
+#include "python/src/described.h"
 #include "python/src/function.h"
 #include "python/src/query/point_query.h"
 #include "python/src/scene/bodies.h"
@@ -79,23 +79,7 @@ A body, and what its winding numbers are made of. Made once, queried often. O(n 
 
 void bind_winding(py::module_& module) {
   bind_index(module);
-  AnswerClass<Winding> one(module, "Winding", "Answer of winding for a point.");
-  one.field("side", &Winding::side, "Side, as far as the bracket decides it.")
-      .derived(
-          "lower", [](const Winding& w) { return w.number.lower; },
-          "The winding number is at least this,")
-      .derived(
-          "upper", [](const Winding& w) { return w.number.upper; }, "and at most this.")
-      .field("coverage", &Winding::coverage, "Coverage.")
-      .field("cost", &Winding::cost, "Cost.");
-  AnswerClass<WindingBatch> batch(module, "WindingBatch", "Answers of winding for n points.");
-  batch.column("side", &WindingBatch::side, "(n,) integers of Side.")
-      .column("number", &WindingBatch::number, "(n,) with fields lower and upper.")
-      .column("coverages", &WindingBatch::coverages, "(n,) integers of Coverage.")
-      .column("costs", &WindingBatch::costs, "(n,) node_tests, triangle_tests, exact_tests.")
-      .field("coverage", &WindingBatch::coverage, "Coverage: cut if that of a point is.")
-      .field("cost", &WindingBatch::cost, "Cost of all points together.")
-      .entries();
+  bind_answers_of<Winding>(module);
   def_function(
       module, "winding", &query_winding, kWindingDoc,
       with_limits({{"index"}, {"points"}, {"width", py::float_(WindingOptions{}.width), true}}));

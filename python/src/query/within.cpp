@@ -2,8 +2,8 @@
 
 #include "soms/query/print.h"
 
-#include "python/src/answer.h"
 #include "python/src/bind.h"
+#include "python/src/described.h"
 #include "python/src/function.h"
 #include "python/src/query/pose_query.h"
 
@@ -37,24 +37,7 @@ py::object query_within(const py::object& a, const py::object& b, double clearan
 }  // namespace
 
 void bind_within(py::module_& module) {
-  AnswerClass<Within> one(module, "Within", "Answer of within. Its truth is that of within.");
-  one.truth("within", &Within::within, "The distance is at most the clearance.")
-      .field("triangles", &Within::triangles, "Some pair within the clearance, or None.")
-      .field("point_a", &Within::point_a, "(3,): the end of its shortest segment on a, in world.")
-      .field("point_b", &Within::point_b, "(3,): the other end, on b.")
-      .field("at_least", &Within::at_least, "A lower bound of the distance.")
-      .field("coverage", &Within::coverage, "Coverage.")
-      .field("cost", &Within::cost, "Cost.");
-  AnswerClass<WithinBatch> batch(module, "WithinBatch", "Answers of within for n poses.");
-  batch.column("within", &WithinBatch::within, "(n,) bool.")
-      .column("triangles", &WithinBatch::triangles, "(n, 2) int64, -1 where there is no pair.")
-      .column("point_a", &WithinBatch::point_a, "(n, 3) float64; 0 where there is no pair.")
-      .column("point_b", &WithinBatch::point_b, "(n, 3) float64; 0 where there is no pair.")
-      .column("at_least", &WithinBatch::at_least, "(n,) float64.")
-      .column("coverage", &WithinBatch::coverage, "(n,) integers of Coverage.")
-      .column("costs", &WithinBatch::costs, "(n,) node_tests, triangle_tests, exact_tests.")
-      .field("cost", &WithinBatch::cost, "Cost of all poses together.")
-      .entries();
+  bind_answers_of<Within>(module);
   def_function(module, "within", &query_within, kWithinDoc,
                with_limits({{"a"}, {"b"}, {"clearance"}, {"poses", py::none()}}));
 }

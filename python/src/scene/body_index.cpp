@@ -4,8 +4,8 @@
 #include "soms/query/print.h"
 #include "soms/scene/print.h"
 
-#include "python/src/answer.h"
 #include "python/src/bind.h"
+#include "python/src/described.h"
 #include "python/src/scene/bodies.h"
 #include "python/src/scene/many_bodies.h"
 
@@ -77,25 +77,9 @@ BodyFilter index_filter(std::optional<std::uint32_t> ignored) {
 }
 
 void bind_index_answers(py::module_& module) {
-  const char* const body = "The number of the body, or None.";
-  const char* const bodies = "(n,) int64: the number of the body, -1 for none.";
-  AnswerClass<BodyClosest> closest(module, "BodyClosest", "The nearest point of many bodies.");
-  closest_fields(closest);
-  closest.field("body", &BodyClosest::body, body);
-  AnswerClass<BodyClosestBatch> closests(module, "BodyClosestBatch",
-                                         "The nearest points of many bodies to n points.");
-  closest_columns(closests);
-  closests.column("body", &BodyClosestBatch::body, bodies);
-  AnswerClass<BodyHit> hit(module, "BodyHit", "The first hit of a ray on many bodies.");
-  hit_fields(hit);
-  hit.field("body", &BodyHit::body, body);
-  AnswerClass<BodyHitBatch> hits(module, "BodyHitBatch",
-                                 "The first hits of n rays on many bodies.");
-  hit_columns(hits);
-  hits.column("body", &BodyHitBatch::body, bodies);
-  AnswerClass<BodyAllHits> all(module, "BodyAllHits", "All places where n rays meet many bodies.");
-  all_hits_columns(all);
-  all.column("body", &BodyAllHits::body, "(m,) uint32: the number of the body of each crossing.");
+  bind_answers_of<BodyClosest>(module);
+  bind_answers_of<BodyHit>(module);
+  bind_answer<BodyAllHits>(module);
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "python/src/call.h"
-#include "python/src/query/closest_fields.h"
 #include "python/src/query/point_query.h"
 #include "python/src/query/ray_arguments.h"
 

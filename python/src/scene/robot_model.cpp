@@ -350,8 +350,9 @@ void bind_robot_answers(py::module_& module) {
   column("coverage", &RobotAnswer::coverage, "(n,) integers of Coverage.");
   column("costs", &RobotAnswer::cost, "(n,) node_tests, triangle_tests, exact_tests.");
   batch
-      .rows("contacts", &RobotAnswerBatch::offsets, &RobotAnswerBatch::contacts,
-            "(m,) with the fields of RobotAnswer.contacts, of all states; those of i are of(i).")
+      .column("contacts", &RobotAnswerBatch::contacts,
+              "(m,) with the fields of RobotAnswer.contacts, of all states; those of i are of(i).")
+      .rows(&RobotAnswerBatch::offsets, &RobotAnswerBatch::contacts)
       .column("offsets", &RobotAnswerBatch::offsets,
               "(n + 1,) uint64: state i has contacts[offsets[i]:offsets[i + 1]].")
       .derived(

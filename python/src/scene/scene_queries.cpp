@@ -2,6 +2,7 @@
 #include "soms/query/print.h"
 #include "soms/scene/print.h"
 
+#include "python/src/described.h"
 #include "python/src/scene/many_bodies.h"
 #include "python/src/scene/scene.h"
 #include "python/src/scene/scene_columns.h"
@@ -28,12 +29,6 @@ struct Packing<SceneHitBatch>
 template <>
 struct Packing<SceneAllHits> : ExtendedPacking<SceneAllHits, AllHits, &SceneAllHits::body> {};
 
-py::dtype RowType<SceneBody>::get() {
-  return structured(
-      {{"kind", "u1", offsetof(SceneBody, kind)}, {"number", "u4", offsetof(SceneBody, id)}},
-      sizeof(SceneBody));
-}
-
 py::array Column<std::optional<SceneBody>>::make(
     const std::vector<std::optional<SceneBody>>& values, py::handle) {
   py::array_t<std::int64_t> array({static_cast<py::ssize_t>(values.size()), py::ssize_t{2}});
@@ -57,32 +52,10 @@ SceneFilter filter_of(bool environment, bool movers, Ignored ignored) {
   return filter;
 }
 
-/// (kind, number), or None.
-template <class T>
-py::object body_of(const T& answer) {
-  return answer.body ? py::object(py::make_tuple(member(answer.body->kind), answer.body->id))
-                     : py::none();
-}
-
 void bind_scene_answers(py::module_& module) {
-  const char* const body = "(kind, number) of the body, or None.";
-  const char* const bodies = "(n, 2) int64: kind and number of the body, -1, -1 for none.";
-  AnswerClass<SceneClosest> closest(module, "SceneClosest", "The nearest point of a scene.");
-  closest_fields(closest);
-  closest.derived("body", &body_of<SceneClosest>, body);
-  AnswerClass<SceneClosestBatch> closests(module, "SceneClosestBatch",
-                                          "The nearest points of a scene to n points.");
-  closest_columns(closests);
-  closests.column("body", &SceneClosestBatch::body, bodies);
-  AnswerClass<SceneHit> hit(module, "SceneHit", "The first hit of a ray in a scene.");
-  hit_fields(hit);
-  hit.derived("body", &body_of<SceneHit>, body);
-  AnswerClass<SceneHitBatch> hits(module, "SceneHitBatch", "The first hits of n rays in a scene.");
-  hit_columns(hits);
-  hits.column("body", &SceneHitBatch::body, bodies);
-  AnswerClass<SceneAllHits> all(module, "SceneAllHits", "All places where n rays meet a scene.");
-  all_hits_columns(all);
-  all.column("body", &SceneAllHits::body, "(m,) with fields kind and number, of each crossing.");
+  bind_answers_of<SceneClosest>(module);
+  bind_answers_of<SceneHit>(module);
+  bind_answer<SceneAllHits>(module);
 }
 
 }  // namespace

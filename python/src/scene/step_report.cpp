@@ -8,46 +8,6 @@
 
 namespace soms::python {
 
-py::dtype RowType<EnvironmentContact>::get() {
-  return structured({{"mover", "u4", offsetof(EnvironmentContact, mover)},
-                     {"part", "u4", offsetof(EnvironmentContact, part)},
-                     {"i", "u4", offsetof(EnvironmentContact, i)},
-                     {"j", "u4", offsetof(EnvironmentContact, j)}},
-                    sizeof(EnvironmentContact));
-}
-
-py::dtype RowType<MoverContact>::get() {
-  return structured({{"a", "u4", offsetof(MoverContact, a)},
-                     {"b", "u4", offsetof(MoverContact, b)},
-                     {"i", "u4", offsetof(MoverContact, i)},
-                     {"j", "u4", offsetof(MoverContact, j)}},
-                    sizeof(MoverContact));
-}
-
-py::dtype RowType<EnvironmentGap>::get() {
-  return structured({{"mover", "u4", offsetof(EnvironmentGap, mover)},
-                     {"part", "u4", offsetof(EnvironmentGap, part)},
-                     {"i", "u4", offsetof(EnvironmentGap, i)},
-                     {"j", "u4", offsetof(EnvironmentGap, j)},
-                     {"lower", "f8", offsetof(EnvironmentGap, distance)},
-                     {"upper", "f8", offsetof(EnvironmentGap, distance) + sizeof(double)},
-                     {"point_a", "3f8", offsetof(EnvironmentGap, point_a)},
-                     {"point_b", "3f8", offsetof(EnvironmentGap, point_b)}},
-                    sizeof(EnvironmentGap));
-}
-
-py::dtype RowType<MoverGap>::get() {
-  return structured({{"a", "u4", offsetof(MoverGap, a)},
-                     {"b", "u4", offsetof(MoverGap, b)},
-                     {"i", "u4", offsetof(MoverGap, i)},
-                     {"j", "u4", offsetof(MoverGap, j)},
-                     {"lower", "f8", offsetof(MoverGap, distance)},
-                     {"upper", "f8", offsetof(MoverGap, distance) + sizeof(double)},
-                     {"point_a", "3f8", offsetof(MoverGap, point_a)},
-                     {"point_b", "3f8", offsetof(MoverGap, point_b)}},
-                    sizeof(MoverGap));
-}
-
 void bind_step_report(py::module_& module) {
   AnswerClass<StepReport> report(module, "StepReport",
                                  "What a step of a scene found: sorted arrays with named fields.");

@@ -27,8 +27,6 @@ namespace {
 using detail::Section;
 using detail::TreeFileHead;
 
-constexpr std::array<std::string_view, 4> kChecks = {"trusted", "safe", "sound", "full"};
-
 /// Bytes that are gathered before they are passed on.
 constexpr std::size_t kPiece = std::size_t{1} << 20;
 
@@ -159,19 +157,6 @@ struct Owner {
 };
 
 }  // namespace
-
-std::string_view name(TreeCheck check) {
-  return kChecks[static_cast<std::size_t>(check)];
-}
-
-TreeCheck tree_check_named(std::string_view name) {
-  const auto* const found = std::find(kChecks.begin(), kChecks.end(), name);
-  if (found == kChecks.end()) {
-    throw Error(ErrorKind::usage, "no check of tree files is named " + std::string(name),
-                "use trusted, safe, sound or full");
-  }
-  return static_cast<TreeCheck>(found - kChecks.begin());
-}
 
 bool is_tree_file(std::span<const std::byte> bytes) {
   return bytes.size() >= kTreeFileMagic.size() &&

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "soms/base/parallel.h"
+#include "soms/base/words.h"
 #include "soms/tree/shape.h"
 
 #include <cstddef>
@@ -36,11 +37,10 @@ enum class TreeCheck {
   full,
 };
 
-/// Name of a check: "sound".
-[[nodiscard]] std::string_view name(TreeCheck check);
-
-/// The check of this name. \errors ErrorKind::usage, which lists the names.
-[[nodiscard]] TreeCheck tree_check_named(std::string_view name);
+template <>
+inline constexpr auto kWords<TreeCheck> =
+    words("TreeCheck", "How closely a tree file is looked at before it is used.", "trusted", "safe",
+          "sound", "full");
 
 /// How a tree file is opened.
 struct OpenOptions {

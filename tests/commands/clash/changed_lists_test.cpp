@@ -272,7 +272,7 @@ TEST(ChangedLists, Journals) {
       ASSERT_LT(clash.b, models.a.parts.size());
       ASSERT_LE(clash.kind, ClashKind::undecided);
       ASSERT_LE(clash.relation, Relation::undecided);
-      ASSERT_FALSE(command::clash_name(clash.kind).empty());
+      ASSERT_FALSE(soms::name(clash.kind).empty());
     }
   };
   {

@@ -20,17 +20,17 @@ std::vector<Json> distances(std::vector<std::string> words) {
 
 TEST(DistanceVerb, AnswersInTheSchema) {
   const Json answer = distances({"--pose", "5 0 0"}).at(0);
-  EXPECT_EQ(answer.at("schema"), "soms.distance/1");
+  EXPECT_EQ(answer.at("schema"), "soms.distance/2");
   EXPECT_EQ(answer.at("pose"), 0);
   EXPECT_EQ(answer.at("lower"), 3);
   EXPECT_EQ(answer.at("upper"), 3);
   EXPECT_EQ(answer.at("coverage"), "complete");
   EXPECT_EQ(answer.at("triangles").size(), 2U);
   // Of A, which was moved, then of B, both in the world.
-  EXPECT_EQ(answer.at("points").at(0).at(0), 4);
-  EXPECT_EQ(answer.at("points").at(1).at(0), 1);
-  EXPECT_EQ(answer.at("points").at(0).at(1), answer.at("points").at(1).at(1));
-  EXPECT_EQ(answer.at("points").at(0).at(2), answer.at("points").at(1).at(2));
+  EXPECT_EQ(answer.at("point_a").at(0), 4);
+  EXPECT_EQ(answer.at("point_b").at(0), 1);
+  EXPECT_EQ(answer.at("point_a").at(1), answer.at("point_b").at(1));
+  EXPECT_EQ(answer.at("point_a").at(2), answer.at("point_b").at(2));
   for (const char* key : {"node_tests", "triangle_tests", "exact_tests"}) {
     EXPECT_TRUE(answer.at("cost").contains(key)) << key;
   }
@@ -58,7 +58,7 @@ TEST(DistanceVerb, WritesNumbersThatReadBackExactly) {
     const Json answer = json_lines(result.out).at(0);
     EXPECT_EQ(answer.at("lower").get<double>(), x) << result.out;
     EXPECT_EQ(answer.at("upper").get<double>(), x) << result.out;
-    EXPECT_EQ(answer.at("points").at(1).at(0).get<double>(), x) << result.out;
+    EXPECT_EQ(answer.at("point_b").at(0).get<double>(), x) << result.out;
   }
 }
 
@@ -148,26 +148,29 @@ TEST(DistanceVerb, NamesTheTrianglesOfTheFile) {
   const RunResult json = soms_run({"distance", walls.a, walls.b, "--json"});
   const Json answer = json_lines(json.out).at(0);
   EXPECT_EQ(answer.at("triangles"), Json::array({1, 0}));
-  EXPECT_EQ(answer.at("points"), Json::array({{1, 1, 0}, {1, 1, 1}}));
+  EXPECT_EQ(answer.at("point_a"), Json::array({1, 1, 0}));
+  EXPECT_EQ(answer.at("point_b"), Json::array({1, 1, 1}));
   const RunResult text = soms_run({"distance", walls.a, walls.b});
   EXPECT_EQ(text.out, "distance 1: triangle 1 (near) of " + walls.a +
                           " at (1, 1, 0) and triangle 0 of " + walls.b + " at (1, 1, 1)\n");
   // With the arguments exchanged so are the columns.
   const Json back = json_lines(soms_run({"distance", walls.b, walls.a, "--json"}).out).at(0);
   EXPECT_EQ(back.at("triangles"), Json::array({0, 1}));
-  EXPECT_EQ(back.at("points"), Json::array({{1, 1, 1}, {1, 1, 0}}));
+  EXPECT_EQ(back.at("point_a"), Json::array({1, 1, 1}));
+  EXPECT_EQ(back.at("point_b"), Json::array({1, 1, 0}));
 }
 
 TEST(DistanceVerb, SaysNoMoreThanFartherBeyondTheLimit) {
   const Json near = distances({"--pose", "5 0 0", "--at-most", "3"}).at(0);
   EXPECT_EQ(near.at("lower"), 3);
-  EXPECT_FALSE(near.contains("farther"));
+  EXPECT_EQ(near.at("farther"), false);
   const Json far = distances({"--pose", "5 0 0", "--at-most", "2.9999999999999996"}).at(0);
   EXPECT_EQ(far.at("farther"), true);
   EXPECT_GE(far.at("lower").get<double>(), 2.9999999999999996);
   EXPECT_LE(far.at("lower").get<double>(), 3);
+  EXPECT_TRUE(far.at("upper").is_null());
   EXPECT_EQ(far.at("coverage"), "complete");
-  for (const char* key : {"upper", "triangles", "points"}) {
+  for (const char* key : {"triangles", "point_a", "point_b"}) {
     EXPECT_FALSE(far.contains(key)) << key;
   }
   EXPECT_EQ(soms_run({"distance", box(), box(), "--pose", "5 0 0", "--at-most", "1"}).out,
@@ -219,7 +222,7 @@ TEST(DistanceVerb, AnswersRowsOfPosesInTheirOrder) {
   // The other body moves the other way.
   const std::vector<Json> others = distances({"--pose-b", poses});
   EXPECT_EQ(others.at(8).at("upper"), 2);
-  EXPECT_EQ(others.at(8).at("points").at(1).at(0), 3);
+  EXPECT_EQ(others.at(8).at("point_b").at(0), 3);
 }
 
 TEST(DistanceVerb, PrintsATableAndTotalsForPeople) {
@@ -271,11 +274,12 @@ TEST(DistanceVerb, WritesATable) {
       0);
   const std::string text = read_text(csv);
   EXPECT_TRUE(
-      text.starts_with("pose,lower,upper,farther,coverage,triangle_a,part_a,name_a,"
-                       "triangle_b,part_b,name_b,x_a,y_a,z_a,x_b,y_b,z_b\n"
-                       "0,1,1,false,complete,1,1,near,0,,,1,1,0,1,1,1\n1,"))
+      text.starts_with("pose,lower,upper,farther,triangle_a,part_a,name_a,triangle_b,"
+                       "part_b,name_b,point_a_x,point_a_y,point_a_z,point_b_x,point_b_y,"
+                       "point_b_z,coverage\n"
+                       "0,1,1,false,1,1,near,0,,,1,1,0,1,1,1,complete\n1,"))
       << text;
-  EXPECT_TRUE(text.ends_with(",,true,complete,,,,,,,,,,,,\n")) << text;
+  EXPECT_TRUE(text.ends_with(",inf,true,,,,,,,,,,,,,complete\n")) << text;
   const RunResult other = soms_run({"distance", box(), box(), "--csv", "table.html"});
   EXPECT_EQ(other.status, 2);
   EXPECT_NE(other.err.find(".csv"), std::string::npos) << other.err;

@@ -195,7 +195,7 @@ TEST_F(OverlapParts, ByPartNamesThemInJson) {
       test::soms_run({"overlap", files[0], files[1], "--by", "part", "--json"});
   ASSERT_EQ(run.status, 0) << run.err;
   const test::Json answer = test::Json::parse(run.out);
-  EXPECT_EQ(answer["schema"], "soms.overlap/1");
+  EXPECT_EQ(answer["schema"], "soms.overlap/2");
   EXPECT_FALSE(answer.contains("pairs"));
   ASSERT_EQ(answer["parts"].size(), 9U);
   std::uint64_t sum = 0;

@@ -21,9 +21,9 @@ std::vector<Json> ask(std::vector<std::string> words) {
 
 TEST(OverlapVerb, AnswersInTheSchema) {
   const Json answer = ask({"--pose", "1.5 0.25 0.25"}).at(0);
-  EXPECT_EQ(answer.at("schema"), "soms.overlap/1");
+  EXPECT_EQ(answer.at("schema"), "soms.overlap/2");
   EXPECT_EQ(answer.at("pose"), 0);
-  EXPECT_EQ(answer.at("overlap"), true);
+  EXPECT_EQ(answer.at("any"), true);
   EXPECT_EQ(answer.at("coverage"), "complete");
   EXPECT_EQ(answer.at("hash").get<std::string>().size(), 16U);
   EXPECT_EQ(answer.at("count"), answer.at("pairs").size());
@@ -35,9 +35,9 @@ TEST(OverlapVerb, AnswersInTheSchema) {
 }
 
 TEST(OverlapVerb, FindsTouchingAndNothingBeyond) {
-  EXPECT_EQ(ask({"--pose", "2 0 0"}).at(0).at("overlap"), true);
+  EXPECT_EQ(ask({"--pose", "2 0 0"}).at(0).at("any"), true);
   const Json apart = ask({"--pose", "2.0000000000000004 0 0"}).at(0);
-  EXPECT_EQ(apart.at("overlap"), false);
+  EXPECT_EQ(apart.at("any"), false);
   EXPECT_EQ(apart.at("count"), 0);
   EXPECT_EQ(apart.at("hash"), kEmptyHash);
   EXPECT_EQ(apart.at("pairs"), Json::array());
@@ -227,10 +227,10 @@ TEST(OverlapVerb, HelpSaysSurfacesOnly) {
 
 TEST(OverlapVerb, ScalesAndTurnsEachModel) {
   // [-1, 1]^3 scaled by 2 touches the other at distance 3, not at 3.5.
-  EXPECT_EQ(ask({"--scale", "2", "--pose", "3 0 0"}).at(0).at("overlap"), true);
-  EXPECT_EQ(ask({"--scale-b", "2", "--pose", "3 0 0"}).at(0).at("overlap"), true);
-  EXPECT_EQ(ask({"--pose", "3 0 0"}).at(0).at("overlap"), false);
-  EXPECT_EQ(ask({"--up", "y", "--up-b", "y"}).at(0).at("overlap"), true);
+  EXPECT_EQ(ask({"--scale", "2", "--pose", "3 0 0"}).at(0).at("any"), true);
+  EXPECT_EQ(ask({"--scale-b", "2", "--pose", "3 0 0"}).at(0).at("any"), true);
+  EXPECT_EQ(ask({"--pose", "3 0 0"}).at(0).at("any"), false);
+  EXPECT_EQ(ask({"--up", "y", "--up-b", "y"}).at(0).at("any"), true);
 }
 
 TEST(OverlapVerb, RefusesModelsThatAreNone) {
@@ -258,7 +258,7 @@ TEST(OverlapVerb, AnEmptyModelOverlapsNothingWhenAccepted) {
   const std::string empty = test::data("nasty/empty_mesh.ply").string();
   const RunResult result = soms_run({"overlap", empty, box(), "--allow-empty", "--json"});
   EXPECT_EQ(result.status, 0) << result.err;
-  EXPECT_EQ(json_lines(result.out).at(0).at("overlap"), false);
+  EXPECT_EQ(json_lines(result.out).at(0).at("any"), false);
 }
 
 TEST(OverlapVerb, RefusesCoordinatesThatMovingTakesOutOfRange) {

@@ -20,7 +20,7 @@ std::string relation_at(const std::string& pose, std::vector<std::string> words 
 
 TEST(SolidVerb, AnswersInTheSchema) {
   const Json answer = relations({"--pose", "1 0 0"}).at(0);
-  EXPECT_EQ(answer.at("schema"), "soms.solid/1");
+  EXPECT_EQ(answer.at("schema"), "soms.solid/2");
   EXPECT_EQ(answer.at("pose"), 0);
   EXPECT_EQ(answer.at("relation"), "crossing");
   EXPECT_EQ(answer.at("surfaces_meet"), true);

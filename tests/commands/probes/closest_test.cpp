@@ -29,11 +29,11 @@ std::vector<Json> closest_answers(const std::string& rows, std::vector<std::stri
 
 TEST(ClosestVerb, AnswersInTheSchema) {
   const Json answer = closest_answers("0.25,0.5,3\n").at(0);
-  EXPECT_EQ(answer.at("schema"), "soms.closest/1");
-  EXPECT_EQ(answer.at("point"), 0);
+  EXPECT_EQ(answer.at("schema"), "soms.closest/2");
+  EXPECT_EQ(answer.at("row"), 0);
   EXPECT_EQ(answer.at("lower"), 2);
   EXPECT_EQ(answer.at("upper"), 2);
-  EXPECT_EQ(answer.at("at"), Json({0.25, 0.5, 1}));
+  EXPECT_EQ(answer.at("point"), Json({0.25, 0.5, 1}));
   EXPECT_EQ(answer.at("feature"), "face");
   EXPECT_TRUE(answer.at("triangle").is_number_unsigned());
   EXPECT_EQ(answer.at("coverage"), "complete");
@@ -85,11 +85,11 @@ TEST(ClosestVerb, NamesFeatures) {
   ASSERT_EQ(answers.size(), 3U);
   EXPECT_EQ(answers[0].at("feature"), "edge");
   EXPECT_EQ(answers[1].at("feature"), "vertex");
-  EXPECT_EQ(answers[1].at("at"), Json({1, 1, 1}));
+  EXPECT_EQ(answers[1].at("point"), Json({1, 1, 1}));
   const double lower = answers[1].at("lower");
   EXPECT_EQ(answers[1].at("upper").get<double>(), std::nextafter(lower, kEndless));
   EXPECT_EQ(answers[2].at("upper"), 0);
-  EXPECT_EQ(answers[2].at("point"), 2);
+  EXPECT_EQ(answers[2].at("row"), 2);
 }
 
 TEST(ClosestVerb, FollowsThePose) {
@@ -98,10 +98,10 @@ TEST(ClosestVerb, FollowsThePose) {
 
 TEST(ClosestVerb, SaysFarther) {
   const std::vector<Json> answers = closest_answers("0,0,3\n0,0,9\n", {"--at-most", "2"});
-  EXPECT_FALSE(answers.at(0).contains("farther"));
+  EXPECT_EQ(answers.at(0).at("farther"), false);
   EXPECT_EQ(answers.at(1).at("farther"), true);
   EXPECT_EQ(answers.at(1).at("lower"), 2);
-  for (const char* key : {"upper", "triangle", "at", "feature"}) {
+  for (const char* key : {"triangle", "point", "feature"}) {
     EXPECT_FALSE(answers.at(1).contains(key)) << key;
   }
 }
@@ -147,9 +147,10 @@ TEST(ClosestVerb, WritesCsv) {
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_EQ(rows[0].size(), 12U);
   EXPECT_EQ(rows[1][1], "2");
-  EXPECT_EQ(rows[1][11], "edge") << "above a diagonal";
+  EXPECT_EQ(rows[1][10], "edge") << "above a diagonal";
+  EXPECT_EQ(rows[1][11], "complete");
   EXPECT_EQ(rows[2][3], "true");
-  EXPECT_EQ(rows[2][5], "");
+  EXPECT_EQ(rows[2][4], "");
   ASSERT_EQ(ask_about("0,0,3\n0,0,9\n", {"--nearest", "2", "--csv", csv}).status, 0);
   EXPECT_EQ(read_csv(csv).size(), 5U);
 }

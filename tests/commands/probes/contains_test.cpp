@@ -23,7 +23,7 @@ std::vector<Json> answers(std::vector<std::string> words, const std::string& poi
 std::vector<std::string> sides(const std::vector<Json>& answers) {
   std::vector<std::string> sides;
   for (const Json& answer : answers) {
-    EXPECT_EQ(answer.at("point"), sides.size());
+    EXPECT_EQ(answer.at("row"), sides.size());
     sides.push_back(answer.at("side"));
   }
   return sides;
@@ -35,7 +35,7 @@ TEST(ContainsVerb, AnswersInTheSchema) {
   const std::vector<Json> lines = answers({});
   EXPECT_EQ(sides(lines), kSides);
   for (const Json& answer : lines) {
-    EXPECT_EQ(answer.at("schema"), "soms.contains/1");
+    EXPECT_EQ(answer.at("schema"), "soms.contains/2");
     EXPECT_EQ(answer.at("coverage"), "complete");
     EXPECT_TRUE(answer.at("cost").contains("exact_tests"));
     EXPECT_FALSE(answer.contains("verified"));
@@ -166,10 +166,10 @@ TEST(ContainsVerb, AnswersForAnOpenModelByWinding) {
   EXPECT_FALSE(lines[1].contains("boundary_edges"));
   EXPECT_EQ(lines[0].at("verified"), true);
   for (const Json& line : lines) {
-    EXPECT_LE(line.at("winding")[0].get<double>(), line.at("winding")[1].get<double>());
+    EXPECT_LE(line.at("lower").get<double>(), line.at("upper").get<double>());
     EXPECT_EQ(line.at("coverage"), "complete");
   }
-  EXPECT_NEAR(lines[0].at("winding")[0].get<double>(), 5.0 / 6, 1e-12);
+  EXPECT_NEAR(lines[0].at("lower").get<double>(), 5.0 / 6, 1e-12);
   EXPECT_EQ(
       soms_run({"contains", model, "--points", "-", "--winding", "--width", "0"}, kPlaces).out,
       " point  side       winding       at\n"
@@ -183,8 +183,10 @@ TEST(ContainsVerb, AnswersForAnOpenModelByWinding) {
 TEST(ContainsVerb, WindingOfAClosedModelIsWhole) {
   const std::vector<Json> lines = answers({"--winding"});
   EXPECT_EQ(sides(lines), kSides);
-  EXPECT_EQ(lines[0].at("winding"), Json::array({1.0, 1.0}));
-  EXPECT_EQ(lines[2].at("winding"), Json::array({0.0, 0.0}));
+  EXPECT_EQ(lines[0].at("lower"), 1.0);
+  EXPECT_EQ(lines[0].at("upper"), 1.0);
+  EXPECT_EQ(lines[2].at("lower"), 0);
+  EXPECT_EQ(lines[2].at("upper"), 0);
   EXPECT_EQ(answers({"--winding", "--threads", "1"}), answers({"--winding", "--threads", "2"}));
 }
 

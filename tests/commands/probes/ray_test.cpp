@@ -38,15 +38,20 @@ std::vector<Json> hits_of(const std::vector<Json>& answers) {
   return hits;
 }
 
+/// The bracket of t.
+Json t_of(const Json& hit) {
+  return Json::array({hit.at("lower"), hit.at("upper")});
+}
+
 TEST(RayVerb, AnswersInTheSchema) {
   const std::vector<Json> answers = ray_answers(kRays + "0.25,0.5,3,0,0,-1\n5,0,3,0,0,-1\n");
   ASSERT_EQ(answers.size(), 2U);
   const Json& hit = answers[0];
-  EXPECT_EQ(hit.at("schema"), "soms.ray/1");
+  EXPECT_EQ(hit.at("schema"), "soms.ray/2");
   EXPECT_EQ(hit.at("ray"), 0);
   EXPECT_EQ(hit.at("hit"), true);
-  EXPECT_EQ(hit.at("t"), Json({2, 2}));
-  EXPECT_EQ(hit.at("at"), Json({0.25, 0.5, 1}));
+  EXPECT_EQ(t_of(hit), Json({2, 2}));
+  EXPECT_EQ(hit.at("point"), Json({0.25, 0.5, 1}));
   EXPECT_EQ(hit.at("front"), true);
   EXPECT_TRUE(hit.at("triangle").is_number_unsigned());
   EXPECT_EQ(hit.at("coverage"), "complete");
@@ -59,8 +64,8 @@ TEST(RayVerb, AnswersInTheSchema) {
   const Json& miss = answers[1];
   EXPECT_EQ(miss.at("ray"), 1);
   EXPECT_EQ(miss.at("hit"), false);
-  EXPECT_EQ(miss.at("t"), Json({nullptr, nullptr}));
-  for (const char* key : {"triangle", "at", "front"}) {
+  EXPECT_EQ(t_of(miss), Json({nullptr, nullptr}));
+  for (const char* key : {"triangle", "point", "front"}) {
     EXPECT_FALSE(miss.contains(key)) << key;
   }
 }
@@ -71,9 +76,9 @@ TEST(RayVerb, CountsTInUnitsOfTheDirectionUpToTheLength) {
                   "0,0.5,3,0,0,-0.5,inf\n0,0.5,3,0,0,-2,1\n0,0.5,3,0,0,-2,0.999\n"
                   "0,0.5,1,0,0,1,0\n0,0.5,2,0,0,1,0\n");
   EXPECT_EQ(hits_of(answers), (std::vector<Json>{true, true, false, true, false}));
-  EXPECT_EQ(answers[0].at("t"), Json({4, 4}));
-  EXPECT_EQ(answers[1].at("t"), Json({1, 1}));
-  EXPECT_EQ(answers[3].at("t"), Json({0, 0}));
+  EXPECT_EQ(t_of(answers[0]), Json({4, 4}));
+  EXPECT_EQ(t_of(answers[1]), Json({1, 1}));
+  EXPECT_EQ(t_of(answers[3]), Json({0, 0}));
 }
 
 TEST(RayVerb, HasSegmentsWithBothEnds) {
@@ -82,23 +87,24 @@ TEST(RayVerb, HasSegmentsWithBothEnds) {
                   "0,0.5,3,0,0.5,-1\n0,0.5,3,0,0.5,1\n0,0.5,3,0,0.5,2\n"
                   "0,0.5,1,0,0.5,1\n0,0,0,0.5,0,0\n");
   EXPECT_EQ(hits_of(answers), (std::vector<Json>{true, true, false, true, false}));
-  EXPECT_EQ(answers[0].at("t"), Json({0.5, 0.5}));
-  EXPECT_EQ(answers[1].at("t"), Json({1, 1}));
+  EXPECT_EQ(t_of(answers[0]), Json({0.5, 0.5}));
+  EXPECT_EQ(t_of(answers[1]), Json({1, 1}));
   EXPECT_EQ(answers[4].at("ray"), 4);
 }
 
 TEST(RayVerb, TakesColumnsInAnyOrder) {
   const Json answer =
       ray_answers("length,dz,dy,dx,oz,oy,ox\n\n# a remark\n9,-1,0,0,3,0.5,0.25\n").at(0);
-  EXPECT_EQ(answer.at("at"), Json({0.25, 0.5, 1}));
-  EXPECT_EQ(ray_answers("z1,y1,x1,x0,y0,z0\n0,0.5,0,0,0.5,3\n").at(0).at("at"), Json({0, 0.5, 1}));
+  EXPECT_EQ(answer.at("point"), Json({0.25, 0.5, 1}));
+  EXPECT_EQ(ray_answers("z1,y1,x1,x0,y0,z0\n0,0.5,0,0,0.5,3\n").at(0).at("point"),
+            Json({0, 0.5, 1}));
 }
 
 TEST(RayVerb, SaysOnlyWhetherAnythingIsHit) {
   const std::vector<Json> answers =
       ray_answers(kRays + "0.25,0.5,3,0,0,-1\n5,0,3,0,0,-1\n", {"--any"});
   EXPECT_EQ(hits_of(answers), (std::vector<Json>{true, false}));
-  for (const char* key : {"t", "triangle", "at", "front", "hits"}) {
+  for (const char* key : {"triangle", "point", "front", "hits"}) {
     EXPECT_FALSE(answers[0].contains(key)) << key;
   }
 }
@@ -110,10 +116,10 @@ TEST(RayVerb, ListsAllPlacesOnRequest) {
   ASSERT_EQ(answers.size(), 5U);
   const Json& through = answers[0].at("hits");
   ASSERT_EQ(through.size(), 2U);
-  EXPECT_EQ(through[0].at("t"), Json({2, 2}));
+  EXPECT_EQ(t_of(through[0]), Json({2, 2}));
   EXPECT_EQ(through[0].at("kind"), "enter");
   EXPECT_EQ(through[0].at("triangles").size(), 1U);
-  EXPECT_EQ(through[1].at("t"), Json({4, 4}));
+  EXPECT_EQ(t_of(through[1]), Json({4, 4}));
   EXPECT_EQ(through[1].at("kind"), "leave");
   EXPECT_EQ(answers[0].at("count"), 2);
   const Json& diagonal = answers[1].at("hits");
@@ -135,10 +141,10 @@ TEST(RayVerb, ListsAllPlacesOnRequest) {
 TEST(RayVerb, SkipsATriangle) {
   const std::string ray = kRays + "0.25,0.5,1,0,0,-1\n";
   const Json on = ray_answers(ray).at(0);
-  EXPECT_EQ(on.at("t"), Json({0, 0}));
+  EXPECT_EQ(t_of(on), Json({0, 0}));
   const Json next =
       ray_answers(ray, {"--skip", std::to_string(on.at("triangle").get<int>())}).at(0);
-  EXPECT_EQ(next.at("t"), Json({2, 2}));
+  EXPECT_EQ(t_of(next), Json({2, 2}));
   EXPECT_EQ(next.at("front"), false);
   const RunResult none = ask(ray, {"--skip", "12"});
   EXPECT_EQ(none.status, 2);
@@ -146,8 +152,7 @@ TEST(RayVerb, SkipsATriangle) {
 }
 
 TEST(RayVerb, FollowsThePose) {
-  EXPECT_EQ(ray_answers(kRays + "0,0.5,9,0,0,-1\n", {"--pose", "0 0 4"}).at(0).at("t"),
-            Json({4, 4}));
+  EXPECT_EQ(t_of(ray_answers(kRays + "0,0.5,9,0,0,-1\n", {"--pose", "0 0 4"}).at(0)), Json({4, 4}));
 }
 
 TEST(RayVerb, FailsIfSomethingIsHitOnRequest) {
@@ -208,10 +213,11 @@ TEST(RayVerb, WritesCsv) {
   EXPECT_EQ(first[0].size(), 12U);
   EXPECT_EQ(first[1][1], "true");
   EXPECT_EQ(first[1][2], "2");
-  EXPECT_EQ(first[1][11], "true");
+  EXPECT_EQ(first[1][10], "true");
+  EXPECT_EQ(first[1][11], "complete");
   EXPECT_EQ(first[2][1], "false");
   EXPECT_EQ(first[2][2], "inf");
-  EXPECT_EQ(first[2][5], "");
+  EXPECT_EQ(first[2][4], "");
   ASSERT_EQ(ask(rays, {"--any", "--csv", csv}).status, 0);
   EXPECT_EQ(read_text(csv), "ray,hit,coverage\n0,true,complete\n1,false,complete\n");
   ASSERT_EQ(ask(kRays + "0,0,3,0,0,-1\n", {"--all", "--csv", csv}).status, 0);

@@ -62,9 +62,7 @@ void write_pair(Line& line, const Named& answer) {
 
 /// What every line ends with.
 inline std::string finished(Line& line, Coverage coverage, const Cost& cost) {
-  constexpr std::array<std::string_view, 3> kNames{"complete", "first", "cut"};
-  line << ",\"coverage\":\"" << kNames[static_cast<std::size_t>(coverage)]
-       << "\",\"cost\":{\"node_tests\":" << cost.node_tests
+  line << ",\"coverage\":\"" << name(coverage) << "\",\"cost\":{\"node_tests\":" << cost.node_tests
        << ",\"triangle_tests\":" << cost.triangle_tests << ",\"exact_tests\":" << cost.exact_tests
        << "}}";
   return line.str();

@@ -1,6 +1,7 @@
 #include "soms/query/detail/solid/solid_search.h"
 
 #include "soms/query/detail/closed_surface.h"
+#include "soms/query/detail/engine/batch.h"
 #include "soms/query/detail/engine/limit.h"
 #include "soms/query/detail/solid/quarter_points.h"
 #include "soms/query/detail/solid/solid_regions.h"
@@ -81,7 +82,7 @@ class SolidSearch {
     ContainsBatch batch = contains(*bodies_[1 - body], points, {.deadline = options_.deadline},
                                    {.threads = 1, .stop = parallel_.stop});
     cost_ += batch.cost;
-    late_ = late_ || batch.coverage == Coverage::cut;
+    late_ = late_ || detail::coverage_of(batch.coverage) == Coverage::cut;
     return std::move(batch.side);
   }
 

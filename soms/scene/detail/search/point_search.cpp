@@ -1,5 +1,6 @@
 // The nearest of many bodies to points.
 #include "soms/base/arithmetic.h"
+#include "soms/describe/columns.h"
 #include "soms/query/detail/engine/batch.h"
 #include "soms/scene/detail/search/body_search.h"
 #include "soms/scene/detail/search/nearest_body.h"
@@ -62,18 +63,6 @@ BodyClosest search(BodySets sets, const Vec3& point, const ClosestOptions& optio
   return answer;
 }
 
-void put(const BodyClosest& answer, std::size_t i, BodyClosestBatch& batch) {
-  batch.lower[i] = answer.distance.lower;
-  batch.upper[i] = answer.distance.upper;
-  batch.triangle[i] = answer.triangle;
-  batch.point[i] = answer.point;
-  batch.feature[i] = answer.feature;
-  batch.farther[i] = answer.farther ? 1 : 0;
-  batch.coverage[i] = answer.coverage;
-  batch.costs[i] = answer.cost;
-  batch.body[i] = answer.body;
-}
-
 }  // namespace
 
 BodyClosest closest(BodySets sets, const Vec3& point, const ClosestOptions& options,
@@ -97,10 +86,10 @@ BodyClosestBatch closest(BodySets sets, std::span<const Vec3> points, const Clos
       points.size(), parallel, [] { return SearchMemory(); },
       [&](SearchMemory& memory, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-          put(search(sets, points[i], options, left_out, alone, memory), i, batch);
+          put_columns(search(sets, points[i], options, left_out, alone, memory), i, batch);
         }
       });
-  batch.cost = sum_of(batch.costs);
+  sum_costs<BodyClosest>(batch);
   return batch;
 }
 

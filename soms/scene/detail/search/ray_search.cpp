@@ -1,6 +1,7 @@
 // The first hit of rays and segments on many bodies.
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
+#include "soms/describe/columns.h"
 #include "soms/query/detail/engine/batch.h"
 #include "soms/scene/detail/search/body_search.h"
 #include "soms/scene/detail/search/line_question.h"
@@ -74,34 +75,18 @@ AnyHit checked_any(BodySets sets, const Line& line, const RayOptions& options, L
   return any(sets, line, options, left_out, memory);
 }
 
-void put(const BodyHit& answer, std::size_t i, BodyHitBatch& batch) {
-  batch.lower[i] = answer.t.lower;
-  batch.upper[i] = answer.t.upper;
-  batch.triangle[i] = answer.triangle;
-  batch.point[i] = answer.point;
-  batch.front[i] = answer.front ? 1 : 0;
-  batch.coverage[i] = answer.coverage;
-  batch.costs[i] = answer.cost;
-  batch.body[i] = answer.body;
-}
-
-void put(const AnyHit& answer, std::size_t i, AnyHitBatch& batch) {
-  batch.hit[i] = answer.hit ? 1 : 0;
-  batch.coverage[i] = answer.coverage;
-  batch.costs[i] = answer.cost;
-}
-
 /// `ask(line, memory)` for each line, shared by threads, instead of what `batch` has.
-template <class Batch, class Line, class Ask>
-Batch for_all(std::span<const Line> lines, const Parallel& parallel, Batch batch, const Ask& ask) {
+template <Described Answer, class Line, class Ask>
+BatchOf<Answer> for_all(std::span<const Line> lines, const Parallel& parallel,
+                        BatchOf<Answer> batch, const Ask& ask) {
   for_each_block(
       lines.size(), parallel, [] { return SearchMemory(); },
       [&](SearchMemory& memory, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-          put(ask(lines[i], memory), i, batch);
+          put_columns(ask(lines[i], memory), i, batch);
         }
       });
-  batch.cost = sum_of(batch.costs);
+  sum_costs<Answer>(batch);
   return batch;
 }
 
@@ -114,9 +99,10 @@ BodyHitBatch first_of_all(BodySets sets, std::span<const Line> lines, const RayO
   check_left_out(sets, options, left_out);
   BodyHitBatch batch{soms::closest_hit(Body(), lines, {}, parallel), {}};
   batch.body.resize(lines.size());
-  return for_all(lines, parallel, std::move(batch), [&](const Line& line, SearchMemory& memory) {
-    return first(sets, line, options, left_out, memory);
-  });
+  return for_all<BodyHit>(lines, parallel, std::move(batch),
+                          [&](const Line& line, SearchMemory& memory) {
+                            return first(sets, line, options, left_out, memory);
+                          });
 }
 
 template <class Line>
@@ -125,9 +111,10 @@ AnyHitBatch any_of_all(BodySets sets, std::span<const Line> lines, const RayOpti
   const PlainArithmetic plain;
   check_left_out(sets, options, left_out);
   AnyHitBatch batch = soms::any_hit(Body(), lines, {}, parallel);
-  return for_all(lines, parallel, std::move(batch), [&](const Line& line, SearchMemory& memory) {
-    return any(sets, line, options, left_out, memory);
-  });
+  return for_all<AnyHit>(lines, parallel, std::move(batch),
+                         [&](const Line& line, SearchMemory& memory) {
+                           return any(sets, line, options, left_out, memory);
+                         });
 }
 
 }  // namespace

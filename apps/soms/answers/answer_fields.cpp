@@ -1,0 +1,11 @@
+#include "apps/soms/answers/answer_fields.h"
+
+#include <cmath>
+
+namespace soms::command {
+
+std::string json_number(double x) {
+  return std::isfinite(x) ? fmt::format("{}", x) : "null";
+}
+
+}  // namespace soms::command

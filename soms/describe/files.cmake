@@ -1,0 +1,6 @@
+set(SOMS_HEADERS
+  columns.h
+  field_count.h
+  fields.h
+  print_answers.h
+)
