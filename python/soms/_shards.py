@@ -262,7 +262,7 @@ def join(folder: pathlib.Path, parts: List[Range], out: pathlib.Path) -> None:
             if name == "offsets":
                 values, listed = values[min(i, 1):] + listed, listed + int(values[-1])
             yield values
-            if name == "georeference":  # of the models, not of rows
+            if values.dtype.kind == "U":  # words of codes, and what models state: of no row
                 return
     with np.load(files[0]) as arrays:
         first = {name: arrays[name] for name in arrays.files}

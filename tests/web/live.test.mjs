@@ -62,7 +62,7 @@ test('overlap and distance are those of the package, touching and free', () => {
 
 test('each pair that overlaps has something in common, where both triangles are', () => {
   const pose = lifted(0);
-  const [, , , pairs] = live.query('soms_overlap', inLive[0], pose, 1, inLive[1], HOME, 0, Infinity, Infinity);
+  const [, , pairs] = live.query('soms_overlap', inLive[0], pose, 1, inLive[1], HOME, 0, Infinity, Infinity);
   assert.ok(pairs.length > 20, `${pairs.length / 2} pairs`);
   const [offsets, corners] = live.query('soms_crossings', inLive[0], pose, inLive[1], HOME, pairs, pairs.length / 2);
   assert.equal(offsets.length, pairs.length / 2 + 1);

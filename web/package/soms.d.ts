@@ -160,9 +160,7 @@ export interface Overlap {
   any: boolean;
   /** k x 2. Triangle of a, triangle of b; sorted. One pair in modes any, first. */
   pairs: Uint32Array;
-  /** How much of the question is decided. */
   coverage: Coverage;
-  /** Work done. */
   cost: Cost;
 }
 /** Answers of overlap for n poses. */
@@ -173,9 +171,7 @@ export interface OverlapBatch {
   offsets: Uint32Array;
   /** k x 2. The pairs of all poses. */
   pairs: Uint32Array;
-  /** n. How much of the question is decided. */
   coverage: Uint8Array;
-  /** Work done for all poses together. */
   cost: Cost;
 }
 /** Answer of distance. */
@@ -192,9 +188,7 @@ export interface Distance {
   pointA: Float64Array;
   /** The other end, on b. */
   pointB: Float64Array;
-  /** How much of the question is decided. */
   coverage: Coverage;
-  /** Work done. */
   cost: Cost;
 }
 /** Answers of distance for n poses. */
@@ -211,9 +205,7 @@ export interface DistanceBatch {
   pointA: Float64Array;
   /** n x 3. The other end, on b. */
   pointB: Float64Array;
-  /** n. How much of the question is decided. */
   coverage: Uint8Array;
-  /** Work done for all poses together. */
   cost: Cost;
 }
 /** Answer of within. */
@@ -228,9 +220,7 @@ export interface Within {
   pointA: Float64Array;
   /** The other end, on b. */
   pointB: Float64Array;
-  /** How much of the question is decided. */
   coverage: Coverage;
-  /** Work done. */
   cost: Cost;
 }
 /** Answers of within for n poses. */
@@ -245,9 +235,7 @@ export interface WithinBatch {
   pointA: Float64Array;
   /** n x 3. The other end, on b. */
   pointB: Float64Array;
-  /** n. How much of the question is decided. */
   coverage: Uint8Array;
-  /** Work done for all poses together. */
   cost: Cost;
 }
 /** Answer of solid. */
@@ -258,9 +246,7 @@ export interface Solid {
   surfacesMeet: boolean;
   /** Why the relation is undecided. */
   why: 'none' | 'deadline' | 'open';
-  /** How much of the question is decided. */
   coverage: Coverage;
-  /** Work done. */
   cost: Cost;
 }
 /** Answers of solid for n poses. */
@@ -271,27 +257,21 @@ export interface SolidBatch {
   surfacesMeet: Uint8Array;
   /** n. Why the relation is undecided. */
   why: Uint8Array;
-  /** n. How much of the question is decided. */
   coverage: Uint8Array;
-  /** Work done for all poses together. */
   cost: Cost;
 }
 /** Answer of contains for a point. */
 export interface Contains {
   /** Where the point lies. */
   side: Side;
-  /** How much of the question is decided. */
   coverage: Coverage;
-  /** Work done. */
   cost: Cost;
 }
 /** Answers of contains for n points. */
 export interface ContainsBatch {
   /** n. Where the point lies. */
   side: Uint8Array;
-  /** n. How much of the question is decided. */
   coverage: Uint8Array;
-  /** Work done for all points together. */
   cost: Cost;
 }
 /** Answer of closest for a point. */
@@ -308,9 +288,7 @@ export interface Closest {
   point: Float64Array;
   /** Where on the triangle that lies. */
   feature: Feature;
-  /** How much of the question is decided. */
   coverage: Coverage;
-  /** Work done. */
   cost: Cost;
 }
 /** Answers of closest for n points. */
@@ -327,9 +305,7 @@ export interface ClosestBatch {
   point: Float64Array;
   /** n. Where on the triangle that lies. */
   feature: Uint8Array;
-  /** n. How much of the question is decided. */
   coverage: Uint8Array;
-  /** Work done for all points together. */
   cost: Cost;
 }
 /** Triangles near each of n points. */
@@ -342,9 +318,7 @@ export interface NearTriangles {
   lower: Float64Array;
   /** k. The distance is at most this. */
   upper: Float64Array;
-  /** n. How much of the question is decided. */
   coverage: Uint8Array;
-  /** Work done for all points together. */
   cost: Cost;
 }
 /** Answer of winding for a point. */
@@ -355,9 +329,7 @@ export interface Winding {
   lower: number;
   /** The winding number is at most this. */
   upper: number;
-  /** How much of the question is decided. */
   coverage: Coverage;
-  /** Work done. */
   cost: Cost;
 }
 /** Answers of winding for n points. */
@@ -368,9 +340,7 @@ export interface WindingBatch {
   lower: Float64Array;
   /** n. The winding number is at most this. */
   upper: Float64Array;
-  /** n. How much of the question is decided. */
   coverage: Uint8Array;
-  /** Work done for all points together. */
   cost: Cost;
 }
 /** Answer of closest_hit for a ray. */
@@ -385,9 +355,7 @@ export interface ClosestHit {
   point: Float64Array;
   /** The ray meets the front of the triangle. */
   front: boolean;
-  /** How much of the question is decided. */
   coverage: Coverage;
-  /** Work done. */
   cost: Cost;
 }
 /** Answers of closest_hit for n rays. */
@@ -402,27 +370,21 @@ export interface ClosestHitBatch {
   point: Float64Array;
   /** n. The ray meets the front of the triangle. */
   front: Uint8Array;
-  /** n. How much of the question is decided. */
   coverage: Uint8Array;
-  /** Work done for all rays together. */
   cost: Cost;
 }
 /** Answer of any_hit for a ray. */
 export interface AnyHit {
   /** The ray hits something. */
   hit: boolean;
-  /** How much of the question is decided. */
   coverage: Coverage;
-  /** Work done. */
   cost: Cost;
 }
 /** Answers of any_hit for n rays. */
 export interface AnyHitBatch {
   /** n. The ray hits something. */
   hit: Uint8Array;
-  /** n. How much of the question is decided. */
   coverage: Uint8Array;
-  /** Work done for all rays together. */
   cost: Cost;
 }
 /** All places where n rays meet a surface. */
@@ -439,12 +401,12 @@ export interface AllHits {
   triangleOffsets: Uint32Array;
   /** k. Triangles of all crossings. */
   triangle: Uint32Array;
-  /** n. How much of the question is decided. */
   coverage: Uint8Array;
-  /** Work done for all rays together. */
   cost: Cost;
 }
 // End of answers.
+/** @deprecated Say NearTriangles. */
+export type TriangleRows = NearTriangles;
 
 /** Names of the codes in answers of batches: NAMES.side[codes[k]]. */
 export const NAMES: {

@@ -1,5 +1,6 @@
 // What a moved body touches, and how near it is: found in a worker, by the module that the page carries, so that the page
 // stays free. The first message brings the module and the models, each later one a question.
+import { columnsOf } from '../../../../web/package/answers.js';
 import { load, query, run } from '../../../../web/package/module.js';
 import { bytesOf, unpackExact } from './exact.js';
 
@@ -50,7 +51,8 @@ const everySo = (pairs, most) => {
 function touched(mover, others) {
   const found = [];
   for (const other of others) {
-    const pairs = query('soms_overlap', mover.shape, mover.pose, 1, other.shape, other.pose, ALL, Infinity, NO_TIME_LIMIT)[3];
+    const { pairs } = columnsOf('OverlapBatch', query('soms_overlap', mover.shape, mover.pose, 1, other.shape, other.pose,
+      ALL, Infinity, NO_TIME_LIMIT));
     if (pairs.length > 0) {
       found.push({ other, pairs });
     }
@@ -62,8 +64,8 @@ function touched(mover, others) {
 function nearest(mover, others) {
   let best = null;
   for (const other of others) {
-    const [lower, upper, , pointA, pointB, farther] = query('soms_distance', mover.shape, mover.pose, 1, other.shape, other.pose,
-      best?.upper ?? Infinity, NO_TIME_LIMIT);
+    const { lower, upper, farther, pointA, pointB } = columnsOf('Distance', query('soms_distance', mover.shape, mover.pose, 1,
+      other.shape, other.pose, best?.upper ?? Infinity, NO_TIME_LIMIT));
     if (!farther[0] && upper[0] < (best?.upper ?? Infinity)) {
       best = { body: other.body, lower: lower[0], upper: upper[0], points: [[...pointA], [...pointB]] };
     }
