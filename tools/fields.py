@@ -183,11 +183,9 @@ def web_shape(kind, rows):
 def web_interface(name, rows):
     lines = [f"export interface {name} {{"]
     for field, kind, meaning in rows:
-        if field in ("coverage", "cost"):  # whose types say it
-            lines.append(f"  {field}: {kind};")
-            continue
-        meaning = re.sub(r"\b[a-z]+_\w+", lambda found: camel(found[0]), meaning)
-        lines += [f"  /** {meaning} */", f"  {field}: {kind};"]
+        if meaning not in ("", "n.") and field not in ("coverage", "cost"):  # whose types say it
+            lines.append("  /** " + re.sub(r"\b[a-z]+_\w+", lambda found: camel(found[0]), meaning) + " */")
+        lines.append(f"  {field}: {kind};")
     return "\n".join(lines + ["}"])
 
 
@@ -203,10 +201,11 @@ def web_types(enums, answers):
              (web_shape(f["type"].removeprefix("list "), f["rows"]) + ". " if f["type"].startswith("list ") else "")
              + f["meaning"]) for f in lists])
         if "batch" in answer:
-            columns = [(camel(f["name"]), web_array(f["type"]), web_shape(f["type"], "n") + ". " + f["meaning"])
+            columns = [(camel(f["name"]), web_array(f["type"]), web_shape(f["type"], "n") + ".")
                        for f in flat(answer) if f["type"] != "struct Cost"]
-            columns.append(("cost", "Cost", f"Work done for all {answer['rows']} together."))
-            yield f"/** {answer['batch_meaning']} */\n" + web_interface(answer["batch"], columns)
+            columns.append(("cost", "Cost", ""))
+            yield f"/** Columns of {name}; cost is that of all. */\n" + web_interface(
+                answer["batch"], columns)
 
 
 def between(text, begin, end, inside):

@@ -188,7 +188,7 @@ TEST_F(BinaryColumns, OfClosest) {
                 .status,
             0);
   auto arrays = arrays_of(at("near.npz"));
-  ASSERT_EQ(arrays.size(), 10U);
+  ASSERT_EQ(arrays.size(), 11U);
   EXPECT_EQ(arrays["lower.npy"].header, described("<f8", "(2,)"));
   EXPECT_EQ(arrays["lower.npy"].numbers(), (std::vector<double>{2, 4}));
   EXPECT_EQ(arrays["upper.npy"].numbers(),

@@ -149,13 +149,13 @@ TEST(NumpyArchives, AreRowsAsTheirArrayIs) {
   const TemporaryFolder folder;
   const std::string points = (folder.path() / "points.csv").string();
   write_text(points, "x,y,z\n0,0,0\n3,0.5,0\n");
-  // An archive of soms itself, of which the array `at` has three columns.
+  // An archive of soms itself, of which the array `point` has three columns.
   const std::string archive = (folder.path() / "nearest.npz").string();
   ASSERT_EQ(soms_run({"closest", box(), "--points", points, "--binary", archive}).status, 0);
   const RunResult several = soms_run({"contains", box(), "--points", archive});
   EXPECT_EQ(several.status, 3);
   EXPECT_NE(several.err.find("several arrays: "), std::string::npos) << several.err;
-  EXPECT_NE(several.err.find("\"at\""), std::string::npos) << several.err;
+  EXPECT_NE(several.err.find("\"point\""), std::string::npos) << several.err;
 }
 
 /// Cells of each line of a table.
@@ -199,18 +199,14 @@ TEST(ContainsVerb, WritesATable) {
   write_text(points, "x,y,z\n0,0,0\n3,0,0\n1,0,0\n");
   const RunResult plain = soms_run({"contains", box(), "--points", points, "--csv", csv, "--json"});
   ASSERT_EQ(plain.status, 0) << plain.err;
-  EXPECT_EQ(first_line(read_text(csv)), "point,side,coverage");
+  EXPECT_EQ(first_line(read_text(csv)), "row,side,coverage");
   expect_as_json(read_text(csv), json_lines(plain.out));
   const RunResult winding =
       soms_run({"contains", box(), "--winding", "--points", points, "--csv", csv, "--json"});
   ASSERT_EQ(winding.status, 0) << winding.err;
-  std::vector<Json> objects = json_lines(winding.out);
-  for (Json& object : objects) {
-    object["lower"] = object.at("winding")[0];
-    object["upper"] = object.at("winding")[1];
-  }
+  const std::vector<Json> objects = json_lines(winding.out);
   const auto rows = cells_of(read_text(csv));
-  EXPECT_EQ(first_line(read_text(csv)), "point,side,lower,upper,coverage");
+  EXPECT_EQ(first_line(read_text(csv)), "row,side,lower,upper,coverage");
   ASSERT_EQ(rows.size(), objects.size() + 1);
   for (std::size_t k = 0; k < objects.size(); ++k) {
     EXPECT_EQ(rows[k + 1][1], objects[k].at("side"));
@@ -232,7 +228,7 @@ TEST(ContainsVerb, WritesARowForEachPartThatHoldsAPoint) {
                "x,y,z\n1,1,1\n-1,0,0\n0,1,1\n");
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(read_text(csv),
-            "point,part,name,path,first,side,coverage\n"
+            "row,part,name,path,first,side,coverage\n"
             "0,1,room,house/room,0,inside,complete\n"
             "0,2,copy,copy,4,inside,complete\n"
             "2,1,room,house/room,0,on,complete\n"
@@ -248,8 +244,9 @@ TEST(SolidVerb, WritesATable) {
       soms_run({"solid", box(), box(), "--pose", poses, "--csv", csv, "--json"});
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(read_text(csv),
-            "pose,relation,surfaces_meet,why,coverage\n0,same,true,,complete\n"
-            "1,crossing,true,,complete\n2,touching,true,,complete\n3,clear,false,,complete\n");
+            "pose,relation,surfaces_meet,why,coverage\n0,same,true,none,complete\n"
+            "1,crossing,true,none,complete\n2,touching,true,none,complete\n3,clear,false,none,"
+            "complete\n");
   expect_as_json(read_text(csv), json_lines(result.out));
 }
 

@@ -191,19 +191,16 @@ export interface Distance {
   coverage: Coverage;
   cost: Cost;
 }
-/** Answers of distance for n poses. */
+/** Columns of Distance; cost is that of all. */
 export interface DistanceBatch {
-  /** n. The distance is at least this. */
   lower: Float64Array;
-  /** n. The distance is at most this. */
   upper: Float64Array;
-  /** n. The distance exceeds atMost. */
   farther: Uint8Array;
-  /** n x 2; -1 for none. The least pair at this distance. */
+  /** n x 2; -1 for none. */
   triangles: Int32Array;
-  /** n x 3. The end of its shortest segment on a, in world. */
+  /** n x 3. */
   pointA: Float64Array;
-  /** n x 3. The other end, on b. */
+  /** n x 3. */
   pointB: Float64Array;
   coverage: Uint8Array;
   cost: Cost;
@@ -223,17 +220,15 @@ export interface Within {
   coverage: Coverage;
   cost: Cost;
 }
-/** Answers of within for n poses. */
+/** Columns of Within; cost is that of all. */
 export interface WithinBatch {
-  /** n. The distance is at most the clearance. */
   within: Uint8Array;
-  /** n. A lower bound of the distance. */
   atLeast: Float64Array;
-  /** n x 2; -1 for none. Some pair within the clearance. */
+  /** n x 2; -1 for none. */
   triangles: Int32Array;
-  /** n x 3. The end of its shortest segment on a, in world. */
+  /** n x 3. */
   pointA: Float64Array;
-  /** n x 3. The other end, on b. */
+  /** n x 3. */
   pointB: Float64Array;
   coverage: Uint8Array;
   cost: Cost;
@@ -249,13 +244,10 @@ export interface Solid {
   coverage: Coverage;
   cost: Cost;
 }
-/** Answers of solid for n poses. */
+/** Columns of Solid; cost is that of all. */
 export interface SolidBatch {
-  /** n. How the bodies stand to each other. */
   relation: Uint8Array;
-  /** n. Triangles of the two overlap. */
   surfacesMeet: Uint8Array;
-  /** n. Why the relation is undecided. */
   why: Uint8Array;
   coverage: Uint8Array;
   cost: Cost;
@@ -267,9 +259,8 @@ export interface Contains {
   coverage: Coverage;
   cost: Cost;
 }
-/** Answers of contains for n points. */
+/** Columns of Contains; cost is that of all. */
 export interface ContainsBatch {
-  /** n. Where the point lies. */
   side: Uint8Array;
   coverage: Uint8Array;
   cost: Cost;
@@ -291,19 +282,15 @@ export interface Closest {
   coverage: Coverage;
   cost: Cost;
 }
-/** Answers of closest for n points. */
+/** Columns of Closest; cost is that of all. */
 export interface ClosestBatch {
-  /** n. The distance is at least this. */
   lower: Float64Array;
-  /** n. The distance is at most this. */
   upper: Float64Array;
-  /** n. The distance exceeds atMost. */
   farther: Uint8Array;
-  /** n; -1 for none. The least triangle at this distance. */
+  /** n; -1 for none. */
   triangle: Int32Array;
-  /** n x 3. The nearest point, in world. */
+  /** n x 3. */
   point: Float64Array;
-  /** n. Where on the triangle that lies. */
   feature: Uint8Array;
   coverage: Uint8Array;
   cost: Cost;
@@ -332,13 +319,10 @@ export interface Winding {
   coverage: Coverage;
   cost: Cost;
 }
-/** Answers of winding for n points. */
+/** Columns of Winding; cost is that of all. */
 export interface WindingBatch {
-  /** n. Where the point lies, by the number. */
   side: Uint8Array;
-  /** n. The winding number is at least this. */
   lower: Float64Array;
-  /** n. The winding number is at most this. */
   upper: Float64Array;
   coverage: Uint8Array;
   cost: Cost;
@@ -358,17 +342,14 @@ export interface ClosestHit {
   coverage: Coverage;
   cost: Cost;
 }
-/** Answers of closest_hit for n rays. */
+/** Columns of ClosestHit; cost is that of all. */
 export interface ClosestHitBatch {
-  /** n. The least t, infinity where nothing is hit, is at least this. */
   lower: Float64Array;
-  /** n. The least t, infinity where nothing is hit, is at most this. */
   upper: Float64Array;
-  /** n; -1 for none. The least triangle met at this t. */
+  /** n; -1 for none. */
   triangle: Int32Array;
-  /** n x 3. Where, in world. */
+  /** n x 3. */
   point: Float64Array;
-  /** n. The ray meets the front of the triangle. */
   front: Uint8Array;
   coverage: Uint8Array;
   cost: Cost;
@@ -380,9 +361,8 @@ export interface AnyHit {
   coverage: Coverage;
   cost: Cost;
 }
-/** Answers of any_hit for n rays. */
+/** Columns of AnyHit; cost is that of all. */
 export interface AnyHitBatch {
-  /** n. The ray hits something. */
   hit: Uint8Array;
   coverage: Uint8Array;
   cost: Cost;

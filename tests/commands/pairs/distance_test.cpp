@@ -34,7 +34,7 @@ TEST(DistanceVerb, AnswersInTheSchema) {
   for (const char* key : {"node_tests", "triangle_tests", "exact_tests"}) {
     EXPECT_TRUE(answer.at("cost").contains(key)) << key;
   }
-  for (const char* key : {"farther", "verified", "timed_out", "notes", "warnings"}) {
+  for (const char* key : {"verified", "timed_out", "notes", "warnings"}) {
     EXPECT_FALSE(answer.contains(key)) << key;
   }
 }

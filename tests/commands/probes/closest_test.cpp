@@ -40,7 +40,7 @@ TEST(ClosestVerb, AnswersInTheSchema) {
   for (const char* key : {"node_tests", "triangle_tests", "exact_tests"}) {
     EXPECT_TRUE(answer.at("cost").contains(key)) << key;
   }
-  for (const char* key : {"farther", "hits", "verified", "timed_out", "notes"}) {
+  for (const char* key : {"hits", "verified", "timed_out", "notes"}) {
     EXPECT_FALSE(answer.contains(key)) << key;
   }
 }

@@ -52,8 +52,8 @@ TEST(RayScalesVerb, FindsAWindingNumberForTrianglesInOnePlace) {
                                        scales_data("winding-nan.csv"), "--pose",
                                        scales_data("winding-nan-pose.csv"), "--winding"});
   EXPECT_EQ(answer.at("side"), "outside");
-  EXPECT_GE(answer.at("winding").at(0), -1e-9);
-  EXPECT_LE(answer.at("winding").at(1), 1e-9);
+  EXPECT_GE(answer.at("lower"), -1e-9);
+  EXPECT_LE(answer.at("upper"), 1e-9);
 }
 
 TEST(RayScalesVerb, R123AWindingNumberThatIsNoneIsADifference) {

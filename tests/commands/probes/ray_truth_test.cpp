@@ -35,14 +35,14 @@ std::string file_of_rays(const Rows& rows) {
   return text;
 }
 
-Json json_of(const Bracket& t) {
-  return Json({t.lower, t.upper});
+Bracket bracket_of(const Json& hit) {
+  return {hit.at("lower"), hit.at("upper")};
 }
 
 void expect_first(const Json& answer, const RayTruthRow& row) {
   ASSERT_EQ(answer.at("hit"), row.hits != 0);
   if (row.hits != 0) {
-    ASSERT_EQ(answer.at("t"), json_of(row.closest.t));
+    ASSERT_EQ(bracket_of(answer), row.closest.t);
     ASSERT_EQ(answer.at("triangle"), *row.closest.triangle);
   }
 }
@@ -56,11 +56,11 @@ void expect_all(const Json& answer, const RayTruthRow& row) {
   std::uint64_t count = 0;
   for (const Json& place : hits) {
     count += place.at("triangles").size();
-    ties += place.at("t") == json_of(row.closest.t) ? place.at("triangles").size() : 0;
+    ties += bracket_of(place) == row.closest.t ? place.at("triangles").size() : 0;
   }
   ASSERT_EQ(count, row.hits);
   if (row.hits != 0) {
-    ASSERT_EQ(hits[0].at("t"), json_of(row.closest.t));
+    ASSERT_EQ(bracket_of(hits[0]), row.closest.t);
     ASSERT_EQ(hits[0].at("triangles")[0], *row.closest.triangle);
     ASSERT_GE(ties, row.ties) << "another t may have the same bracket";
   }
