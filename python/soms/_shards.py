@@ -128,7 +128,7 @@ def columns_of(job: Job, answer: Any) -> List[Column]:
         if name.startswith("point"):
             values = np.where(answer.triangles[:, :1] < 0, np.nan, values)  # there is no pair
         fields.append(column(name, {"b": "|b1", "f": "<f8", "i": "<i8"}[values.dtype.kind], values, *values.shape[1:]))
-    placed = _georeference(job["b"]) if job["verb"] == "distance" else None
+    placed = _georeference(job["b"])
     where = [text("georeference", [str(placed)])] if placed else []
     return [*fields, coverage, names, *where]
 

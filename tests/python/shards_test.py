@@ -75,6 +75,17 @@ class Shards(unittest.TestCase):
             _shards.join(files / "answers", [(0, 1000), (1000, ROWS)], files / "joined.npz")
             self.assertEqual((files / "joined.npz").read_bytes(), (files / "whole.npz").read_bytes())
 
+    def test_a_model_that_states_where_it_lies(self):
+        with tempfile.TemporaryDirectory() as place:
+            files = make_files(place)
+            self.run_soms(files, "build", "city.ply", "--crs", "EPSG:25833", "-o", "placed.somst")
+            for verb, question, words in (("distance", {}, []), ("within", {"clearance": 2.5}, ["--clearance", "2.5"])):
+                self.run_soms(files, verb, "car.ply", "placed.somst", "--pose", "poses.npy", *words, "--binary", "whole.npz")
+                job = _shards.job_of(verb, files / "car.ply", files / "placed.somst", files / "poses.npy", files / verb, question)
+                _shards.work(job, (0, ROWS))
+                _shards.join(files / verb, [(0, ROWS)], files / "joined.npz")
+                self.assertEqual((files / "joined.npz").read_bytes(), (files / "whole.npz").read_bytes(), verb)
+
     def test_distance_and_within(self):
         self.check(CASES["near"])
 

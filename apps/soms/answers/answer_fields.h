@@ -32,7 +32,7 @@ namespace detail {
 template <Described T>
 [[nodiscard]] bool is_unknown(const T& answer, const auto& field) {
   if constexpr (requires { Fields<T>::kTruth; } &&
-                std::is_same_v<decltype(field.place), bool T::*const>) {
+                std::is_same_v<decltype(field.place), bool T::*>) {
     return field.place == Fields<T>::kTruth && !field.of(answer) &&
            answer.coverage == Coverage::cut;
   } else {
