@@ -204,7 +204,7 @@ def web_types(enums, answers):
             columns = [(camel(f["name"]), web_array(f["type"]), web_shape(f["type"], "n") + ".")
                        for f in flat(answer) if f["type"] != "struct Cost"]
             columns.append(("cost", "Cost", ""))
-            yield f"/** Columns of {name}; cost is that of all. */\n" + web_interface(
+            yield f"/** Columns of {name}. */\n" + web_interface(
                 answer["batch"], columns)
 
 

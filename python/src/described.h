@@ -52,13 +52,18 @@ template <class T>
   }
 }
 
+/// What a field means, and what it is where it means nothing.
+[[nodiscard]] std::string meaning_of(const auto& field) {
+  return std::string(field.meaning) + (field.of_triangle ? " 0 without a triangle." : "");
+}
+
 /// Binds the fields of a single answer, as properties of these names.
 template <class T, class Class>
 void def_fields(Class& one) {
   for_each_field<T>([&](const auto& field) {
     using Value = typename std::remove_cvref_t<decltype(field)>::Type;
     const auto place = field.place;
-    const std::string meaning = field.meaning;
+    const std::string meaning = meaning_of(field);
     if constexpr (std::is_same_v<Value, Bracket>) {
       one.derived(
           "lower", [place](const T& answer) { return (answer.*place).lower; },
@@ -76,7 +81,7 @@ void def_fields(Class& one) {
           return;
         }
       }
-      one.field(field.name, place, field.meaning);
+      one.field(field.name, place, meaning.c_str());
     } else {
       const bool maybe = detail::kIs<Value, std::optional>;
       one.field(field.name, place, (meaning + (maybe ? " None if there is none." : "")).c_str());
@@ -97,7 +102,7 @@ void def_columns(Class& batch) {
   using Batch = BatchOf<T>;
   for_each_field<T>([&](const auto& field) {
     using Of = std::remove_cvref_t<decltype(field)>;
-    const std::string meaning = field.meaning;
+    const std::string meaning = meaning_of(field);
     if constexpr (std::is_same_v<typename Of::Type, Bracket>) {
       def_column(batch, "lower", field.column.lower, meaning + " is at least this.");
       def_column(batch, "upper", field.column.upper, meaning + " is at most this.");

@@ -2,7 +2,7 @@
 /// The fields of answers, said once: from these lists come `<<`, the columns of batches, and what
 /// Python, JavaScript and the tables of the docs say.
 ///
-/// A list stands beside its struct, in the fields.h of its room:
+/// A list stands below its struct and its batch, in their header:
 ///
 /// \verbatim
 /// template <>
@@ -34,7 +34,7 @@
 
 namespace soms {
 
-/// The list of T's fields; specialized in the fields.h of its room.
+/// The list of T's fields; specialized below T.
 template <class T>
 struct Fields;
 

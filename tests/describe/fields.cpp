@@ -102,8 +102,10 @@ void print_fields() {
     }
     list += (list.empty() ? "" : ",") + ("{\"name\":" + json_word(field.name)) +
             ",\"type\":" + json_word(type_text<typename Of::Type>()) +
-            ",\"column\":" + json_word(field.column_name) +
-            ",\"meaning\":" + json_word(field.meaning) + ",\"rows\":" + json_word(field.rows) + "}";
+            ",\"column\":" + json_word(field.column_name) + ",\"meaning\":" +
+            json_word(std::string(field.meaning) +
+                      (field.of_triangle ? " 0 without a triangle." : "")) +
+            ",\"rows\":" + json_word(field.rows) + "}";
   });
   std::printf("%s,\"fields\":[%s]}\n", line.c_str(), list.c_str());
 }

@@ -184,14 +184,14 @@ export interface Distance {
   farther: boolean;
   /** The least pair at this distance. */
   triangles: [number, number] | null;
-  /** The end of its shortest segment on a, in world. */
+  /** The end of its shortest segment on a, in world. 0 without a triangle. */
   pointA: Float64Array;
-  /** The other end, on b. */
+  /** The other end, on b. 0 without a triangle. */
   pointB: Float64Array;
   coverage: Coverage;
   cost: Cost;
 }
-/** Columns of Distance; cost is that of all. */
+/** Columns of Distance. */
 export interface DistanceBatch {
   lower: Float64Array;
   upper: Float64Array;
@@ -213,14 +213,14 @@ export interface Within {
   atLeast: number;
   /** Some pair within the clearance. */
   triangles: [number, number] | null;
-  /** The end of its shortest segment on a, in world. */
+  /** The end of its shortest segment on a, in world. 0 without a triangle. */
   pointA: Float64Array;
-  /** The other end, on b. */
+  /** The other end, on b. 0 without a triangle. */
   pointB: Float64Array;
   coverage: Coverage;
   cost: Cost;
 }
-/** Columns of Within; cost is that of all. */
+/** Columns of Within. */
 export interface WithinBatch {
   within: Uint8Array;
   atLeast: Float64Array;
@@ -244,7 +244,7 @@ export interface Solid {
   coverage: Coverage;
   cost: Cost;
 }
-/** Columns of Solid; cost is that of all. */
+/** Columns of Solid. */
 export interface SolidBatch {
   relation: Uint8Array;
   surfacesMeet: Uint8Array;
@@ -259,7 +259,7 @@ export interface Contains {
   coverage: Coverage;
   cost: Cost;
 }
-/** Columns of Contains; cost is that of all. */
+/** Columns of Contains. */
 export interface ContainsBatch {
   side: Uint8Array;
   coverage: Uint8Array;
@@ -275,14 +275,14 @@ export interface Closest {
   farther: boolean;
   /** The least triangle at this distance. */
   triangle: number | null;
-  /** The nearest point, in world. */
+  /** The nearest point, in world. 0 without a triangle. */
   point: Float64Array;
-  /** Where on the triangle that lies. */
+  /** Where on the triangle that lies. 0 without a triangle. */
   feature: Feature;
   coverage: Coverage;
   cost: Cost;
 }
-/** Columns of Closest; cost is that of all. */
+/** Columns of Closest. */
 export interface ClosestBatch {
   lower: Float64Array;
   upper: Float64Array;
@@ -319,7 +319,7 @@ export interface Winding {
   coverage: Coverage;
   cost: Cost;
 }
-/** Columns of Winding; cost is that of all. */
+/** Columns of Winding. */
 export interface WindingBatch {
   side: Uint8Array;
   lower: Float64Array;
@@ -335,14 +335,14 @@ export interface ClosestHit {
   upper: number;
   /** The least triangle met at this t. */
   triangle: number | null;
-  /** Where, in world. */
+  /** Where, in world. 0 without a triangle. */
   point: Float64Array;
-  /** The ray meets the front of the triangle. */
+  /** The ray meets the front of the triangle. 0 without a triangle. */
   front: boolean;
   coverage: Coverage;
   cost: Cost;
 }
-/** Columns of ClosestHit; cost is that of all. */
+/** Columns of ClosestHit. */
 export interface ClosestHitBatch {
   lower: Float64Array;
   upper: Float64Array;
@@ -361,7 +361,7 @@ export interface AnyHit {
   coverage: Coverage;
   cost: Cost;
 }
-/** Columns of AnyHit; cost is that of all. */
+/** Columns of AnyHit. */
 export interface AnyHitBatch {
   hit: Uint8Array;
   coverage: Uint8Array;
@@ -385,7 +385,7 @@ export interface AllHits {
   cost: Cost;
 }
 // End of answers.
-/** @deprecated Say NearTriangles. */
+/** @deprecated */
 export type TriangleRows = NearTriangles;
 
 /** Names of the codes in answers of batches: NAMES.side[codes[k]]. */
