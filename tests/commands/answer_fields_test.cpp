@@ -66,9 +66,9 @@ TEST(AnswerFields, ARowHasAsManyCellsAsItsHead) {
   expect_as_many_cells(Within{.within = true, .triangles = TrianglePair{1, 2}});
   expect_as_many_cells(Within{.coverage = Coverage::cut});
   expect_as_many_cells(Distance{});
-  expect_as_many_cells(Distance{.triangles = TrianglePair{1, 2}});
+  expect_as_many_cells(Distance{.distance = {}, .triangles = TrianglePair{1, 2}});
   expect_as_many_cells(Closest{});
-  expect_as_many_cells(Closest{.triangle = 3});
+  expect_as_many_cells(Closest{.distance = {}, .triangle = 3});
   expect_as_many_cells(ClosestHit{});
   expect_as_many_cells(ClosestHit{.triangle = 3});
   expect_as_many_cells(AnyHit{.coverage = Coverage::cut});

@@ -14,7 +14,9 @@
 #include <fmt/format.h>
 
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
@@ -22,6 +24,9 @@
 #include <vector>
 
 namespace soms::command {
+
+inline constexpr std::size_t kUsualRow =
+    256;  // bytes of a row of CSV, so that it is allocated once
 
 /// A number of JSON that reads back exactly; infinity is null.
 [[nodiscard]] std::string json_number(double x);
@@ -118,29 +123,33 @@ template <Described T>
 template <Described T, class OfTriangle>
 [[nodiscard]] std::string field_cells(const T& answer, const OfTriangle& of_triangle) {
   std::string text;
-  const auto add = [&](const std::string& cells) { text += cells + ","; };
+  text.reserve(kUsualRow);
+  const auto to = std::back_inserter(text);
   detail::for_each_own_field<T>([&](const auto& field) {
     using Value = typename std::remove_cvref_t<decltype(field)>::Type;
     const Value& value = field.of(answer);
     if constexpr (std::is_same_v<Value, std::optional<TriangleId>>) {
-      add(of_triangle(0, value));
+      text += of_triangle(0, value);
     } else if constexpr (std::is_same_v<Value, std::optional<TrianglePair>>) {
-      add(of_triangle(0, value ? std::optional(value->first) : std::nullopt));
-      add(of_triangle(1, value ? std::optional(value->second) : std::nullopt));
+      text += of_triangle(0, value ? std::optional(value->first) : std::nullopt);
+      text += ',';
+      text += of_triangle(1, value ? std::optional(value->second) : std::nullopt);
     } else if constexpr (std::is_same_v<Value, Bracket>) {
-      add(fmt::format("{},{}", value.lower, value.upper));
+      fmt::format_to(to, "{},{}", value.lower, value.upper);
     } else if (detail::is_unknown(answer, field) ||
                (field.of_triangle && !names_triangle(answer))) {
-      add(std::is_same_v<Value, Vec3> ? ",," : "");
+      text += std::is_same_v<Value, Vec3> ? ",," : "";
     } else if constexpr (std::is_same_v<Value, Vec3>) {
-      add(fmt::format("{},{},{}", value.x, value.y, value.z));
+      fmt::format_to(to, "{},{},{}", value.x, value.y, value.z);
     } else if constexpr (Worded<Value>) {
-      add(std::string(name(value)));
+      text += name(value);
     } else {
-      add(fmt::format("{}", value));
+      fmt::format_to(to, "{}", value);
     }
+    text += ',';
   });
-  return text + std::string(name(answer.coverage));
+  text += name(answer.coverage);
+  return text;
 }
 
 /// Arrays of a file, one for each field of an answer.
