@@ -3,6 +3,8 @@
 /// them, so an answer that gets a new field needs nothing here.
 #pragma once
 
+#include "soms/describe/field_count.h"
+
 #include "python/src/errors.h"
 
 #include <array>
@@ -47,29 +49,6 @@ template <class T>
 inline constexpr bool kIsArray = false;
 template <class T, std::size_t N>
 inline constexpr bool kIsArray<std::array<T, N>> = true;
-
-/// Fields of an aggregate, by how many pairs of braces it takes; its base class is one.
-template <class T>
-consteval std::size_t field_count() {
-  static_assert(std::is_aggregate_v<T>, "specialize Packing for it");
-  // clang-format off
-  if constexpr (requires { T{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}; }) { return 14; }
-  else if constexpr (requires { T{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}; }) { return 13; }
-  else if constexpr (requires { T{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}; }) { return 12; }
-  else if constexpr (requires { T{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}; }) { return 11; }
-  else if constexpr (requires { T{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}}; }) { return 10; }
-  else if constexpr (requires { T{{}, {}, {}, {}, {}, {}, {}, {}, {}}; }) { return 9; }
-  else if constexpr (requires { T{{}, {}, {}, {}, {}, {}, {}, {}}; }) { return 8; }
-  else if constexpr (requires { T{{}, {}, {}, {}, {}, {}, {}}; }) { return 7; }
-  else if constexpr (requires { T{{}, {}, {}, {}, {}, {}}; }) { return 6; }
-  else if constexpr (requires { T{{}, {}, {}, {}, {}}; }) { return 5; }
-  else if constexpr (requires { T{{}, {}, {}, {}}; }) { return 4; }
-  else if constexpr (requires { T{{}, {}, {}}; }) { return 3; }
-  else if constexpr (requires { T{{}, {}}; }) { return 2; }
-  else if constexpr (requires { T{{}}; }) { return 1; }
-  else { return 0; }
-  // clang-format on
-}
 
 /// `function(field...)` of the fields of an aggregate without a base class.
 template <class T, class Function>
