@@ -1,6 +1,6 @@
 /// \file
-/// The fields of answers, said once: from these lists come `<<`, the columns of batches, and what
-/// Python, JavaScript and the tables of the docs say.
+/// The fields of answers, said once: from these lists come `<<`, the columns of batches, JSON, CSV,
+/// NPZ, and the classes and types of Python and JavaScript.
 ///
 /// A list stands below its struct and its batch, in their header:
 ///
@@ -11,8 +11,7 @@
 ///   static constexpr const char* kMeaning = "Answer of within.";
 ///   using Batch = WithinBatch;
 ///   static constexpr auto kList = std::tuple(
-///       field("within", &Within::within, &Batch::within, "The distance is at most the
-///       clearance."),
+///       field("within", &Within::within, &Batch::within, "The distance is at most D."),
 ///       ...);
 /// };
 /// \endverbatim
