@@ -217,8 +217,7 @@ def written(program):
     """What each file is to hold."""
     enums, answers = read(program)
     stub = ROOT / "python/soms/_soms.pyi"
-    classes = "\n\n".join(part.rstrip("\n") for part in python_classes(
-        {name: answer for name, answer in answers.items()}))
+    classes = "\n\n".join(part.rstrip("\n") for part in python_classes(answers))
     yield stub, between(stub.read_text(encoding="utf-8"), "# Answers, written by tools/fields.py.\n",
                         "\n# End of answers.\n", "\n" + classes + "\n")
     words = ROOT / "python/soms/_enums.py"
