@@ -17,8 +17,6 @@
 #include "soms/generate/routes.h"
 #include "soms/generate/shapes.h"
 #include "soms/generate/spread.h"
-#include "soms/generate/statue.h"
-#include "soms/generate/teapot.h"
 #include "soms/generate/urban.h"
 #include "soms/geometry/bodies_of.h"
 #include "soms/geometry/closedness.h"

@@ -25,8 +25,8 @@ METHODS = {
 # Answers about many bodies are for C++ and Python.
 OF_WEB = ["Cost", "Overlap", "OverlapBatch", "Distance", "Within", "Solid", "Contains", "Closest", "NearTriangles",
           "Winding", "ClosestHit", "AnyHit", "AllHits"]
-# What the npm package calls an enumeration; others stand where they are used.
-WEB_ENUMS = {"Coverage": "Coverage", "Relation": "Relation", "Side": "Side", "TriangleFeature": "Feature"}
+# Enumerations that the npm package names; the words of others stand where they are used.
+WEB_ENUMS = ("Coverage", "Relation", "Side", "TriangleFeature")
 
 
 def read(program):
@@ -161,7 +161,7 @@ def web_single(kind, enums):
         return web_array(rest)
     if first == "enum":
         name = rest.split()[0]
-        return WEB_ENUMS.get(name) or " | ".join(f"'{word}'" for word in enums[name]["names"])
+        return name if name in WEB_ENUMS else " | ".join(f"'{word}'" for word in enums[name]["names"])
     if first == "struct":
         return rest
     return {"bool": "boolean", "double": "number", "uint32": "number", "uint64": "number",
@@ -190,9 +190,9 @@ def web_interface(name, rows):
 
 
 def web_types(enums, answers):
-    for enum, name in WEB_ENUMS.items():
-        words = " | ".join(f"'{word}'" for word in enums[enum]["names"])
-        yield f"/** {enums[enum]['meaning']} */\nexport type {name} = {words};"
+    for name in WEB_ENUMS:
+        words = " | ".join(f"'{word}'" for word in enums[name]["names"])
+        yield f"/** {enums[name]['meaning']} */\nexport type {name} = {words};"
     for name in OF_WEB:
         answer = answers[name]
         lists = [f for f in flat(answer) if not (f["type"].startswith("list struct Cost"))]

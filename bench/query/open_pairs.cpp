@@ -178,8 +178,8 @@ class Judge {
   }
 
   void count(const TrianglePair& ids) {
-    const Triangle a = detail::moved(frame_.x(), ids.first);
-    const Triangle b = detail::moved(frame_.y(), ids.second);
+    const Triangle a = detail::moved(frame_.x(), ids.a);
+    const Triangle b = detail::moved(frame_.y(), ids.b);
     const Measures p(a);
     const Measures q(b);
     const Measures& large = p.longest > q.longest ? p : q;

@@ -91,18 +91,18 @@ void compare_threads(const char* name, const Body& body) {
   double two = 1e9;
   for (int run = 0; run < 5; ++run) {
     double begin = clock_seconds();
-    body(Parallel{.threads = 1});
+    body(Limits{.threads = 1});
     one = std::min(one, clock_seconds() - begin);
     begin = clock_seconds();
-    body(Parallel{.threads = 2});
+    body(Limits{.threads = 2});
     two = std::min(two, clock_seconds() - begin);
   }
   std::printf("%-24s %8.1f ms one thread %8.1f ms two threads: ratio %.2f\n", name, 1e3 * one,
               1e3 * two, one / two);
 }
 
-void plain_loop(const Parallel& parallel) {
-  for_each_chunk(64, 1, parallel, [](std::size_t begin, std::size_t) {
+void plain_loop(const Limits& limits) {
+  for_each_chunk(64, 1, limits, [](std::size_t begin, std::size_t) {
     volatile double sink = 0;
     double sum = static_cast<double>(begin);
     for (int k = 0; k < 200000; ++k) {
@@ -122,10 +122,10 @@ int main() {
   bench::compare_coherence(*traffic, {}, "all pairs");
   bench::compare_coherence(*traffic, {.mode = OverlapMode::any}, "any pair");
   bench::compare_threads("plain loop", bench::plain_loop);
-  bench::compare_threads("60 steps", [&](const Parallel& parallel) {
+  bench::compare_threads("60 steps", [&](const Limits& limits) {
     for (int frame = 0; frame < 60; ++frame) {
       traffic->drive(traffic->kept, frame);
-      static_cast<void>(traffic->kept.step({}, parallel));
+      static_cast<void>(traffic->kept.step({}, limits));
     }
   });
   return 0;

@@ -279,7 +279,7 @@ void race_threads(const std::vector<const RuleEntry*>& chosen, const Place& plac
       std::array<double, 3> seconds = {};
       for (int threads = 1; threads <= 2; ++threads) {
         start = wall_seconds();
-        const Shape shape(place.mesh, options, Parallel{threads, {}, {}});
+        const Shape shape(place.mesh, options, Limits{.threads = threads});
         seconds[static_cast<std::size_t>(threads)] = wall_seconds() - start;
       }
       gains[i].push_back(seconds[1] / seconds[2]);

@@ -91,9 +91,9 @@ def main():
     np.save(folder / "poses.npy", poses)
     run([wanted.soms, "tile", *paths, "-o", folder / "tiles", "--quiet"], size)
     common = [folder / "car.ply", folder / "tiles", "--pose", folder / "poses.npy", "--max-memory", f"{int(wanted.memory * 250)}M", "--quiet"]
-    run([wanted.soms, "overlap", *common, "--binary", folder / "overlap.npz"], size)
-    run([wanted.soms, "distance", *common, "--binary", folder / "distance.npz"], size)
-    run([wanted.soms, "within", *common, "--clearance", "2", "--binary", folder / "within.npz"], size)
+    run([wanted.soms, "overlap", *common, "-o", folder / "overlap.npz"], size)
+    run([wanted.soms, "distance", *common, "-o", folder / "distance.npz"], size)
+    run([wanted.soms, "within", *common, "--clearance", "2", "-o", folder / "within.npz"], size)
     car = soms.Shape(soms.read_mesh(str(folder / "car.ply")))
     wrong = compare(car, paths, poses, city, np.load(folder / "distance.npz"), wanted.triangles)
     print(f"{wanted.cities * wanted.triangles:,} triangles, {wanted.rows:,} distances, {wrong} differ from those of single cities")

@@ -108,7 +108,7 @@ FIELDS = {"distance": ("lower", "upper", "farther", "triangles", "point_a", "poi
 
 
 def columns_of(job: Job, answer: Any) -> List[Column]:
-    """An answer about several poses as the columns of --binary."""
+    """An answer about several poses as the columns of `-o FILE.npz`."""
     def column(name: str, type: str, values: Any, *shape: int) -> Column:
         return Column(name, type, shape, lambda: iter([np.asarray(values)]))
 

@@ -997,27 +997,27 @@ class Scene:
     def closest(
         self, points: Point, *, at_most: float = ..., environment: bool = True,
         movers: bool = True, ignore: tuple[SceneBodyKind | str, int] | None = None,
-        seconds: float | None = None, threads: int = 1, progress: Progress = None,
+        timeout: float | None = None, threads: int = 1, progress: Progress = None,
     ) -> SceneClosest: ...
     @overload
     def closest(
         self, points: Points, *, at_most: float = ..., environment: bool = True,
         movers: bool = True, ignore: tuple[SceneBodyKind | str, int] | None = None,
-        seconds: float | None = None, threads: int = 1, progress: Progress = None,
+        timeout: float | None = None, threads: int = 1, progress: Progress = None,
     ) -> SceneClosestBatch: ...
     @overload
     def closest_hit(
         self, origins: Point, directions: Point | None = None, *, ends: Point | None = None,
         lengths: ArrayLike = ..., skip: int | None = None, environment: bool = True,
         movers: bool = True, ignore: tuple[SceneBodyKind | str, int] | None = None,
-        seconds: float | None = None, threads: int = 1, progress: Progress = None,
+        timeout: float | None = None, threads: int = 1, progress: Progress = None,
     ) -> SceneHit: ...
     @overload
     def closest_hit(
         self, origins: Points, directions: Points | None = None, *,
         ends: Points | None = None, lengths: ArrayLike = ..., skip: int | None = None,
         environment: bool = True, movers: bool = True,
-        ignore: tuple[SceneBodyKind | str, int] | None = None, seconds: float | None = None,
+        ignore: tuple[SceneBodyKind | str, int] | None = None, timeout: float | None = None,
         threads: int = 1, progress: Progress = None,
     ) -> SceneHitBatch: ...
     @overload
@@ -1025,21 +1025,21 @@ class Scene:
         self, origins: Point, directions: Point | None = None, *, ends: Point | None = None,
         lengths: ArrayLike = ..., skip: int | None = None, environment: bool = True,
         movers: bool = True, ignore: tuple[SceneBodyKind | str, int] | None = None,
-        seconds: float | None = None, threads: int = 1, progress: Progress = None,
+        timeout: float | None = None, threads: int = 1, progress: Progress = None,
     ) -> AnyHit: ...
     @overload
     def any_hit(
         self, origins: Points, directions: Points | None = None, *,
         ends: Points | None = None, lengths: ArrayLike = ..., skip: int | None = None,
         environment: bool = True, movers: bool = True,
-        ignore: tuple[SceneBodyKind | str, int] | None = None, seconds: float | None = None,
+        ignore: tuple[SceneBodyKind | str, int] | None = None, timeout: float | None = None,
         threads: int = 1, progress: Progress = None,
     ) -> AnyHitBatch: ...
     def all_hits(
         self, origins: Point | Points, directions: Point | Points | None = None, *,
         ends: Point | Points | None = None, lengths: ArrayLike = ...,
         skip: int | None = None, environment: bool = True, movers: bool = True,
-        ignore: tuple[SceneBodyKind | str, int] | None = None, seconds: float | None = None,
+        ignore: tuple[SceneBodyKind | str, int] | None = None, timeout: float | None = None,
         threads: int = 1, progress: Progress = None,
     ) -> SceneAllHits: ...
 
@@ -1053,43 +1053,43 @@ class BodyIndex:
     @overload
     def closest(
         self, points: Point, *, at_most: float = ..., ignore: int | None = None,
-        seconds: float | None = None, threads: int = 1, progress: Progress = None,
+        timeout: float | None = None, threads: int = 1, progress: Progress = None,
     ) -> BodyClosest: ...
     @overload
     def closest(
         self, points: Points, *, at_most: float = ..., ignore: int | None = None,
-        seconds: float | None = None, threads: int = 1, progress: Progress = None,
+        timeout: float | None = None, threads: int = 1, progress: Progress = None,
     ) -> BodyClosestBatch: ...
     @overload
     def closest_hit(
         self, origins: Point, directions: Point | None = None, *, ends: Point | None = None,
         lengths: ArrayLike = ..., skip: int | None = None, ignore: int | None = None,
-        seconds: float | None = None, threads: int = 1, progress: Progress = None,
+        timeout: float | None = None, threads: int = 1, progress: Progress = None,
     ) -> BodyHit: ...
     @overload
     def closest_hit(
         self, origins: Points, directions: Points | None = None, *,
         ends: Points | None = None, lengths: ArrayLike = ..., skip: int | None = None,
-        ignore: int | None = None, seconds: float | None = None,
+        ignore: int | None = None, timeout: float | None = None,
         threads: int = 1, progress: Progress = None,
     ) -> BodyHitBatch: ...
     @overload
     def any_hit(
         self, origins: Point, directions: Point | None = None, *, ends: Point | None = None,
         lengths: ArrayLike = ..., skip: int | None = None, ignore: int | None = None,
-        seconds: float | None = None, threads: int = 1, progress: Progress = None,
+        timeout: float | None = None, threads: int = 1, progress: Progress = None,
     ) -> AnyHit: ...
     @overload
     def any_hit(
         self, origins: Points, directions: Points | None = None, *,
         ends: Points | None = None, lengths: ArrayLike = ..., skip: int | None = None,
-        ignore: int | None = None, seconds: float | None = None,
+        ignore: int | None = None, timeout: float | None = None,
         threads: int = 1, progress: Progress = None,
     ) -> AnyHitBatch: ...
     def all_hits(
         self, origins: Point | Points, directions: Point | Points | None = None, *,
         ends: Point | Points | None = None, lengths: ArrayLike = ...,
-        skip: int | None = None, ignore: int | None = None, seconds: float | None = None,
+        skip: int | None = None, ignore: int | None = None, timeout: float | None = None,
         threads: int = 1, progress: Progress = None,
     ) -> BodyAllHits: ...
 
@@ -1425,161 +1425,161 @@ class RobotAnswerBatch:
 @overload
 def overlap(
     a: BodyLike, b: BodyLike | TileSet, poses: None = None, *, mode: OverlapMode | str = "all",
-    limit: int | None = None, seconds: float | None = None, threads: int = 1,
+    limit: int | None = None, timeout: float | None = None, threads: int = 1,
     progress: Progress = None,
 ) -> Overlap: ...
 @overload
 def overlap(
     a: BodyLike, b: BodyLike | TileSet, poses: Poses, *, mode: OverlapMode | str = "all",
-    limit: int | None = None, seconds: float | None = None, threads: int = 1,
+    limit: int | None = None, timeout: float | None = None, threads: int = 1,
     progress: Progress = None,
 ) -> OverlapBatch: ...
 @overload
 def distance(
     a: BodyLike, b: BodyLike | TileSet, poses: None = None, *, at_most: float = ...,
-    seconds: float | None = None, threads: int = 1, progress: Progress = None,
+    timeout: float | None = None, threads: int = 1, progress: Progress = None,
 ) -> Distance: ...
 @overload
 def distance(
     a: BodyLike, b: BodyLike | TileSet, poses: Poses, *, at_most: float = ...,
-    seconds: float | None = None, threads: int = 1, progress: Progress = None,
+    timeout: float | None = None, threads: int = 1, progress: Progress = None,
 ) -> DistanceBatch: ...
 @overload
 def within(
     a: BodyLike, b: BodyLike | TileSet, clearance: float, poses: None = None, *,
-    seconds: float | None = None, threads: int = 1, progress: Progress = None,
+    timeout: float | None = None, threads: int = 1, progress: Progress = None,
 ) -> Within: ...
 @overload
 def within(
-    a: BodyLike, b: BodyLike | TileSet, clearance: float, poses: Poses, *, seconds: float | None = None,
+    a: BodyLike, b: BodyLike | TileSet, clearance: float, poses: Poses, *, timeout: float | None = None,
     threads: int = 1, progress: Progress = None,
 ) -> WithinBatch: ...
 @overload
 def solid(
     a: ClosedBody | BodyLike, b: ClosedBody | BodyLike, poses: None = None, *,
-    seconds: float | None = None, threads: int = 1, progress: Progress = None,
+    timeout: float | None = None, threads: int = 1, progress: Progress = None,
 ) -> Solid: ...
 @overload
 def solid(
     a: ClosedBody | BodyLike, b: ClosedBody | BodyLike, poses: Poses, *,
-    seconds: float | None = None, threads: int = 1, progress: Progress = None,
+    timeout: float | None = None, threads: int = 1, progress: Progress = None,
 ) -> SolidBatch: ...
 @overload
 def contains(
-    body: DividedBody, points: Point, *, seconds: float | None = None, threads: int = 1,
+    body: DividedBody, points: Point, *, timeout: float | None = None, threads: int = 1,
     progress: Progress = None,
 ) -> ContainsParts: ...
 @overload
 def contains(
-    body: DividedBody, points: Points, *, seconds: float | None = None, threads: int = 1,
+    body: DividedBody, points: Points, *, timeout: float | None = None, threads: int = 1,
     progress: Progress = None,
 ) -> ContainsPartsBatch: ...
 @overload
 def contains(
-    body: ClosedBody | BodyLike, points: Point, *, seconds: float | None = None,
+    body: ClosedBody | BodyLike, points: Point, *, timeout: float | None = None,
     threads: int = 1, progress: Progress = None,
 ) -> Contains: ...
 @overload
 def contains(
-    body: ClosedBody | BodyLike, points: Points, *, seconds: float | None = None,
+    body: ClosedBody | BodyLike, points: Points, *, timeout: float | None = None,
     threads: int = 1, progress: Progress = None,
 ) -> ContainsBatch: ...
 @overload
 def closest(
-    body: ClosedBody, points: Point, *, at_most: float = ..., seconds: float | None = None,
+    body: ClosedBody, points: Point, *, at_most: float = ..., timeout: float | None = None,
     threads: int = 1, progress: Progress = None,
 ) -> SignedClosest: ...
 @overload
 def closest(
-    body: ClosedBody, points: Points, *, at_most: float = ..., seconds: float | None = None,
+    body: ClosedBody, points: Points, *, at_most: float = ..., timeout: float | None = None,
     threads: int = 1, progress: Progress = None,
 ) -> SignedClosestBatch: ...
 @overload
 def closest(
-    body: BodyLike | TileSet, points: Point, *, at_most: float = ..., seconds: float | None = None,
+    body: BodyLike | TileSet, points: Point, *, at_most: float = ..., timeout: float | None = None,
     threads: int = 1, progress: Progress = None,
 ) -> Closest: ...
 @overload
 def closest(
-    body: BodyLike | TileSet, points: Points, *, at_most: float = ..., seconds: float | None = None,
+    body: BodyLike | TileSet, points: Points, *, at_most: float = ..., timeout: float | None = None,
     threads: int = 1, progress: Progress = None,
 ) -> ClosestBatch: ...
 @overload
 def signed_distance(
     model: ClosedBody | WindingIndex | BodyLike, points: Point, *, at_most: float = ...,
-    seconds: float | None = None, threads: int = 1, progress: Progress = None,
+    timeout: float | None = None, threads: int = 1, progress: Progress = None,
 ) -> float: ...
 @overload
 def signed_distance(
     model: ClosedBody | WindingIndex | BodyLike, points: Points, *, at_most: float = ...,
-    seconds: float | None = None, threads: int = 1, progress: Progress = None,
+    timeout: float | None = None, threads: int = 1, progress: Progress = None,
 ) -> NDArray[np.float64]: ...
 @overload
 def winding(
     index: WindingIndex | BodyLike, points: Point, *, width: float = 1e-9,
-    seconds: float | None = None, threads: int = 1, progress: Progress = None,
+    timeout: float | None = None, threads: int = 1, progress: Progress = None,
 ) -> Winding: ...
 @overload
 def winding(
     index: WindingIndex | BodyLike, points: Points, *, width: float = 1e-9,
-    seconds: float | None = None, threads: int = 1, progress: Progress = None,
+    timeout: float | None = None, threads: int = 1, progress: Progress = None,
 ) -> WindingBatch: ...
 def nearest_triangles(
     body: BodyLike, points: ArrayLike, count: int, *, at_most: float = ...,
-    seconds: float | None = None, threads: int = 1, progress: Progress = None,
+    timeout: float | None = None, threads: int = 1, progress: Progress = None,
 ) -> NearTriangles: ...
 def near_triangles(
-    body: BodyLike, points: ArrayLike, radius: float, *, seconds: float | None = None,
+    body: BodyLike, points: ArrayLike, radius: float, *, timeout: float | None = None,
     threads: int = 1, progress: Progress = None,
 ) -> NearTriangles: ...
 @overload
 def closest_hit(
     body: BodyLike | TileSet, origins: Point, directions: Point | None = None, *,
     ends: Point | None = None, lengths: ArrayLike = ..., skip: int | None = None,
-    seconds: float | None = None, threads: int = 1, progress: Progress = None,
+    timeout: float | None = None, threads: int = 1, progress: Progress = None,
 ) -> ClosestHit: ...
 @overload
 def closest_hit(
     body: BodyLike | TileSet, origins: Points, directions: Points | None = None, *,
     ends: Points | None = None, lengths: ArrayLike = ..., skip: int | None = None,
-    seconds: float | None = None, threads: int = 1, progress: Progress = None,
+    timeout: float | None = None, threads: int = 1, progress: Progress = None,
 ) -> ClosestHitBatch: ...
 @overload
 def any_hit(
     body: BodyLike | TileSet, origins: Point, directions: Point | None = None, *,
     ends: Point | None = None, lengths: ArrayLike = ..., skip: int | None = None,
-    seconds: float | None = None, threads: int = 1, progress: Progress = None,
+    timeout: float | None = None, threads: int = 1, progress: Progress = None,
 ) -> AnyHit: ...
 @overload
 def any_hit(
     body: BodyLike | TileSet, origins: Points, directions: Points | None = None, *,
     ends: Points | None = None, lengths: ArrayLike = ..., skip: int | None = None,
-    seconds: float | None = None, threads: int = 1, progress: Progress = None,
+    timeout: float | None = None, threads: int = 1, progress: Progress = None,
 ) -> AnyHitBatch: ...
 def all_hits(
     body: BodyLike, origins: Point | Points, directions: Point | Points | None = None, *,
     ends: Point | Points | None = None, lengths: ArrayLike = ..., skip: int | None = None,
-    seconds: float | None = None, threads: int = 1, progress: Progress = None,
+    timeout: float | None = None, threads: int = 1, progress: Progress = None,
 ) -> AllHits: ...
 def sees(body: BodyLike, a: ArrayLike, b: ArrayLike) -> bool: ...
 def clash(
     a: PartBodies | BodyLike | Sequence[BodyLike],
     b: PartBodies | BodyLike | Sequence[BodyLike] | None = None, *, within: float | None = None,
-    pairs: ArrayLike | None = None, seconds: float | None = None, threads: int = 1,
+    pairs: ArrayLike | None = None, timeout: float | None = None, threads: int = 1,
     progress: Progress = None,
 ) -> ClashList: ...
 def penetration(a: BodyLike, b: BodyLike, *, threads: int = 1) -> Penetration | None: ...
 @overload
 def robot_contacts(
     model: RobotModel, states: Sequence[float], *, first_contact: bool = False,
-    distance: bool = False, at_most: float = ..., seconds: float | None = None, threads: int = 1,
+    distance: bool = False, at_most: float = ..., timeout: float | None = None, threads: int = 1,
     progress: Progress = None,
 ) -> RobotAnswer: ...
 @overload
 def robot_contacts(
     model: RobotModel, states: NDArray[Any] | Sequence[Sequence[float]], *,
     first_contact: bool = False, distance: bool = False, at_most: float = ...,
-    seconds: float | None = None, threads: int = 1, progress: Progress = None,
+    timeout: float | None = None, threads: int = 1, progress: Progress = None,
 ) -> RobotAnswerBatch: ...
 def read_mesh(
     file: str | PathLike[str] | bytes, *, name: str = "", strict: bool = False,

@@ -7,7 +7,7 @@
 
 Models and poses are files that every worker can read. Without a client a LocalCluster is started, a
 process for each processor. The answer is that of one machine, byte by byte: out/answer.npz, whose columns
-are those of --binary. What is in `out` is not computed again, so an interrupted call is repeated. Needs
+are those of `-o FILE.npz`. What is in `out` is not computed again, so an interrupted call is repeated. Needs
 the package distributed. Raises Error; kind out_of_memory names rows whose workers died again and again.
 """
 

@@ -30,7 +30,7 @@ namespace soms::python {
 }
 
 [[nodiscard]] inline py::object to_python(const TrianglePair& value) {
-  return py::make_tuple(value.first, value.second);
+  return py::make_tuple(value.a, value.b);
 }
 
 [[nodiscard]] inline py::object to_python(const std::string& value) {
@@ -114,7 +114,7 @@ class AnswerClass : public py::class_<T, Bases...> {
     const auto is_true = [place](const T& answer) {
       if (!(answer.*place) && answer.coverage == Coverage::cut) {
         throw Error(ErrorKind::timed_out, "the answer is cut: false means that it is not known",
-                    "look at its coverage, or give more seconds");
+                    "look at its coverage, or give more time");
       }
       return answer.*place;
     };

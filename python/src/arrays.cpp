@@ -251,8 +251,8 @@ py::array column_of(const std::vector<std::optional<TrianglePair>>& values, py::
   py::array_t<std::int64_t> array({rows(values.size()), py::ssize_t{2}});
   std::int64_t* to = array.mutable_data();
   for (const auto& value : values) {
-    *to++ = value ? std::int64_t{value->first} : -1;
-    *to++ = value ? std::int64_t{value->second} : -1;
+    *to++ = value ? std::int64_t{value->a} : -1;
+    *to++ = value ? std::int64_t{value->b} : -1;
   }
   return array;
 }

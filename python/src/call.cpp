@@ -2,6 +2,8 @@
 
 #include "soms/base/threads.h"
 
+#include "python/src/function.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
@@ -109,13 +111,14 @@ void prepare_calls() {
   unused = new_stop();
 }
 
-Call::Call(Work work, int threads, const py::object& progress)
+Call::Call(Work work, const CallLimits& allowed, const py::object& progress)
     : is_main_(PyThread_get_thread_ident() == main_thread) {
-  if (threads < 0 || threads > kMostThreads) {
-    throw usage("threads: " + std::to_string(threads),
+  if (allowed.threads < 0 || allowed.threads > kMostThreads) {
+    throw usage("threads: " + std::to_string(allowed.threads),
                 "give 0 for all processors, or a number up to " + std::to_string(kMostThreads));
   }
-  parallel_.threads = threads;
+  limits_.threads = allowed.threads;
+  limits_.deadline = allowed.deadline;
   if (is_main_) {
     if (PyErr_CheckSignals() != 0) {
       throw py::error_already_set();
@@ -127,11 +130,11 @@ Call::Call(Work work, int threads, const py::object& progress)
     source_ = &own_.emplace();
   }
   if (source_ != nullptr) {
-    parallel_.stop = source_->get_token();
+    limits_.stop = source_->get_token();
   }
   if (!progress.is_none()) {
     progress_ = progress;
-    parallel_.progress = [this](double share) { report(share); };
+    limits_.progress = [this](double share) { report(share); };
   }
 }
 
@@ -171,17 +174,31 @@ void Call::raise_reason() {
   }
 }
 
-Deadline deadline_in(const std::optional<double>& seconds) {
-  if (!seconds) {
-    return std::nullopt;
+std::optional<double> timeout_of(const std::optional<double>& timeout,
+                                 const py::kwargs& old_names) {
+  std::optional<double> given = timeout;
+  for (const auto& [name, value] : old_names) {
+    if (given || name.cast<std::string>() != "seconds") {
+      throw py::type_error("no argument is named " + py::repr(name).cast<std::string>());
+    }
+    warn_of_old_name("method", "seconds", "timeout");
+    given = argument<std::optional<double>>("method", "timeout", value.ptr());
   }
-  if (!(*seconds >= 0)) {
-    throw usage("seconds: " + std::to_string(*seconds), "give a number from 0 on, or None");
+  return given;
+}
+
+CallLimits::CallLimits(int threads_allowed, const std::optional<double>& timeout)
+    : threads(threads_allowed) {
+  if (!timeout) {
+    return;
+  }
+  if (!(*timeout >= 0)) {
+    throw usage("timeout: " + std::to_string(*timeout), "give a number from 0 on, or None");
   }
   constexpr double kLongest = 1e9;  // 30 years, which a clock can hold
-  return std::chrono::steady_clock::now() +
-         std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-             std::chrono::duration<double>(std::min(*seconds, kLongest)));
+  deadline = std::chrono::steady_clock::now() +
+             std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                 std::chrono::duration<double>(std::min(*timeout, kLongest)));
 }
 
 }  // namespace soms::python

@@ -20,6 +20,22 @@ enum class Work {
   many,  ///< a batch, a build, a file
 };
 
+/// How many threads a call may use, and how long.
+struct CallLimits {
+  CallLimits(int threads_allowed) : threads(threads_allowed) {}  // NOLINT: one without a deadline
+
+  /// `timeout` in seconds from now on. \errors ErrorKind::usage unless it is a number from 0 on.
+  CallLimits(int threads_allowed, const std::optional<double>& timeout);
+
+  int threads;
+  std::optional<std::chrono::steady_clock::time_point> deadline = std::nullopt;
+};
+
+/// `timeout`, or what was given by its old name, `seconds`, with a DeprecationWarning.
+/// \errors py::type_error for another name.
+[[nodiscard]] std::optional<double> timeout_of(const std::optional<double>& timeout,
+                                               const py::kwargs& old_names);
+
 /// Between Python and the library for the time of one call.
 ///
 /// Python runs its handlers of signals between bytecodes of the main thread, of which there are
@@ -30,12 +46,12 @@ class Call {
  public:
   /// \errors ErrorKind::usage for a negative number of threads; what a handler of a signal raises
   ///         that came before.
-  Call(Work work, int threads, const py::object& progress);
+  Call(Work work, const CallLimits& allowed, const py::object& progress);
   ~Call();
   Call(const Call&) = delete;
   Call& operator=(const Call&) = delete;
 
-  [[nodiscard]] const Parallel& parallel() const { return parallel_; }
+  [[nodiscard]] const Limits& limits() const { return limits_; }
 
   /// Throws what ended the call in place of its error, if anything did.
   void raise_reason();
@@ -46,7 +62,7 @@ class Call {
  private:
   void report(double share);
 
-  Parallel parallel_;
+  Limits limits_;
   py::object progress_;
   bool is_main_ = false;
   StopSource* source_ = nullptr;
@@ -69,15 +85,15 @@ class Unlocked {
   PyThreadState* state_;
 };
 
-/// What `body(parallel)` returns, without the lock of the interpreter; it must touch no object of
+/// What `body(limits)` returns, without the lock of the interpreter; it must touch no object of
 /// Python.
 template <class Body>
-auto run(Work work, int threads, const py::object& progress, Body&& body) {
-  Call call(work, threads, progress);
+auto run(Work work, const CallLimits& allowed, const py::object& progress, Body&& body) {
+  Call call(work, allowed, progress);
   try {
     auto answer = [&] {
       const Unlocked unlocked;
-      return std::forward<Body>(body)(call.parallel());
+      return std::forward<Body>(body)(call.limits());
     }();
     call.raise_from_progress();
     return answer;
@@ -88,12 +104,6 @@ auto run(Work work, int threads, const py::object& progress, Body&& body) {
     throw;
   }
 }
-
-using Deadline = std::optional<std::chrono::steady_clock::time_point>;
-
-/// So many seconds from now on; nothing for None. \errors ErrorKind::usage unless it is a number
-/// from 0 on.
-[[nodiscard]] Deadline deadline_in(const std::optional<double>& seconds);
 
 /// Notes which thread is the main one. Once, when the module is loaded.
 void prepare_calls();

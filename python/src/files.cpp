@@ -63,14 +63,14 @@ std::shared_ptr<Mesh> read(const py::object& file, const std::string& name, bool
                             .surfaces = surfaces};
   if (PyObject_CheckBuffer(file.ptr()) != 0) {
     const std::vector<std::byte> bytes = bytes_of(file);
-    return run(Work::many, 1, progress, [&](const Parallel& parallel) {
+    return run(Work::many, 1, progress, [&](const Limits& limits) {
       return std::make_shared<Mesh>(
-          read_mesh(bytes, name.empty() ? "bytes" : name, options, parallel));
+          read_mesh(bytes, name.empty() ? "bytes" : name, options, limits));
     });
   }
   const std::filesystem::path path = path_of(file);
-  return run(Work::many, 1, progress, [&](const Parallel& parallel) {
-    return std::make_shared<Mesh>(read_mesh(path, options, parallel));
+  return run(Work::many, 1, progress, [&](const Limits& limits) {
+    return std::make_shared<Mesh>(read_mesh(path, options, limits));
   });
 }
 
@@ -79,18 +79,16 @@ void write(const py::object& place, const py::object& given, const py::object& f
   const auto mesh = mesh_of(given, "mesh");
   const MeshFormat chosen =
       format.is_none() ? format_for(path) : enum_of<MeshFormat>(format, "format");
-  run(Work::many, 1, py::none(), [&](const Parallel& parallel) {
-    write_mesh(path, *mesh, chosen, parallel);
+  run(Work::many, 1, py::none(), [&](const Limits& limits) {
+    write_mesh(path, *mesh, chosen, limits);
     return true;
   });
 }
 
 py::array read_all_poses(const py::object& file) {
   const std::filesystem::path path = path_of(file);
-  auto* const poses =
-      new std::vector<Pose>(run(Work::many, 1, py::none(), [&](const Parallel& parallel) {
-        return read_poses(path, parallel);
-      }));
+  auto* const poses = new std::vector<Pose>(run(
+      Work::many, 1, py::none(), [&](const Limits& limits) { return read_poses(path, limits); }));
   const py::capsule owner(poses, [](void* held) { delete static_cast<std::vector<Pose>*>(held); });
   constexpr py::ssize_t kNumber = sizeof(double);
   return {py::dtype::of<double>(),

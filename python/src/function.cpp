@@ -91,6 +91,14 @@ std::size_t place_of(const Function& function, PyObject* name) {
       return i;
     }
   }
+  for (std::size_t i = 0; i < function.parameters.size(); ++i) {
+    const Parameter& parameter = function.parameters[i];
+    if (parameter.old_name != nullptr &&
+        PyUnicode_CompareWithASCIIString(name, parameter.old_name) == 0) {
+      warn_of_old_name(function.name + "()", parameter.old_name, parameter.name);
+      return i;
+    }
+  }
   refuse_call(function, "no argument is named " + py::repr(name).cast<std::string>());
 }
 
@@ -143,8 +151,15 @@ PyObject* enter(PyObject* self, PyObject* const* arguments, Py_ssize_t count, Py
 
 }  // namespace
 
+void warn_of_old_name(const std::string& function, const char* old_name, const char* name) {
+  const std::string text = function + ": " + old_name + " is named " + name + " now";
+  if (PyErr_WarnEx(PyExc_DeprecationWarning, text.c_str(), 1) != 0) {
+    throw py::error_already_set();
+  }
+}
+
 Parameters with_limits(Parameters parameters) {
-  parameters.push_back({"seconds", py::none(), true});
+  parameters.push_back({"timeout", py::none(), true, "seconds"});
   parameters.push_back({"threads", py::int_(1), true});
   parameters.push_back({"progress", py::none(), true});
   return parameters;

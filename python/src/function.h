@@ -26,14 +26,18 @@ namespace soms::python {
 /// A parameter of a function.
 struct Parameter {
   const char* name;
-  py::object fallback = {};    ///< in place of what is not given; none for one that is required
-  bool is_named_only = false;  ///< never by its place
+  py::object fallback = {};        ///< in place of what is not given; none for one that is required
+  bool is_named_only = false;      ///< never by its place
+  const char* old_name = nullptr;  ///< accepted with a DeprecationWarning
 };
 
 using Parameters = std::vector<Parameter>;
 
-/// Those parameters, then the ones that every query takes: seconds, threads, progress.
+/// Those parameters, then the ones that every query takes: timeout, threads, progress.
 [[nodiscard]] Parameters with_limits(Parameters parameters);
+
+/// A DeprecationWarning. \errors What Python makes of it: an exception, where warnings are errors.
+void warn_of_old_name(const std::string& function, const char* old_name, const char* name);
 
 /// Most parameters of a function.
 inline constexpr std::size_t kMostParameters = 16;

@@ -26,7 +26,7 @@ struct Wanted {
 /// A model by its name.
 struct Generator {
   std::string_view name;
-  Mesh (*make)(const Wanted& wanted, const Parallel& parallel);
+  Mesh (*make)(const Wanted& wanted, const Limits& limits);
 };
 
 std::uint64_t or_usual(std::uint64_t triangles) {
@@ -34,15 +34,15 @@ std::uint64_t or_usual(std::uint64_t triangles) {
   return triangles == 0 ? kUsual : triangles;
 }
 
-Mesh make_city(const Wanted& wanted, const Parallel& parallel) {
+Mesh make_city(const Wanted& wanted, const Limits& limits) {
   CityOptions options = wanted.city;
   if (wanted.triangles != 0) {
     options.triangles = wanted.triangles;
   }
-  return generate_city(options, parallel).mesh;
+  return generate_city(options, limits).mesh;
 }
 
-Mesh make_teapot(const Wanted& wanted, const Parallel&) {
+Mesh make_teapot(const Wanted& wanted, const Limits&) {
   Mesh teapot = generate_teapot();
   if (wanted.triangles != 0 && wanted.triangles != teapot.triangles.size()) {
     throw usage("triangles: " + std::to_string(wanted.triangles) + " for a teapot",
@@ -54,16 +54,16 @@ Mesh make_teapot(const Wanted& wanted, const Parallel&) {
 constexpr Generator kGenerators[] = {
     {"city", &make_city},
     {"car",
-     [](const Wanted& w, const Parallel&) { return generate_mover(MoverKind::car, w.triangles); }},
-    {"person", [](const Wanted& w,
-                  const Parallel&) { return generate_mover(MoverKind::person, w.triangles); }},
-    {"drone", [](const Wanted& w,
-                 const Parallel&) { return generate_mover(MoverKind::drone, w.triangles); }},
-    {"knot", [](const Wanted& w, const Parallel&) { return generate_knot(or_usual(w.triangles)); }},
+     [](const Wanted& w, const Limits&) { return generate_mover(MoverKind::car, w.triangles); }},
+    {"person",
+     [](const Wanted& w, const Limits&) { return generate_mover(MoverKind::person, w.triangles); }},
+    {"drone",
+     [](const Wanted& w, const Limits&) { return generate_mover(MoverKind::drone, w.triangles); }},
+    {"knot", [](const Wanted& w, const Limits&) { return generate_knot(or_usual(w.triangles)); }},
     {"sphere",
-     [](const Wanted& w, const Parallel&) { return generate_sphere(or_usual(w.triangles)); }},
+     [](const Wanted& w, const Limits&) { return generate_sphere(or_usual(w.triangles)); }},
     {"statue",
-     [](const Wanted& w, const Parallel&) { return generate_statue(or_usual(w.triangles)); }},
+     [](const Wanted& w, const Limits&) { return generate_statue(or_usual(w.triangles)); }},
     {"teapot", &make_teapot},
 };
 
@@ -73,8 +73,8 @@ std::shared_ptr<Mesh> generate(const std::string& what, std::uint64_t triangles,
   std::string names;
   for (const Generator& generator : kGenerators) {
     if (generator.name == what) {
-      return run(Work::many, 1, py::none(), [&](const Parallel& parallel) {
-        return std::make_shared<Mesh>(generator.make(wanted, parallel));
+      return run(Work::many, 1, py::none(), [&](const Limits& limits) {
+        return std::make_shared<Mesh>(generator.make(wanted, limits));
       });
     }
     names += (names.empty() ? "" : ", ") + std::string(generator.name);

@@ -233,7 +233,7 @@ void bind_facts(MeshClass& mesh) {
       [](const Mesh& m, bool connected, bool parts, const py::object& progress) {
         const ClosednessOptions options{.connected = connected, .parts = parts};
         return run(Work::many, 1, progress,
-                   [&](const Parallel& parallel) { return closedness(m, options, parallel); });
+                   [&](const Limits& limits) { return closedness(m, options, limits); });
       },
       py::kw_only(), py::arg("connected") = false, py::arg("parts") = false,
       py::arg("progress") = py::none(),
@@ -244,7 +244,7 @@ void bind_facts(MeshClass& mesh) {
       "defects",
       [](const Mesh& m, const py::object& progress) {
         return run(Work::many, 1, progress,
-                   [&](const Parallel& parallel) { return find_defects(m, {}, parallel); });
+                   [&](const Limits& limits) { return find_defects(m, {}, limits); });
       },
       py::kw_only(), py::arg("progress") = py::none(),
       "defects(*, progress=None) -> Defects\n\nCounts of what is wrong or noteworthy. O(n).");

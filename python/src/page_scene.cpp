@@ -123,8 +123,8 @@ void PageScene::follow(std::size_t step, StepReport report) {
   const auto add_pair = [&](const soms::SceneBody& x, const soms::SceneBody& y, TrianglePair pair) {
     const std::uint32_t a = number_of(x);
     const std::uint32_t b = number_of(y);
-    check_triangle(bodies_[a], pair.first);
-    check_triangle(bodies_[b], pair.second);
+    check_triangle(bodies_[a], pair.a);
+    check_triangle(bodies_[b], pair.b);
     Sample& sample = samples_[{step, a, b}];
     ++sample.pairs_in_all;
     if (sample.pairs.size() < (steps_ == 1 ? kMostDrawn : kMostOfStep)) {
@@ -164,7 +164,7 @@ void PageScene::add_overlap(std::size_t step, std::span<const TrianglePair> pair
   StepReport report;
   report.coverage = coverage;
   for (const TrianglePair& pair : pairs) {
-    report.movers.push_back({0, 1, pair.first, pair.second});
+    report.movers.push_back({0, 1, pair.a, pair.b});
   }
   follow(step, std::move(report));
 }

@@ -102,7 +102,7 @@ py::tuple page_of(const py::object& given, const py::object& answer, const py::o
     page.tables.push_back(table_of_gaps(page.scene));
   }
   std::ostringstream out;
-  const report::Shown shown = run(Work::many, 1, py::none(), [&](const Parallel&) {
+  const report::Shown shown = run(Work::many, 1, py::none(), [&](const Limits&) {
     return report::write_page(out, page, {.triangles = triangles});
   });
   return py::make_tuple(std::move(out).str(), shown.triangles, shown.triangles_in_all);

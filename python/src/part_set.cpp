@@ -48,7 +48,7 @@ PosedMesh posed_mesh_of(py::handle given, const char* what) {
 
 SharedParts divided_now(std::vector<PosedMesh> models, int threads, const py::object& progress) {
   return run(Work::many, threads, progress,
-             [&](const Parallel& parallel) { return divided_models(std::move(models), parallel); });
+             [&](const Limits& limits) { return divided_models(std::move(models), limits); });
 }
 
 const PartBody& part_at(const PartSet& set, std::size_t number) {
@@ -201,12 +201,12 @@ std::string part_text(const Mesh& mesh, std::uint32_t part) {
   return text;
 }
 
-SharedParts divided_models(std::vector<PosedMesh> models, const Parallel& parallel) {
+SharedParts divided_models(std::vector<PosedMesh> models, const Limits& limits) {
   auto set = std::make_shared<PartSet>();
   set->models = std::move(models);
   for (std::uint32_t k = 0; k < set->models.size(); ++k) {
     const PosedMesh& model = set->models[k];
-    std::vector<PartBody> parts = part_bodies(*model.mesh, model.pose, parallel);
+    std::vector<PartBody> parts = part_bodies(*model.mesh, model.pose, limits);
     set->model.insert(set->model.end(), parts.size(), k);
     std::move(parts.begin(), parts.end(), std::back_inserter(set->parts));
   }

@@ -44,7 +44,7 @@ struct PartSet {
 using SharedParts = std::shared_ptr<PartSet>;
 
 /// \errors As `part_bodies`.
-[[nodiscard]] SharedParts divided_models(std::vector<PosedMesh> models, const Parallel& parallel);
+[[nodiscard]] SharedParts divided_models(std::vector<PosedMesh> models, const Limits& limits);
 
 /// A PartBodies, or what `posed_meshes_of` takes, which is divided for the call.
 [[nodiscard]] SharedParts parts_argument(py::handle given, const char* what, int threads);

@@ -67,13 +67,13 @@ Shape make_shape(const py::object& given, const ShapeOptions& options, int threa
                  const py::object& progress) {
   auto mesh = mesh_of(given, "mesh");
   return run(Work::many, threads, progress,
-             [&](const Parallel& parallel) { return Shape(std::move(mesh), options, parallel); });
+             [&](const Limits& limits) { return Shape(std::move(mesh), options, limits); });
 }
 
 Shape refitted(const Shape& shape, const py::object& vertices, int threads) {
   std::vector<Vec3> moved = points_of(vertices, "vertices").copied();
   return run(Work::many, threads, py::none(),
-             [&](const Parallel& parallel) { return refit(shape, std::move(moved), parallel); });
+             [&](const Limits& limits) { return refit(shape, std::move(moved), limits); });
 }
 
 Layout layout_of(const Shape& shape) {
@@ -82,7 +82,7 @@ Layout layout_of(const Shape& shape) {
 
 void save_shape(const Shape& shape, const py::object& place) {
   const std::filesystem::path path = path_of(place);
-  run(Work::many, 1, py::none(), [&](const Parallel&) {
+  run(Work::many, 1, py::none(), [&](const Limits&) {
     save(path, shape);
     return true;
   });
@@ -92,13 +92,12 @@ Shape opened_shape(const py::object& file, const py::object& check, bool load, i
   const OpenOptions options{.check = enum_of<TreeCheck>(check, "check"), .load = load};
   if (PyObject_CheckBuffer(file.ptr()) != 0) {
     const std::vector<std::byte> bytes = bytes_of(file);
-    return run(Work::many, threads, py::none(), [&](const Parallel& parallel) {
-      return open_shape(bytes, "bytes", options, parallel);
-    });
+    return run(Work::many, threads, py::none(),
+               [&](const Limits& limits) { return open_shape(bytes, "bytes", options, limits); });
   }
   const std::filesystem::path path = path_of(file);
   return run(Work::many, threads, py::none(),
-             [&](const Parallel& parallel) { return open_shape(path, options, parallel); });
+             [&](const Limits& limits) { return open_shape(path, options, limits); });
 }
 
 /// Shapes of tree files that were unpickled last: the tasks of one process name the same few.
@@ -135,8 +134,7 @@ class OpenedFiles {
 
 Shape shape_of_file(const Text& path, std::uint64_t hash) {
   static OpenedFiles files;
-  return run(Work::many, 1, py::none(),
-             [&](const Parallel&) { return files.get(path.bytes, hash); });
+  return run(Work::many, 1, py::none(), [&](const Limits&) { return files.get(path.bytes, hash); });
 }
 
 /// Of a shape from a file its path and hash; of others the mesh and how the tree is built.

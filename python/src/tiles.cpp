@@ -91,7 +91,7 @@ TileSet opened_set(const py::object& folder, std::optional<std::uint64_t> max_me
   const std::filesystem::path path = path_of(folder);
   const TileOptions options = options_of(max_memory, check);
   return run(Work::many, 1, py::none(),
-             [&](const Parallel&) { return TileSet::open(path, options); });
+             [&](const Limits&) { return TileSet::open(path, options); });
 }
 
 TileSet set_from(const py::tuple& state) {
@@ -102,7 +102,7 @@ TileSet set_from(const py::tuple& state) {
   options.check = enum_of<TreeCheck>(state[2], "check");
   const auto hash = state[3].cast<std::uint64_t>();
   return run(Work::many, 1, py::none(),
-             [&](const Parallel&) { return sets.get(folder, options, hash); });
+             [&](const Limits&) { return sets.get(folder, options, hash); });
 }
 
 py::tuple state_of(const TileSet& set) {
@@ -120,9 +120,9 @@ TileSet cut_into(const py::object& folder, const py::iterable& meshes, std::size
   for (const py::handle given : meshes) {
     const std::shared_ptr<const Mesh> mesh = mesh_of(given, "meshes");
     run(Work::many, threads, py::none(),
-        [&](const Parallel& parallel) { return cutter.add(*mesh, parallel); });
+        [&](const Limits& limits) { return cutter.add(*mesh, limits); });
   }
-  return run(Work::many, 1, py::none(), [&](const Parallel&) {
+  return run(Work::many, 1, py::none(), [&](const Limits&) {
     cutter.finish();
     return TileSet::open(path);
   });

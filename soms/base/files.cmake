@@ -12,6 +12,7 @@ set(SOMS_HEADERS
   idle_option.h
   lanes.h
   lanes_hash.h
+  double_limits.h
   limits.h
   parallel.h
   portable.h

@@ -115,10 +115,10 @@ std::uint64_t hash_of_piece(std::span<const std::byte> bytes) {
 
 }  // namespace
 
-std::uint64_t lanes_hash(std::span<const std::byte> bytes, const Parallel& parallel) {
+std::uint64_t lanes_hash(std::span<const std::byte> bytes, const Limits& limits) {
   const std::size_t pieces = (bytes.size() + kPiece - 1) / kPiece;
   std::vector<std::uint64_t> hashes(pieces);
-  for_each_chunk(bytes.size(), kPiece, parallel, [&](std::size_t begin, std::size_t end) {
+  for_each_chunk(bytes.size(), kPiece, limits, [&](std::size_t begin, std::size_t end) {
     hashes[begin / kPiece] = hash_of_piece(bytes.subspan(begin, end - begin));
   });
   std::uint64_t hash = mixed(bytes.size());

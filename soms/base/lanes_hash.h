@@ -15,7 +15,6 @@ namespace soms {
 /// hashed one by one, in eight lanes of 64 bits, and then their hashes.
 /// \errors  ErrorKind::cancelled.
 /// \cost    O(n).
-[[nodiscard]] std::uint64_t lanes_hash(std::span<const std::byte> bytes,
-                                       const Parallel& parallel = {});
+[[nodiscard]] std::uint64_t lanes_hash(std::span<const std::byte> bytes, const Limits& limits = {});
 
 }  // namespace soms

@@ -23,9 +23,9 @@ namespace soms {
 
 namespace {
 
-int thread_count(const Parallel& parallel) {
-  if (parallel.threads > 0) {
-    return parallel.threads;
+int thread_count(const Limits& limits) {
+  if (limits.threads > 0) {
+    return limits.threads;
   }
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
@@ -33,19 +33,19 @@ int thread_count(const Parallel& parallel) {
 /// Counts finished chunks and passes the share on, one caller at a time.
 class Progress {
  public:
-  Progress(const Parallel& parallel, std::size_t total) : parallel_(parallel), total_(total) {}
+  Progress(const Limits& limits, std::size_t total) : limits_(limits), total_(total) {}
 
   void finished_one() {
-    if (!parallel_.progress) {
+    if (!limits_.progress) {
       return;
     }
     const std::scoped_lock lock(mutex_);
     ++done_;
-    parallel_.progress(static_cast<double>(done_) / static_cast<double>(total_));
+    limits_.progress(static_cast<double>(done_) / static_cast<double>(total_));
   }
 
  private:
-  const Parallel& parallel_;
+  const Limits& limits_;
   std::size_t total_;
   std::mutex mutex_;
   std::size_t done_ = 0;
@@ -157,28 +157,35 @@ void run_threads(int threads, std::size_t chunks, const std::function<void(std::
 
 }  // namespace
 
-void check_stop(const Parallel& parallel) {
-  if (parallel.stop.stop_requested()) {
+void check_stop(const Limits& limits) {
+  if (limits.stop.stop_requested()) {
     throw Error(ErrorKind::cancelled, "stopped on request", "");
   }
 }
 
-void for_each_chunk(std::size_t count, std::size_t chunk, const Parallel& parallel,
+void check(const Limits& limits) {
+  check_stop(limits);
+  if (limits.late()) {
+    throw Error(ErrorKind::timed_out, "the deadline passed", "allow more time");
+  }
+}
+
+void for_each_chunk(std::size_t count, std::size_t chunk, const Limits& limits,
                     const std::function<void(std::size_t begin, std::size_t end)>& body) {
   if (count == 0) {
     return;
   }
   chunk = std::max<std::size_t>(chunk, 1);
   const std::size_t chunks = (count - 1) / chunk + 1;
-  Progress progress(parallel, chunks);
+  Progress progress(limits, chunks);
   const auto run = [&](std::size_t i) {
     const PlainArithmetic plain;  // a thread of the pool may have been made with other settings
-    check_stop(parallel);
+    check(limits);
     const std::size_t begin = i * chunk;
     body(begin, std::min(count, begin + chunk));
     progress.finished_one();
   };
-  const int threads = thread_count(parallel);
+  const int threads = thread_count(limits);
   if (threads == 1 || chunks == 1) {
     for (std::size_t i = 0; i < chunks; ++i) {
       run(i);

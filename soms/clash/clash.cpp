@@ -115,25 +115,27 @@ std::vector<PartNumbers> clash_candidates(std::span<const PartBody> parts,
 
 ClashList clashes_of(std::span<const PartBody> a, std::span<const PartBody> b,
                      std::span<const PartNumbers> pairs, const ClashOptions& options,
-                     const Parallel& parallel) {
+                     const Limits& limits) {
   check(options);
   check_numbers(a, b, pairs);
   std::vector<ClashList> pieces((pairs.size() + kPairsOfAChunk - 1) / kPairsOfAChunk);
-  for_each_chunk(pairs.size(), kPairsOfAChunk, parallel, [&](std::size_t begin, std::size_t end) {
-    const PlainArithmetic plain;
-    ClashList& piece = pieces[begin / kPairsOfAChunk];
-    detail::PairOfParts decider(options, parallel);
-    for (std::size_t k = begin; k < end; ++k) {
-      std::optional<Clash> clash = decider.decide(a[pairs[k].first], b[pairs[k].second]);
-      ++(decider.cut() ? piece.left_out : piece.compared);
-      if (clash && !decider.cut()) {
-        clash->a = pairs[k].first;
-        clash->b = pairs[k].second;
-        piece.clashes.push_back(*clash);
-      }
-    }
-    piece.cost = decider.cost();
-  });
+  for_each_chunk(pairs.size(), kPairsOfAChunk, limits.without_deadline(),
+                 [&](std::size_t begin, std::size_t end) {
+                   const PlainArithmetic plain;
+                   ClashList& piece = pieces[begin / kPairsOfAChunk];
+                   detail::PairOfParts decider(options, limits);
+                   for (std::size_t k = begin; k < end; ++k) {
+                     std::optional<Clash> clash =
+                         decider.decide(a[pairs[k].first], b[pairs[k].second]);
+                     ++(decider.cut() ? piece.left_out : piece.compared);
+                     if (clash && !decider.cut()) {
+                       clash->a = pairs[k].first;
+                       clash->b = pairs[k].second;
+                       piece.clashes.push_back(*clash);
+                     }
+                   }
+                   piece.cost = decider.cost();
+                 });
   ClashList list;
   for (const ClashList& piece : pieces) {
     list.clashes.insert(list.clashes.end(), piece.clashes.begin(), piece.clashes.end());
@@ -146,13 +148,13 @@ ClashList clashes_of(std::span<const PartBody> a, std::span<const PartBody> b,
 }
 
 ClashList clashes(std::span<const PartBody> a, std::span<const PartBody> b,
-                  const ClashOptions& options, const Parallel& parallel) {
-  return clashes_of(a, b, clash_candidates(a, b, options), options, parallel);
+                  const ClashOptions& options, const Limits& limits) {
+  return clashes_of(a, b, clash_candidates(a, b, options), options, limits);
 }
 
 ClashList clashes(std::span<const PartBody> parts, const ClashOptions& options,
-                  const Parallel& parallel) {
-  return clashes_of(parts, parts, clash_candidates(parts, options), options, parallel);
+                  const Limits& limits) {
+  return clashes_of(parts, parts, clash_candidates(parts, options), options, limits);
 }
 
 }  // namespace soms

@@ -66,8 +66,6 @@ struct ClashOptions {
   /// Pairs of parts, by their numbers, that are looked at. Empty: all. Must give the same answer
   /// for the same pair, from any thread. An open group is looked at with its first part.
   std::function<bool(std::uint32_t a, std::uint32_t b)> wanted = {};
-  /// Pairs that are not decided when it passes are left out, and coverage is `cut`.
-  std::optional<std::chrono::steady_clock::time_point> deadline = std::nullopt;
 };
 
 /// Throws ErrorKind::usage for a `within` that is negative, infinite or not a number.
@@ -143,7 +141,7 @@ using PartNumbers = std::pair<std::uint32_t, std::uint32_t>;
 ///          cancelled.
 [[nodiscard]] ClashList clashes_of(std::span<const PartBody> a, std::span<const PartBody> b,
                                    std::span<const PartNumbers> pairs,
-                                   const ClashOptions& options = {}, const Parallel& parallel = {});
+                                   const ClashOptions& options = {}, const Limits& limits = {});
 
 /// All clashes of a part of `a` with a part of `b`. Two parts are clear of each other, and not in
 /// the list, where both are closed and `solid` says so, or where their boxes share no point. Those
@@ -167,12 +165,12 @@ using PartNumbers = std::pair<std::uint32_t, std::uint32_t>;
 /// \cost    A broad phase over the boxes. One `solid` for each pair of boxes that meet, and one
 ///          `overlap` with mode `all` where surfaces meet. One `distance` for each other pair that
 ///          may be near.
-/// \threads Any number of callers; pairs are shared by as many threads as `parallel` says.
+/// \threads Any number of callers; pairs are shared by as many threads as `limits` says.
 [[nodiscard]] ClashList clashes(std::span<const PartBody> a, std::span<const PartBody> b,
-                                const ClashOptions& options = {}, const Parallel& parallel = {});
+                                const ClashOptions& options = {}, const Limits& limits = {});
 
 /// All clashes among the parts of one set.
 [[nodiscard]] ClashList clashes(std::span<const PartBody> parts, const ClashOptions& options = {},
-                                const Parallel& parallel = {});
+                                const Limits& limits = {});
 
 }  // namespace soms

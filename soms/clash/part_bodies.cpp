@@ -62,8 +62,7 @@ struct Piece {
   /// Gives it the mesh and the surface of its triangles.
   void cut_out_of(const MeshView& whole) {
     mesh = mesh_of(whole, part.triangles);
-    surface =
-        std::make_shared<const detail::ClosedSurface>(detail::closed_surface(mesh, Parallel()));
+    surface = std::make_shared<const detail::ClosedSurface>(detail::closed_surface(mesh, Limits()));
   }
 };
 
@@ -226,10 +225,10 @@ Box PartBody::box() const {
   return box;
 }
 
-std::vector<PartBody> part_bodies(const MeshView& mesh, const Pose& pose, const Parallel& parallel,
+std::vector<PartBody> part_bodies(const MeshView& mesh, const Pose& pose, const Limits& limits,
                                   OpenParts open) {
   std::vector<Piece> pieces = divided(mesh);
-  const Parallel silent{.threads = parallel.threads, .stop = parallel.stop};
+  const Limits silent = limits.silent();
   for_each_chunk(pieces.size(), kPartsOfAChunk, silent, [&](std::size_t begin, std::size_t end) {
     const PlainArithmetic plain;
     for (std::size_t k = begin; k < end; ++k) {
@@ -237,7 +236,7 @@ std::vector<PartBody> part_bodies(const MeshView& mesh, const Pose& pose, const 
     }
   });
   std::vector<Piece> unions = join(mesh, open, pieces);
-  const auto finish = [&](std::vector<Piece>& from, const Parallel& how) {
+  const auto finish = [&](std::vector<Piece>& from, const Limits& how) {
     std::vector<PartBody> bodies(from.size());
     for_each_chunk(bodies.size(), kPartsOfAChunk, how, [&](std::size_t begin, std::size_t end) {
       const PlainArithmetic plain;
@@ -247,7 +246,7 @@ std::vector<PartBody> part_bodies(const MeshView& mesh, const Pose& pose, const 
     });
     return bodies;
   };
-  std::vector<PartBody> parts = finish(pieces, parallel);
+  std::vector<PartBody> parts = finish(pieces, limits);
   give_unions(finish(unions, silent), parts);
   return parts;
 }

@@ -97,7 +97,7 @@ enum class OpenParts : unsigned char {
 /// \errors  As `ClosedBody` for the pose; ErrorKind::cancelled.
 /// \cost    O(n log n) for n triangles; a shape for each body, and for each group of open parts.
 [[nodiscard]] std::vector<PartBody> part_bodies(const MeshView& mesh, const Pose& pose = {},
-                                                const Parallel& parallel = {},
+                                                const Limits& limits = {},
                                                 OpenParts open = OpenParts::alone);
 
 }  // namespace soms

@@ -12,7 +12,6 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace soms {
@@ -29,12 +28,6 @@ inline constexpr bool kIsVector = false;
 template <class T>
 inline constexpr bool kIsVector<std::vector<T>> = true;
 
-/// Two triangles, by their numbers.
-template <class T>
-inline constexpr bool kIsPair = false;
-template <>
-inline constexpr bool kIsPair<std::pair<std::uint32_t, std::uint32_t>> = true;
-
 template <class Value>
 void print_field(const char* name, const Value& value, PrintedFields& fields) {
   if constexpr (kIsOptional<Value>) {
@@ -44,9 +37,9 @@ void print_field(const char* name, const Value& value, PrintedFields& fields) {
   } else if constexpr (kIsVector<Value>) {
     const std::string_view many = name;  // a plural
     fields.item(printed_count(value.size(), many.substr(0, many.size() - 1), many));
-  } else if constexpr (kIsPair<Value>) {
-    fields.item(std::string(name) + " " + std::to_string(value.first) + " and " +
-                std::to_string(value.second));
+  } else if constexpr (requires { value.a, value.b; }) {  // two triangles
+    fields.item(std::string(name) + " " + std::to_string(value.a) + " and " +
+                std::to_string(value.b));
   } else {
     fields.add(name, value);
   }

@@ -35,7 +35,7 @@ void check_options(const CityOptions& options) {
 
 }  // namespace
 
-City generate_city(const CityOptions& options, const Parallel& parallel) {
+City generate_city(const CityOptions& options, const Limits& limits) {
   const PlainArithmetic plain;
   check_options(options);
   City city;
@@ -49,7 +49,7 @@ City generate_city(const CityOptions& options, const Parallel& parallel) {
   for (const detail::Furniture& piece : furniture) {
     walls -= detail::furniture_triangles(piece.kind);
   }
-  check_stop(parallel);
+  check(limits);
   const auto buildings = detail::plan_buildings(city, walls);
   city.mesh.unit = 1;
   city.mesh.up = UpAxis::z;
@@ -58,8 +58,8 @@ City generate_city(const CityOptions& options, const Parallel& parallel) {
   city.mesh.vertices.reserve(options.triangles * 3 / 4 + 64);
   detail::add_terrain(city);
   detail::add_roads(city);
-  detail::add_buildings(city, buildings, walls, parallel);
-  detail::add_furniture(city, furniture, parallel);
+  detail::add_buildings(city, buildings, walls, limits);
+  detail::add_furniture(city, furniture, limits);
   SOMS_ASSERT(city.mesh.triangles.size() == options.triangles);
   return city;
 }

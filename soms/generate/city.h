@@ -54,9 +54,9 @@ struct City {
 /// % (all of them road slabs) are above. Among 5,672 triangles 9 % are above 1,000 and 3 % above
 /// 10,000.
 ///
-/// `parallel` gives the stop; one thread works.
+/// `limits` gives the stop; one thread works.
 /// \errors  ErrorKind::usage for a count or size out of range, which names the least; cancelled.
 /// \cost    Linear: 0.05 s and 40 MB a million triangles.
-[[nodiscard]] City generate_city(const CityOptions& options = {}, const Parallel& parallel = {});
+[[nodiscard]] City generate_city(const CityOptions& options = {}, const Limits& limits = {});
 
 }  // namespace soms

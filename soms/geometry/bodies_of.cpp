@@ -33,7 +33,7 @@ struct EdgeOfPart {
 
 std::vector<EdgeOfPart> sorted_edges(const MeshView& mesh, const std::vector<std::uint32_t>& joined,
                                      const std::vector<std::uint32_t>& part_of,
-                                     const Parallel& parallel) {
+                                     const Limits& limits) {
   std::vector<EdgeOfPart> edges;
   edges.reserve(3 * mesh.triangles.size());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -45,7 +45,7 @@ std::vector<EdgeOfPart> sorted_edges(const MeshView& mesh, const std::vector<std
       }
     }
   }
-  check_stop(parallel);
+  check(limits);
   std::sort(edges.begin(), edges.end());
   return edges;
 }
@@ -78,7 +78,7 @@ std::vector<OpenPart> odd_edges_by_part(const MeshView& mesh, const std::vector<
 
 }  // namespace
 
-std::vector<PartGroup> bodies_of(const MeshView& mesh, const Parallel& parallel) {
+std::vector<PartGroup> bodies_of(const MeshView& mesh, const Limits& limits) {
   const PlainArithmetic plain;
   const PartsOf parts_of(mesh);
   std::vector<std::uint32_t> part_of(mesh.triangles.size());
@@ -88,20 +88,20 @@ std::vector<PartGroup> bodies_of(const MeshView& mesh, const Parallel& parallel)
   std::vector<std::uint32_t> used = part_of;
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
-  const Parallel silent{.stop = parallel.stop};
+  const Limits silent = limits.alone();
   detail::Work work(silent, detail::joining_work(mesh) + 1);
   const std::vector<std::uint32_t> joined = detail::joined_by_position(mesh, work);
   std::vector<PartGroup> groups;
   std::vector<OpenPart> open;
   for (OpenPart& part :
-       odd_edges_by_part(mesh, sorted_edges(mesh, joined, part_of, parallel), used)) {
+       odd_edges_by_part(mesh, sorted_edges(mesh, joined, part_of, limits), used)) {
     if (detail::covers_evenly(part.edges)) {
       groups.push_back({.parts = {part.part}, .closed = true});
     } else {
       open.push_back(std::move(part));
     }
   }
-  check_stop(parallel);
+  check(limits);
   std::vector<PartGroup> of_open = detail::groups_of_open(mesh, open);
   std::move(of_open.begin(), of_open.end(), std::back_inserter(groups));
   std::sort(groups.begin(), groups.end(), [](const PartGroup& a, const PartGroup& b) {

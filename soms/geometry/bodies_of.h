@@ -38,6 +38,6 @@ struct PartGroup {
 /// \pre     `check(mesh)` passes.
 /// \errors  ErrorKind::cancelled.
 /// \cost    O(n log n) time for n triangles where there are several parts; 24 bytes an edge.
-[[nodiscard]] std::vector<PartGroup> bodies_of(const MeshView& mesh, const Parallel& parallel = {});
+[[nodiscard]] std::vector<PartGroup> bodies_of(const MeshView& mesh, const Limits& limits = {});
 
 }  // namespace soms

@@ -103,14 +103,14 @@ std::vector<PartClosedness> named_parts(const Joined& joined, const PartClosedne
 }  // namespace
 
 Closedness closedness(const MeshView& mesh, const ClosednessOptions& options,
-                      const Parallel& parallel) {
+                      const Limits& limits) {
   const PlainArithmetic plain;
   check(options.pose);
   check_range(options.pose, bounds(mesh));
   const std::uint64_t triangles = mesh.triangles.size();
   const std::uint64_t of_parts = options.parts ? detail::part_work(mesh).value_or(0) : 0;
-  Work work(parallel, detail::joining_work(mesh) + triangles + detail::odd_edges_work(mesh) +
-                          (options.connected ? connecting_work(mesh) : 0) + of_parts + 1);
+  Work work(limits, detail::joining_work(mesh) + triangles + detail::odd_edges_work(mesh) +
+                        (options.connected ? connecting_work(mesh) : 0) + of_parts + 1);
   Joined joined{mesh, detail::joined_by_position(mesh, work), {}};
   joined.degenerate = detail::degenerate_triangles(mesh, work);
   const std::vector<OddEdge> odd =
@@ -134,12 +134,12 @@ Closedness closedness(const MeshView& mesh, const ClosednessOptions& options,
   return answer;
 }
 
-Mesh closed_parts(const MeshView& mesh, const Pose& pose, const Parallel& parallel) {
+Mesh closed_parts(const MeshView& mesh, const Pose& pose, const Limits& limits) {
   const PlainArithmetic plain;
   check(pose);
   check_range(pose, bounds(mesh));
-  Work work(parallel, detail::joining_work(mesh) + mesh.triangles.size() +
-                          detail::odd_edges_work(mesh) + connecting_work(mesh) + 1);
+  Work work(limits, detail::joining_work(mesh) + mesh.triangles.size() +
+                        detail::odd_edges_work(mesh) + connecting_work(mesh) + 1);
   Joined joined{mesh, detail::joined_by_position(mesh, work), {}};
   joined.degenerate = detail::degenerate_triangles(mesh, work);
   const std::vector<OddEdge> odd =

@@ -63,9 +63,9 @@ struct ClosednessOptions {
 /// \cost    O(n) time on meshes as they are, and O(k log k) exact comparisons for k odd edges. At
 ///          most 25 bytes a triangle and 20 a vertex, up to 300 an odd edge and 48 a connected
 ///          part; with `parts`, 36 a triangle of the largest part.
-/// \threads `parallel` gives progress and cancellation; the work is one thread's.
+/// \threads `limits` gives progress and cancellation; the work is one thread's.
 [[nodiscard]] Closedness closedness(const MeshView& mesh, const ClosednessOptions& options = {},
-                                    const Parallel& parallel = {});
+                                    const Limits& limits = {});
 
 /// The mesh without the triangles of connected parts that are open: what is left is closed, and may
 /// be nothing. Vertices stay; parts of the mesh keep their names, with the triangles that are left.
@@ -73,6 +73,6 @@ struct ClosednessOptions {
 /// \errors  As `closedness`.
 /// \cost    As `closedness`.
 [[nodiscard]] Mesh closed_parts(const MeshView& mesh, const Pose& pose = {},
-                                const Parallel& parallel = {});
+                                const Limits& limits = {});
 
 }  // namespace soms

@@ -261,7 +261,7 @@ std::vector<EdgeCounts> count_parts(const MeshView& mesh, const Names& names,
 
 }  // namespace
 
-Defects find_defects(const MeshView& mesh, const DefectOptions& options, const Parallel& parallel) {
+Defects find_defects(const MeshView& mesh, const DefectOptions& options, const Limits& limits) {
   const PlainArithmetic plain;
   Defects defects;
   const std::uint64_t vertices = mesh.vertices.size();
@@ -269,8 +269,8 @@ Defects find_defects(const MeshView& mesh, const DefectOptions& options, const P
   const std::uint64_t of_edges = 2 * triangles + vertices;
   const std::optional<std::uint64_t> of_parts =
       options.parts ? detail::part_work(mesh) : std::nullopt;
-  Work work(parallel, detail::joining_work(mesh) + vertices + triangles + 3 * of_edges +
-                          of_parts.value_or(0) + 1);
+  Work work(limits, detail::joining_work(mesh) + vertices + triangles + 3 * of_edges +
+                        of_parts.value_or(0) + 1);
   const std::vector<std::uint32_t> joined = detail::joined_by_position(mesh, work);
   const Names by_position(&joined);
   count_vertices(mesh, joined, options.places, work, defects);

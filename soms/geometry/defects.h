@@ -122,8 +122,8 @@ struct DefectOptions {
 /// \errors  ErrorKind::cancelled.
 /// \cost    Sorting by counting: O(n) time on meshes as they are (O(n log n) where all meet in one
 ///          vertex). At most 25 bytes a triangle and 12 a vertex, and 48 a place.
-/// \threads `parallel` gives progress and cancellation; the work is one thread's.
+/// \threads `limits` gives progress and cancellation; the work is one thread's.
 [[nodiscard]] Defects find_defects(const MeshView& mesh, const DefectOptions& options = {},
-                                   const Parallel& parallel = {});
+                                   const Limits& limits = {});
 
 }  // namespace soms

@@ -134,12 +134,12 @@ void PolygonTriangulator::clip(std::uint32_t ear) {
 }
 
 /// The first ear of the ring from `start` on, or kNone.
-std::uint32_t PolygonTriangulator::find_ear(std::uint32_t start, const Parallel& parallel) {
+std::uint32_t PolygonTriangulator::find_ear(std::uint32_t start, const Limits& limits) {
   std::uint32_t i = start;
   std::uint32_t tried = 0;
   do {
     if (++tried % kCornersPerCheck == 0) {
-      check_stop(parallel);
+      check(limits);
     }
     if (is_ear(i)) {
       return i;
@@ -161,7 +161,7 @@ std::uint32_t PolygonTriangulator::find_straight(std::uint32_t start) const {
   return kNone;
 }
 
-void PolygonTriangulator::clip_ears(const Parallel& parallel) {
+void PolygonTriangulator::clip_ears(const Limits& limits) {
   const auto n = static_cast<std::uint32_t>(corners_.size());
   order_.resize(n);
   std::iota(order_.begin(), order_.end(), 0U);
@@ -180,9 +180,9 @@ void PolygonTriangulator::clip_ears(const Parallel& parallel) {
   std::uint32_t start = 0;
   while (left_ > 3) {
     if (left_ % kClipsPerCheck == 0) {
-      check_stop(parallel);
+      check(limits);
     }
-    std::uint32_t ear = find_ear(start, parallel);
+    std::uint32_t ear = find_ear(start, limits);
     if (ear == kNone) {
       ear = find_straight(start);
     }
@@ -203,7 +203,7 @@ void PolygonTriangulator::clip_ears(const Parallel& parallel) {
 }
 
 std::span<const std::array<std::uint32_t, 3>> PolygonTriangulator::triangulate(
-    std::span<const Vec3> corners, const Parallel& parallel) {
+    std::span<const Vec3> corners, const Limits& limits) {
   const PlainArithmetic plain;
   corners_ = corners;
   triangles_.clear();
@@ -220,7 +220,7 @@ std::span<const std::array<std::uint32_t, 3>> PolygonTriangulator::triangulate(
       triangles_.push_back({0, i, i + 1});
     }
   } else {
-    clip_ears(parallel);
+    clip_ears(limits);
   }
   return triangles_;
 }

@@ -35,7 +35,7 @@ class PolygonTriangulator {
   /// \cost    Linear for a fan, at most quadratic for ears.
   /// \threads One at a time for each object.
   [[nodiscard]] std::span<const std::array<std::uint32_t, 3>> triangulate(
-      std::span<const Vec3> corners, const Parallel& parallel = {});
+      std::span<const Vec3> corners, const Limits& limits = {});
 
  private:
   /// A corner of the ring that is left while ears are clipped.
@@ -56,8 +56,8 @@ class PolygonTriangulator {
   void measure(std::uint32_t ear);
   [[nodiscard]] bool is_ear(std::uint32_t corner);
   void clip(std::uint32_t ear);
-  void clip_ears(const Parallel& parallel);
-  [[nodiscard]] std::uint32_t find_ear(std::uint32_t start, const Parallel& parallel);
+  void clip_ears(const Limits& limits);
+  [[nodiscard]] std::uint32_t find_ear(std::uint32_t start, const Limits& limits);
   [[nodiscard]] std::uint32_t find_straight(std::uint32_t start) const;
 
   std::span<const Vec3> corners_;

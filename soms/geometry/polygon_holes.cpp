@@ -191,7 +191,7 @@ void HoleJoiner::splice(const Hole& hole, std::size_t place, bool shared) {
 
 std::span<const std::uint32_t> HoleJoiner::join(std::span<const Vec3> corners,
                                                 std::span<const std::size_t> ends,
-                                                const Parallel& parallel) {
+                                                const Limits& limits) {
   const PlainArithmetic plain;
   corners_ = corners;
   left_out_ = 0;
@@ -214,7 +214,7 @@ std::span<const std::uint32_t> HoleJoiner::join(std::span<const Vec3> corners,
     return corners_[a.corner][first_axis_] > corners_[b.corner][first_axis_];
   });
   for (joined_ = 0; joined_ < holes_.size(); ++joined_) {
-    check_stop(parallel);
+    check(limits);
     if (join_at_shared_corner(holes_[joined_])) {
       continue;
     }

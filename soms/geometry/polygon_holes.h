@@ -34,7 +34,7 @@ class HoleJoiner {
   /// \cost    O(n^2) for each hole at worst.
   [[nodiscard]] std::span<const std::uint32_t> join(std::span<const Vec3> corners,
                                                     std::span<const std::size_t> ends,
-                                                    const Parallel& parallel = {});
+                                                    const Limits& limits = {});
 
   /// Holes of the last polygon that are left out: no corner of the outline sees them, as they lie
   /// outside of it or cross it; or they have fewer than three corners.

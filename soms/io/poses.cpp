@@ -73,10 +73,10 @@ Pose parse_pose(std::string_view text) {
   return make_pose(numbers);
 }
 
-PoseReader::PoseReader(const std::filesystem::path& path, const Parallel& parallel)
+PoseReader::PoseReader(const std::filesystem::path& path, const Limits& limits)
     : rows_(path, "poses",
             {columns(std::span(kShiftAndTurn).first(3)), columns(kShiftAndTurn), columns(kMatrix)},
-            parallel) {
+            limits) {
 }
 
 std::optional<Pose> PoseReader::next() {
@@ -92,8 +92,8 @@ std::optional<Pose> PoseReader::next() {
   }
 }
 
-std::vector<Pose> read_poses(const std::filesystem::path& path, const Parallel& parallel) {
-  PoseReader reader(path, parallel);
+std::vector<Pose> read_poses(const std::filesystem::path& path, const Limits& limits) {
+  PoseReader reader(path, limits);
   std::vector<Pose> poses;
   while (const auto pose = reader.next()) {
     poses.push_back(*pose);

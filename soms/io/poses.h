@@ -23,9 +23,9 @@ namespace soms {
 /// (N, 7), (N, 12), (N, 3, 4) or (N, 4, 4), as `RowReader` has it.
 class PoseReader {
  public:
-  /// A stop of `parallel` ends this and `next`, also while they wait for a pipe.
+  /// A stop of `limits` ends this and `next`, also while they wait for a pipe.
   /// \errors  ErrorKind::cannot_open, bad_file, cancelled.
-  explicit PoseReader(const std::filesystem::path& path, const Parallel& parallel = {});
+  explicit PoseReader(const std::filesystem::path& path, const Limits& limits = {});
 
   /// The next pose, checked, or nothing at the end. Blank lines and lines that start with # are
   /// skipped.
@@ -48,6 +48,6 @@ class PoseReader {
 
 /// All poses of a file. \errors As `PoseReader`.
 [[nodiscard]] std::vector<Pose> read_poses(const std::filesystem::path& path,
-                                           const Parallel& parallel = {});
+                                           const Limits& limits = {});
 
 }  // namespace soms

@@ -82,7 +82,7 @@ enum class Owner { caller, us };
 
 Mesh read_bytes(std::string_view bytes, const std::string& name, Owner owner,
                 std::optional<std::filesystem::path> folder, const ReadOptions& options,
-                const Parallel& parallel) {
+                const Limits& limits) {
   const PlainArithmetic plain;
   detail::Source source{.bytes = bytes,
                         .name = name,
@@ -93,7 +93,7 @@ Mesh read_bytes(std::string_view bytes, const std::string& name, Owner owner,
                         .surfaces = options.surfaces,
                         .budget = detail::Budget(memory_limit(options, bytes.size())),
                         .memory_per_byte = options.max_memory > 0 ? 0 : kFactor,
-                        .parallel = parallel,
+                        .limits = limits,
                         .forgettable = owner == Owner::us};
   const std::uint64_t taken = owner == Owner::us ? bytes.size() : 0;
   if (!source.budget.take(taken)) {
@@ -123,23 +123,23 @@ Mesh read_bytes(std::string_view bytes, const std::string& name, Owner owner,
 }  // namespace
 
 Mesh read_mesh(const std::filesystem::path& path, const ReadOptions& options,
-               const Parallel& parallel) {
+               const Limits& limits) {
   try {
-    check_stop(parallel);
-    const detail::FileBytes bytes = detail::read_file(path, options.max_memory, parallel);
+    check(limits);
+    const detail::FileBytes bytes = detail::read_file(path, options.max_memory, limits);
     return read_bytes(bytes.view(), path.string(), Owner::us, references_folder(path), options,
-                      parallel);
+                      limits);
   } catch (const std::bad_alloc&) {
     fail_machine(path.string());
   }
 }
 
 Mesh read_mesh(std::span<const std::byte> bytes, const std::string& name,
-               const ReadOptions& options, const Parallel& parallel) {
+               const ReadOptions& options, const Limits& limits) {
   try {
-    check_stop(parallel);
+    check(limits);
     const auto* data = reinterpret_cast<const char*>(bytes.data());
-    return read_bytes({data, bytes.size()}, name, Owner::caller, std::nullopt, options, parallel);
+    return read_bytes({data, bytes.size()}, name, Owner::caller, std::nullopt, options, limits);
   } catch (const std::bad_alloc&) {
     fail_machine(name);
   }

@@ -45,13 +45,13 @@ struct ReadOptions {
 /// \errors  cannot_open (missing, unreadable, a directory), bad_file (names line or byte; with
 ///          `strict` also what is noted else), empty_mesh, not_finite, out_of_range, unsupported
 ///          (says what to do), out_of_memory, usage (`lod` or `surfaces` for what is no city).
-/// \threads `parallel` gives progress and cancellation; reading is one thread.
+/// \threads `limits` gives progress and cancellation; reading is one thread.
 [[nodiscard]] Mesh read_mesh(const std::filesystem::path& path, const ReadOptions& options = {},
-                             const Parallel& parallel = {});
+                             const Limits& limits = {});
 
 /// The same from bytes in memory; `name` stands for the path in messages and tells the format where
 /// the content does not.
 [[nodiscard]] Mesh read_mesh(std::span<const std::byte> bytes, const std::string& name,
-                             const ReadOptions& options = {}, const Parallel& parallel = {});
+                             const ReadOptions& options = {}, const Limits& limits = {});
 
 }  // namespace soms

@@ -41,9 +41,9 @@ std::string_view text_of(std::span<const std::byte> bytes) {
 
 /// Runs `read` and says what is missing where memory runs out.
 template <class Read>
-auto within_memory(const std::string& name, const Parallel& parallel, const Read& read) {
+auto within_memory(const std::string& name, const Limits& limits, const Read& read) {
   try {
-    check_stop(parallel);
+    check(limits);
     return read();
   } catch (const std::bad_alloc&) {
     throw Error(ErrorKind::out_of_memory, name + ": not enough free memory on this machine",
@@ -58,14 +58,14 @@ constexpr std::uint64_t kRobotAllowance = std::uint64_t{1} << 30;
 
 detail::Source source_of(std::string_view bytes, const std::string& name,
                          std::optional<std::filesystem::path> folder,
-                         const RobotReadOptions& options, const Parallel& parallel) {
+                         const RobotReadOptions& options, const Limits& limits) {
   const std::uint64_t limit =
       options.max_memory > 0 ? options.max_memory : kRobotAllowance + 64 * bytes.size();
   detail::Source source{.bytes = bytes,
                         .name = name,
                         .folder = std::move(folder),
                         .budget = detail::Budget(limit),
-                        .parallel = parallel};
+                        .limits = limits};
   refuse_utf16(bytes, name);
   detail::skip_byte_order_mark(source);
   return source;
@@ -80,22 +80,22 @@ void refuse_notes(const Robot& robot, const RobotReadOptions& options) {
 
 Robot read_text(std::string_view text, const std::string& name,
                 std::optional<std::filesystem::path> folder, const RobotReadOptions& options,
-                const Parallel& parallel) {
+                const Limits& limits) {
   const PlainArithmetic plain;
   check(options);
-  detail::Source source = source_of(text, name, std::move(folder), options, parallel);
+  detail::Source source = source_of(text, name, std::move(folder), options, limits);
   Robot robot = detail::read_urdf(source, options);
   if (!options.srdf.empty()) {
-    read_semantics(robot, options.srdf, options, parallel);
+    read_semantics(robot, options.srdf, options, limits);
   }
   refuse_notes(robot, options);
   return robot;
 }
 
 void read_semantics_text(Robot& robot, std::string_view text, const std::string& name,
-                         const RobotReadOptions& options, const Parallel& parallel) {
+                         const RobotReadOptions& options, const Limits& limits) {
   const PlainArithmetic plain;
-  detail::Source source = source_of(text, name, std::nullopt, options, parallel);
+  detail::Source source = source_of(text, name, std::nullopt, options, limits);
   detail::read_srdf(source, robot);
   refuse_notes(robot, options);
 }
@@ -108,13 +108,13 @@ void read_semantics_text(Robot& robot, std::string_view text, const std::string&
 }
 
 Robot read_text(std::string_view, const std::string& name, std::optional<std::filesystem::path>,
-                const RobotReadOptions& options, const Parallel&) {
+                const RobotReadOptions& options, const Limits&) {
   check(options);
   refuse(name);
 }
 
 void read_semantics_text(Robot&, std::string_view, const std::string& name, const RobotReadOptions&,
-                         const Parallel&) {
+                         const Limits&) {
   refuse(name);
 }
 
@@ -123,35 +123,34 @@ void read_semantics_text(Robot&, std::string_view, const std::string& name, cons
 }  // namespace
 
 Robot read_robot(const std::filesystem::path& path, const RobotReadOptions& options,
-                 const Parallel& parallel) {
+                 const Limits& limits) {
   refuse_xacro(path.string());
-  return within_memory(path.string(), parallel, [&] {
-    const detail::FileBytes bytes = detail::read_file(path, options.max_memory, parallel);
+  return within_memory(path.string(), limits, [&] {
+    const detail::FileBytes bytes = detail::read_file(path, options.max_memory, limits);
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-    return read_text(bytes.view(), path.string(), folder, options, parallel);
+    return read_text(bytes.view(), path.string(), folder, options, limits);
   });
 }
 
 Robot read_robot(std::span<const std::byte> bytes, const std::string& name,
-                 const RobotReadOptions& options, const Parallel& parallel) {
-  return within_memory(name, parallel, [&] {
-    return read_text(text_of(bytes), name, std::nullopt, options, parallel);
-  });
+                 const RobotReadOptions& options, const Limits& limits) {
+  return within_memory(
+      name, limits, [&] { return read_text(text_of(bytes), name, std::nullopt, options, limits); });
 }
 
 void read_semantics(Robot& robot, const std::filesystem::path& path,
-                    const RobotReadOptions& options, const Parallel& parallel) {
+                    const RobotReadOptions& options, const Limits& limits) {
   refuse_xacro(path.string());
-  within_memory(path.string(), parallel, [&] {
-    const detail::FileBytes bytes = detail::read_file(path, options.max_memory, parallel);
-    read_semantics_text(robot, bytes.view(), path.string(), options, parallel);
+  within_memory(path.string(), limits, [&] {
+    const detail::FileBytes bytes = detail::read_file(path, options.max_memory, limits);
+    read_semantics_text(robot, bytes.view(), path.string(), options, limits);
   });
 }
 
 void read_semantics(Robot& robot, std::span<const std::byte> bytes, const std::string& name,
-                    const RobotReadOptions& options, const Parallel& parallel) {
-  within_memory(name, parallel,
-                [&] { read_semantics_text(robot, text_of(bytes), name, options, parallel); });
+                    const RobotReadOptions& options, const Limits& limits) {
+  within_memory(name, limits,
+                [&] { read_semantics_text(robot, text_of(bytes), name, options, limits); });
 }
 
 }  // namespace soms

@@ -48,14 +48,14 @@ struct RobotReadOptions {
 ///          bad_file (names file and line), not_finite, out_of_range, empty_mesh, out_of_memory,
 ///          unsupported (planar and floating joints, other shapes, xacro, other protocols, a build
 ///          without pugixml), usage for options; cancelled.
-/// \threads `parallel` gives cancellation; reading is one thread.
+/// \threads `limits` gives cancellation; reading is one thread.
 [[nodiscard]] Robot read_robot(const std::filesystem::path& path,
-                               const RobotReadOptions& options = {}, const Parallel& parallel = {});
+                               const RobotReadOptions& options = {}, const Limits& limits = {});
 
 /// The same from bytes in memory; `name` stands for the path in messages. Meshes are found by
 /// `packages`, `package_path` and whole paths alone.
 [[nodiscard]] Robot read_robot(std::span<const std::byte> bytes, const std::string& name,
-                               const RobotReadOptions& options = {}, const Parallel& parallel = {});
+                               const RobotReadOptions& options = {}, const Limits& limits = {});
 
 /// Adds what an SRDF file says of a robot: Robot::allowed, which are the pairs of
 /// `disable_collisions`, and those of `disable_default_collisions` but for `enable_collisions`; and
@@ -63,10 +63,10 @@ struct RobotReadOptions {
 /// What it says of links and joints that the robot does not have changes no answer: a note counts
 /// it, and NamedState::unknown names such joints. \errors As `read_robot`.
 void read_semantics(Robot& robot, const std::filesystem::path& path,
-                    const RobotReadOptions& options = {}, const Parallel& parallel = {});
+                    const RobotReadOptions& options = {}, const Limits& limits = {});
 
 /// The same from bytes in memory.
 void read_semantics(Robot& robot, std::span<const std::byte> bytes, const std::string& name,
-                    const RobotReadOptions& options = {}, const Parallel& parallel = {});
+                    const RobotReadOptions& options = {}, const Limits& limits = {});
 
 }  // namespace soms

@@ -14,12 +14,11 @@
 namespace soms {
 
 struct RobotStateReader::State {
-  State(const std::filesystem::path& path, const Kinematics& kinematics_given,
-        const Parallel& given)
-      : kinematics(kinematics_given), parallel{.stop = given.stop}, lines(path, parallel) {}
+  State(const std::filesystem::path& path, const Kinematics& kinematics_given, const Limits& given)
+      : kinematics(kinematics_given), limits{.stop = given.stop}, lines(path, limits) {}
 
   const Kinematics& kinematics;
-  Parallel parallel;
+  Limits limits;
   detail::LineReader lines;
   std::vector<std::size_t> places;  ///< of the file's columns, in a state
   std::vector<std::uint32_t> missing;
@@ -52,7 +51,7 @@ std::optional<std::string> RobotStateReader::State::next_line() {
     if (const auto text = detail::row_in(*line)) {
       return std::string(*text);
     }
-    check_stop(parallel);  // comments may have no end
+    check(limits);  // comments may have no end
   }
   return std::nullopt;
 }
@@ -145,9 +144,8 @@ void RobotStateReader::State::open_array(detail::LineReader& file) {
 }
 
 RobotStateReader::RobotStateReader(const std::filesystem::path& path, const Kinematics& kinematics,
-                                   std::optional<std::vector<double>> home,
-                                   const Parallel& parallel)
-    : state_(std::make_unique<State>(path, kinematics, parallel)) {
+                                   std::optional<std::vector<double>> home, const Limits& limits)
+    : state_(std::make_unique<State>(path, kinematics, limits)) {
   State& state = *state_;
   for (const std::uint32_t joint : kinematics.movable()) {
     state.names.push_back(kinematics.joints()[joint].name);
@@ -228,7 +226,7 @@ bool RobotStateReader::ready() {
       if (const auto text = detail::row_in(*line)) {
         state.ahead = std::string(*text);
       }
-      check_stop(state.parallel);
+      check(state.limits);
     }
   } catch (const Error&) {  // `next` meets it again
   }

@@ -23,13 +23,13 @@ namespace soms {
 class RobotStateReader {
  public:
   /// `home`: values of movable joints that a header does not name, one for each of `movable`;
-  /// unset: it must name all. A stop of `parallel` ends this and `next`, also while they wait for a
+  /// unset: it must name all. A stop of `limits` ends this and `next`, also while they wait for a
   /// pipe. \pre    `kinematics` stays. \errors ErrorKind::cannot_open; bad_file (no rows, a column
   /// of no movable joint or twice, a
   ///         joint without a column, another number of columns); cancelled.
   RobotStateReader(const std::filesystem::path& path, const Kinematics& kinematics,
                    std::optional<std::vector<double>> home = std::nullopt,
-                   const Parallel& parallel = {});
+                   const Limits& limits = {});
   ~RobotStateReader();
   RobotStateReader(RobotStateReader&&) noexcept;
   RobotStateReader& operator=(RobotStateReader&&) noexcept;

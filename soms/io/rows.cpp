@@ -23,13 +23,13 @@ auto named(std::string_view name) {
 
 struct RowReader::State {
   State(const std::filesystem::path& path, std::string_view what_rows_are,
-        std::vector<std::vector<Column>> known, const Parallel& given)
-      : parallel{.stop = given.stop},
-        lines(path, parallel),
+        std::vector<std::vector<Column>> known, const Limits& given)
+      : limits{.stop = given.stop},
+        lines(path, limits),
         what(what_rows_are),
         headers(std::move(known)) {}
 
-  Parallel parallel;
+  Limits limits;
   detail::LineReader lines;
   std::string what;
   std::vector<std::vector<Column>> headers;
@@ -62,7 +62,7 @@ std::optional<std::string_view> RowReader::State::next_line() {
     if (const auto text = detail::row_in(*line)) {
       return text;
     }
-    check_stop(parallel);  // comments may have no end
+    check(limits);  // comments may have no end
   }
   return std::nullopt;
 }
@@ -125,8 +125,8 @@ void RowReader::State::read_header() {
 }
 
 RowReader::RowReader(const std::filesystem::path& path, std::string_view what,
-                     std::vector<std::vector<Column>> headers, const Parallel& parallel)
-    : state_(std::make_unique<State>(path, what, std::move(headers), parallel)) {
+                     std::vector<std::vector<Column>> headers, const Limits& limits)
+    : state_(std::make_unique<State>(path, what, std::move(headers), limits)) {
   State& state = *state_;
   if (state.lines.starts_with(detail::kNpyMagic)) {
     state.array.emplace(state.lines, what, state.headers);
@@ -192,7 +192,7 @@ bool RowReader::ready() {
         break;
       }
       state.ahead = detail::row_in(*line);
-      check_stop(state.parallel);
+      check(state.limits);
     }
   } catch (const Error&) {  // `next` meets it again
   }

@@ -37,11 +37,11 @@ struct Column {
 class RowReader {
  public:
   /// `what` is what the rows are, in messages: "poses". The header of a CSV file must name each
-  /// column of one of `headers` once, and no other. A stop of `parallel` ends this and `next`, also
+  /// column of one of `headers` once, and no other. A stop of `limits` ends this and `next`, also
   /// while they wait for a pipe.
   /// \errors  ErrorKind::cannot_open, bad_file, cancelled.
   RowReader(const std::filesystem::path& path, std::string_view what,
-            std::vector<std::vector<Column>> headers, const Parallel& parallel = {});
+            std::vector<std::vector<Column>> headers, const Limits& limits = {});
   ~RowReader();
   RowReader(RowReader&&) noexcept;
   RowReader& operator=(RowReader&&) noexcept;

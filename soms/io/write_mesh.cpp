@@ -48,16 +48,16 @@ MeshFormat format_for(const std::filesystem::path& path) {
 }
 
 void write_mesh(const std::filesystem::path& path, const MeshView& mesh, MeshFormat format,
-                const Parallel& parallel) {
+                const Limits& limits) {
   const PlainArithmetic plain;
   detail::OutputFile file(path);
   detail::Output output([&](std::string_view bytes) { file.write(bytes); });
-  detail::write_mesh(output, path.string(), mesh, format, parallel);
+  detail::write_mesh(output, path.string(), mesh, format, limits);
   file.commit();
 }
 
 void write_mesh(std::ostream& out, const std::string& name, const MeshView& mesh, MeshFormat format,
-                const Parallel& parallel) {
+                const Limits& limits) {
   const PlainArithmetic plain;
   const auto check_stream = [&] {
     if (!out) {
@@ -70,7 +70,7 @@ void write_mesh(std::ostream& out, const std::string& name, const MeshView& mesh
     check_stream();
   });
   check_stream();
-  detail::write_mesh(output, name, mesh, format, parallel);
+  detail::write_mesh(output, name, mesh, format, limits);
   out.flush();
   check_stream();
 }

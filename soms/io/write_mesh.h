@@ -37,11 +37,11 @@ inline constexpr auto kWords<MeshFormat> = words("MeshFormat",
 ///          coordinate that a float cannot hold, more than the 4 GiB that 3DS and GLB have room
 ///          for), cancelled.
 void write_mesh(const std::filesystem::path& path, const MeshView& mesh, MeshFormat format,
-                const Parallel& parallel = {});
+                const Limits& limits = {});
 
 /// The same to a stream; `name` is used in messages.
 void write_mesh(std::ostream& out, const std::string& name, const MeshView& mesh, MeshFormat format,
-                const Parallel& parallel = {});
+                const Limits& limits = {});
 
 /// What a format that holds floats does to a mesh.
 struct Rounding {

@@ -6,15 +6,28 @@
 #include "soms/describe/fields.h"
 #include "soms/geometry/mesh.h"
 
+#include <compare>
 #include <cstdint>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace soms {
 
-/// A triangle of the first body and a triangle of the second.
-using TrianglePair = std::pair<TriangleId, TriangleId>;
+/// A triangle of each of two bodies. Pairs are ordered by `a`, then by `b`.
+struct TrianglePair {
+  TriangleId a = 0;  ///< of the first body
+  TriangleId b = 0;  ///< of the second
+
+  [[nodiscard]] auto operator<=>(const TrianglePair&) const = default;
+};
+
+template <>
+struct Fields<TrianglePair> {
+  static constexpr const char* kName = "TrianglePair";
+  static constexpr const char* kMeaning = "A triangle of each of two bodies.";
+  static constexpr auto kList = std::tuple(field("a", &TrianglePair::a, "Of the first body."),
+                                           field("b", &TrianglePair::b, "Of the second."));
+};
 
 /// How much of the question an answer covers.
 enum class Coverage {

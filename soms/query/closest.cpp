@@ -1,7 +1,7 @@
 #include "soms/query/closest.h"
 
 #include "soms/base/arithmetic.h"
-#include "soms/base/limits.h"
+#include "soms/base/double_limits.h"
 #include "soms/describe/columns.h"
 #include "soms/query/detail/engine/batch.h"
 #include "soms/query/detail/near/point_query.h"
@@ -21,9 +21,9 @@ using detail::PointMemory;
 using detail::PointToTriangle;
 
 Closest ask(const PointFrame& frame, const Vec3& point, const ClosestOptions& options,
-            const Parallel& parallel, PointMemory& memory) {
+            const Limits& limits, PointMemory& memory) {
   ClosestGoal goal(frame, point, options.at_most);
-  const NearEnd end = detail::pursue(frame, point, goal, options.deadline, parallel, memory);
+  const NearEnd end = detail::pursue(frame, point, goal, limits, memory);
   Closest answer;
   answer.cost = end.cost;
   answer.coverage = end.complete ? Coverage::complete : Coverage::cut;
@@ -56,17 +56,17 @@ void check(const ClosestOptions& options) {
 }
 
 Closest closest(const Body& body, const Vec3& point, const ClosestOptions& options,
-                const Parallel& parallel) {
+                const Limits& limits) {
   const PlainArithmetic plain;
   check(options);
   detail::check_pose(body.pose, body.shape);
   detail::check_point(point);
-  check_stop(parallel);
+  check_stop(limits);
   if (detail::is_empty(body.shape)) {
     return of_empty();
   }
   PointMemory memory;
-  return ask(PointFrame(body), point, options, parallel, memory);
+  return ask(PointFrame(body), point, options, limits, memory);
 }
 
 Closest ClosestBatch::at(std::size_t i) const {
@@ -74,12 +74,12 @@ Closest ClosestBatch::at(std::size_t i) const {
 }
 
 ClosestBatch closest(const Body& body, std::span<const Vec3> points, const ClosestOptions& options,
-                     const Parallel& parallel) {
+                     const Limits& limits) {
   const PlainArithmetic plain;
   check(options);
   detail::check_pose(body.pose, body.shape);
   detail::check_points(points);
-  check_stop(parallel);
+  check_stop(limits);
   ClosestBatch batch;
   resize_columns<Closest>(batch, points.size());
   if (detail::is_empty(body.shape)) {
@@ -90,9 +90,9 @@ ClosestBatch closest(const Body& body, std::span<const Vec3> points, const Close
   }
   const PointFrame frame(body);
   const std::vector<std::uint32_t> order = detail::order_of(points, body.shape);
-  const Parallel alone = {.stop = parallel.stop};
+  const Limits alone = limits.alone();
   detail::for_each_block(
-      points.size(), parallel, [] { return PointMemory(); },
+      points.size(), limits, [] { return PointMemory(); },
       [&](PointMemory& memory, std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
           const std::size_t i = order.empty() ? k : order[k];

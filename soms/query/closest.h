@@ -43,8 +43,6 @@ namespace soms {
 struct ClosestOptions {
   /// Triangles beyond this are left out; infinity for no limit.
   double at_most = std::numeric_limits<double>::infinity();
-  /// Ends the query with coverage `cut` when it passes.
-  std::optional<std::chrono::steady_clock::time_point> deadline = std::nullopt;
 
   [[nodiscard]] bool operator==(const ClosestOptions&) const = default;
 };
@@ -89,7 +87,7 @@ struct Closest {
 /// \source  Roussopoulos, Kelley and Vincent 1995 (nearest neighbors by a tree of boxes); Ericson
 ///          2004, 5.1.5 (point and triangle).
 [[nodiscard]] Closest closest(const Body& body, const Vec3& point,
-                              const ClosestOptions& options = {}, const Parallel& parallel = {});
+                              const ClosestOptions& options = {}, const Limits& limits = {});
 
 /// Answers for a batch of points: columns, one entry a point, as those of `Closest`.
 struct ClosestBatch {
@@ -136,10 +134,9 @@ struct Fields<Closest> {
 ///
 /// \shape   `points`: n.
 /// \errors  As `closest`; a point at fault is named by its index.
-/// \threads As many as `parallel` says share the points.
+/// \threads As many as `limits` says share the points.
 [[nodiscard]] ClosestBatch closest(const Body& body, std::span<const Vec3> points,
-                                   const ClosestOptions& options = {},
-                                   const Parallel& parallel = {});
+                                   const ClosestOptions& options = {}, const Limits& limits = {});
 
 /// Triangles near points: rows of any length, one a point.
 struct NearTriangles {
@@ -182,10 +179,10 @@ struct Fields<NearTriangles> {
 /// \shape   `points`: n.
 /// \errors  As `closest`; a point at fault is named by its index.
 /// \cost    As `closest`, and O(log count) decisions for each triangle that is a candidate.
-/// \threads As many as `parallel` says share the points.
+/// \threads As many as `limits` says share the points.
 [[nodiscard]] NearTriangles nearest_triangles(const Body& body, std::span<const Vec3> points,
                                               std::size_t count, const ClosestOptions& options = {},
-                                              const Parallel& parallel = {});
+                                              const Limits& limits = {});
 
 /// All triangles of which some point is at most `radius` from a point, decided exactly, for each of
 /// `points`; in the order of `nearest_triangles`. Radius 0 asks for triangles that a point is on.
@@ -197,6 +194,6 @@ struct Fields<NearTriangles> {
 /// \threads As `nearest_triangles`.
 [[nodiscard]] NearTriangles near_triangles(const Body& body, std::span<const Vec3> points,
                                            double radius, const ClosestOptions& options = {},
-                                           const Parallel& parallel = {});
+                                           const Limits& limits = {});
 
 }  // namespace soms

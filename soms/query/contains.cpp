@@ -70,11 +70,11 @@ Error fault_of(const Vec3& p, const std::string& whose) {
 
 }  // namespace
 
-ClosedBody::ClosedBody(Body body, const Parallel& parallel) : body_(std::move(body)) {
+ClosedBody::ClosedBody(Body body, const Limits& limits) : body_(std::move(body)) {
   const PlainArithmetic plain;
   detail::check_pose(body_.pose, body_.shape);
   surface_ = std::make_shared<const detail::ClosedSurface>(
-      detail::closed_surface(body_.shape.mesh(), parallel));
+      detail::closed_surface(body_.shape.mesh(), limits));
   check_closed();
 }
 
@@ -115,24 +115,19 @@ ClosedBody detail::closed_body(Body body, std::shared_ptr<const ClosedSurface> s
   return {std::move(body), std::move(surface)};
 }
 
-Contains contains(const ClosedBody& body, const Vec3& point, const ContainsOptions& options) {
+Contains contains(const ClosedBody& body, const Vec3& point, const Limits& limits) {
   if (!in_range(point)) {
     throw fault_of(point, "point");
   }
-  const ContainsBatch batch = contains(body, std::span(&point, 1), options);
+  const ContainsBatch batch = contains(body, std::span(&point, 1), limits);
   return batch.at(0);
-}
-
-Contains contains(const Body& body, const Vec3& point, const ContainsOptions& options) {
-  return contains(ClosedBody(body), point, options);
 }
 
 Contains ContainsBatch::at(std::size_t point) const {
   return row_of<Contains>(*this, point);
 }
 
-ContainsBatch contains(const ClosedBody& body, std::span<const Vec3> points,
-                       const ContainsOptions& options, const Parallel& parallel) {
+ContainsBatch contains(const ClosedBody& body, std::span<const Vec3> points, const Limits& limits) {
   const PlainArithmetic plain;
   const Shape& shape = body.body().shape;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -150,14 +145,16 @@ ContainsBatch contains(const ClosedBody& body, std::span<const Vec3> points,
   const std::span<Side> sides(answer.side);
   const std::span<Cost> costs(answer.costs);
   detail::MemoryPool<std::unique_ptr<detail::ParityMemory>> pool;
-  for_each_chunk(points.size(), kPointsOfBlock, parallel, [&](std::size_t begin, std::size_t end) {
-    auto place = pool.take([&] { return detail::parity_memory(body.body(), frame); });
-    detail::Limit limit(options.deadline, parallel);
-    const std::size_t count = end - begin;
-    place->memory->decide(points.subspan(begin, count), sides.subspan(begin, count),
-                          costs.subspan(begin, count), limit);
-    pool.give_back(std::move(place));
-  });
+  for_each_chunk(points.size(), kPointsOfBlock, limits.without_deadline(),
+                 [&](std::size_t begin, std::size_t end) {
+                   auto place =
+                       pool.take([&] { return detail::parity_memory(body.body(), frame); });
+                   detail::Limit limit(limits);
+                   const std::size_t count = end - begin;
+                   place->memory->decide(points.subspan(begin, count), sides.subspan(begin, count),
+                                         costs.subspan(begin, count), limit);
+                   pool.give_back(std::move(place));
+                 });
   std::transform(answer.side.begin(), answer.side.end(), answer.coverage.begin(), [](Side side) {
     return side == Side::undecided ? Coverage::cut : Coverage::complete;
   });
@@ -165,10 +162,8 @@ ContainsBatch contains(const ClosedBody& body, std::span<const Vec3> points,
   return answer;
 }
 
-ContainsBatch contains(const Body& body, std::span<const Vec3> points,
-                       const ContainsOptions& options, const Parallel& parallel) {
-  return contains(ClosedBody(body, {.threads = parallel.threads, .stop = parallel.stop}), points,
-                  options, parallel);
+ContainsBatch contains(const Body& body, std::span<const Vec3> points, const Limits& limits) {
+  return contains(ClosedBody(body, limits.silent().without_deadline()), points, limits);
 }
 
 }  // namespace soms

@@ -64,7 +64,7 @@ class ClosedBody {
   /// \cost    O(n) time, as `closedness` of the whole mesh. Keeps the odd edges, of which most
   ///          closed meshes have none, and for each triangle its connected part, if there are
   ///          several.
-  explicit ClosedBody(Body body, const Parallel& parallel = {});
+  explicit ClosedBody(Body body, const Limits& limits = {});
 
   [[nodiscard]] const Body& body() const { return body_; }
 
@@ -87,14 +87,6 @@ class ClosedBody {
 
   Body body_;
   std::shared_ptr<const detail::ClosedSurface> surface_;
-};
-
-/// Options of `contains`.
-struct ContainsOptions {
-  /// Ends the query with coverage `cut` when it passes.
-  std::optional<std::chrono::steady_clock::time_point> deadline = std::nullopt;
-
-  [[nodiscard]] bool operator==(const ContainsOptions&) const = default;
 };
 
 /// Answer of `contains` for a point.
@@ -120,11 +112,7 @@ struct Contains {
 /// \threads Any number of callers.
 /// \source  Edelsbrunner and Muecke 1990, Simulation of Simplicity, section 4.
 [[nodiscard]] Contains contains(const ClosedBody& body, const Vec3& point,
-                                const ContainsOptions& options = {});
-
-/// The same of a body that is checked first, each time. \errors As `ClosedBody` and `contains`.
-[[nodiscard]] Contains contains(const Body& body, const Vec3& point,
-                                const ContainsOptions& options = {});
+                                const Limits& limits = {});
 
 /// Answers for a batch of points: columns, one entry a point, as those of `Contains`.
 struct ContainsBatch {
@@ -162,12 +150,10 @@ struct Fields<Contains> {
 /// \errors  As `contains`; a point at fault is named by its index, before any is answered. Also
 ///          ErrorKind::cancelled.
 [[nodiscard]] ContainsBatch contains(const ClosedBody& body, std::span<const Vec3> points,
-                                     const ContainsOptions& options = {},
-                                     const Parallel& parallel = {});
+                                     const Limits& limits = {});
 
 /// The same of a body that is checked first. \errors As `ClosedBody` and `contains`.
 [[nodiscard]] ContainsBatch contains(const Body& body, std::span<const Vec3> points,
-                                     const ContainsOptions& options = {},
-                                     const Parallel& parallel = {});
+                                     const Limits& limits = {});
 
 }  // namespace soms

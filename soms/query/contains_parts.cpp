@@ -25,7 +25,7 @@ using detail::PointCrossings;
 
 /// A number for each triangle's part: that of Mesh::parts, or of its connected part.
 std::vector<std::uint32_t> numbers_of(const MeshView& mesh, Partition partition,
-                                      const Parallel& parallel) {
+                                      const Limits& limits) {
   std::vector<std::uint32_t> number(mesh.triangles.size());
   if (partition == Partition::named) {
     const PartsOf part(mesh);
@@ -34,7 +34,7 @@ std::vector<std::uint32_t> numbers_of(const MeshView& mesh, Partition partition,
     }
     return number;
   }
-  detail::Work work(parallel, detail::joining_work(mesh) + detail::connected_parts_work(mesh) + 1);
+  detail::Work work(limits, detail::joining_work(mesh) + detail::connected_parts_work(mesh) + 1);
   const auto joined = detail::joined_by_position(mesh, work);
   const detail::ConnectedParts parts = detail::connected_parts(mesh, joined, work);
   for (std::size_t i = 0; i < number.size(); ++i) {
@@ -91,7 +91,7 @@ std::vector<PartSide> sides_of(const DividedBody& body, const PointCrossings& me
 
 DividedBody::Found DividedBody::divide(const Body& body, Partition partition,
                                        const std::vector<std::uint32_t>& number,
-                                       const Parallel& parallel) {
+                                       const Limits& limits) {
   const MeshView& mesh = body.shape.mesh();
   std::vector<TriangleId> order(mesh.triangles.size());
   std::iota(order.begin(), order.end(), TriangleId{0});
@@ -99,7 +99,7 @@ DividedBody::Found DividedBody::divide(const Body& body, Partition partition,
                    [&](TriangleId a, TriangleId b) { return number[a] < number[b]; });
   const Mesh sorted = sorted_by_part(mesh, order, number);
   const Closedness closedness =
-      soms::closedness(sorted, {.pose = body.pose, .places = 0, .parts = true}, parallel);
+      soms::closedness(sorted, {.pose = body.pose, .places = 0, .parts = true}, limits);
   Found found;
   found.part_of.resize(mesh.triangles.size());
   for (std::size_t k = 0; k < sorted.parts.size(); ++k) {
@@ -119,17 +119,16 @@ DividedBody::Found DividedBody::divide(const Body& body, Partition partition,
   return found;
 }
 
-DividedBody::Found DividedBody::find(const Body& body, Partition partition,
-                                     const Parallel& parallel) {
+DividedBody::Found DividedBody::find(const Body& body, Partition partition, const Limits& limits) {
   const MeshView& mesh = body.shape.mesh();
-  std::vector<std::uint32_t> number = numbers_of(mesh, partition, parallel);
-  Found found = divide(body, partition, number, parallel);
+  std::vector<std::uint32_t> number = numbers_of(mesh, partition, limits);
+  Found found = divide(body, partition, number, limits);
   if (partition == Partition::connected || found.open < 2) {
     return found;
   }
   std::map<std::uint32_t, std::vector<std::uint32_t>> joined;  // by the first part
   std::map<std::uint32_t, std::uint32_t> first_of;
-  for (const PartGroup& group : bodies_of(mesh, parallel)) {
+  for (const PartGroup& group : bodies_of(mesh, limits)) {
     if (group.closed && group.parts.size() > 1) {
       joined[group.parts.front()] = {group.parts.begin() + 1, group.parts.end()};
       for (const std::uint32_t part : group.parts) {
@@ -144,7 +143,7 @@ DividedBody::Found DividedBody::find(const Body& body, Partition partition,
     const auto first = first_of.find(part);
     part = first == first_of.end() ? part : first->second;
   }
-  found = divide(body, partition, number, parallel);
+  found = divide(body, partition, number, limits);
   for (DividedPart& part : found.parts) {
     if (const auto others = joined.find(part.named); others != joined.end()) {
       part.joined = others->second;
@@ -153,16 +152,16 @@ DividedBody::Found DividedBody::find(const Body& body, Partition partition,
   return found;
 }
 
-DividedBody::DividedBody(Body body, Partition partition, const Parallel& parallel)
+DividedBody::DividedBody(Body body, Partition partition, const Limits& limits)
     : body_(std::move(body)), partition_(partition) {
   const PlainArithmetic plain;
   detail::check_pose(body_.pose, body_.shape);
-  found_ = std::make_shared<const Found>(find(body_, partition, parallel));
+  found_ = std::make_shared<const Found>(find(body_, partition, limits));
 }
 
-ContainsParts contains(const DividedBody& body, const Vec3& point, const ContainsOptions& options) {
+ContainsParts contains(const DividedBody& body, const Vec3& point, const Limits& limits) {
   detail::check_point(point);
-  return contains(body, std::span(&point, 1), options).at(0);
+  return contains(body, std::span(&point, 1), limits).at(0);
 }
 
 std::span<const PartSide> ContainsPartsBatch::parts_of(std::size_t point) const {
@@ -175,7 +174,7 @@ ContainsParts ContainsPartsBatch::at(std::size_t point) const {
 }
 
 ContainsPartsBatch contains(const DividedBody& body, std::span<const Vec3> points,
-                            const ContainsOptions& options, const Parallel& parallel) {
+                            const Limits& limits) {
   const PlainArithmetic plain;
   detail::check_points(points);
   ContainsPartsBatch answer;
@@ -193,7 +192,7 @@ ContainsPartsBatch contains(const DividedBody& body, std::span<const Vec3> point
 
   const detail::ParityFrame frame(whole.shape.layout(), whole.pose);
   detail::for_each_crossing<Nothing>(
-      whole, frame, points, options.deadline, answer.costs, parallel,
+      whole, frame, points, answer.costs, limits,
       [&](Nothing&, std::size_t i, const PointCrossings& met, detail::Limit&) {
         rows[i] = sides_of(body, met);
         answer.coverage[i] = Coverage::complete;

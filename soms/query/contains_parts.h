@@ -72,7 +72,7 @@ class DividedBody {
   ///          for as long as it takes. Where named parts are open, as `bodies_of` and twice that.
   ///          Keeps 4 bytes a triangle.
   explicit DividedBody(Body body, Partition partition = Partition::named,
-                       const Parallel& parallel = {});
+                       const Limits& limits = {});
 
   [[nodiscard]] const Body& body() const { return body_; }
 
@@ -102,9 +102,8 @@ class DividedBody {
   };
 
   [[nodiscard]] static Found divide(const Body& body, Partition partition,
-                                    const std::vector<std::uint32_t>& number,
-                                    const Parallel& parallel);
-  [[nodiscard]] static Found find(const Body& body, Partition partition, const Parallel& parallel);
+                                    const std::vector<std::uint32_t>& number, const Limits& limits);
+  [[nodiscard]] static Found find(const Body& body, Partition partition, const Limits& limits);
 
   Body body_;
   Partition partition_;
@@ -155,7 +154,7 @@ struct Fields<ContainsParts> {
 /// \cost    As `contains`: one ray for all parts.
 /// \threads Any number of callers.
 [[nodiscard]] ContainsParts contains(const DividedBody& body, const Vec3& point,
-                                     const ContainsOptions& options = {});
+                                     const Limits& limits = {});
 
 /// Answers for a batch of points: those of point k are rows [offsets[k], offsets[k + 1]) of
 /// `parts`.
@@ -198,7 +197,6 @@ struct Fields<ContainsPartsBatch> {
 /// \errors  As for one point; a point at fault is named by its index, before any is answered. Also
 ///          ErrorKind::cancelled.
 [[nodiscard]] ContainsPartsBatch contains(const DividedBody& body, std::span<const Vec3> points,
-                                          const ContainsOptions& options = {},
-                                          const Parallel& parallel = {});
+                                          const Limits& limits = {});
 
 }  // namespace soms

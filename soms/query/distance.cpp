@@ -1,7 +1,7 @@
 #include "soms/query/distance.h"
 
 #include "soms/base/arithmetic.h"
-#include "soms/base/limits.h"
+#include "soms/base/double_limits.h"
 #include "soms/describe/columns.h"
 #include "soms/query/detail/leaf_pairs.h"
 #include "soms/query/detail/near/near_question.h"
@@ -27,16 +27,15 @@ void name_points(PairDistance& pair, Distance& answer) {
 }
 
 /// The bodies overlap at `found`: names the least pair that does.
-void name_overlap(const Body& a, const Body& b, PairFrame& frame, const DistanceOptions& options,
-                  const Parallel& parallel, NearestGoal& found, Distance& answer) {
-  const detail::LeastOverlap least =
-      detail::least_overlap(frame, *found.triangles(), options.deadline, parallel);
+void name_overlap(const Body& a, const Body& b, PairFrame& frame, const Limits& limits,
+                  NearestGoal& found, Distance& answer) {
+  const detail::LeastOverlap least = detail::least_overlap(frame, *found.triangles(), limits);
   answer.distance = {0, 0};
   answer.cost += least.cost;
   answer.coverage = least.late ? Coverage::cut : Coverage::complete;
   answer.triangles = least.triangles;
-  PairDistance pair(detail::moved({&a.shape, &a.pose}, answer.triangles->first),
-                    detail::moved({&b.shape, &b.pose}, answer.triangles->second));
+  PairDistance pair(detail::moved({&a.shape, &a.pose}, answer.triangles->a),
+                    detail::moved({&b.shape, &b.pose}, answer.triangles->b));
   name_points(pair, answer);
 }
 
@@ -62,14 +61,14 @@ class DistanceQuery {
  public:
   explicit DistanceQuery(const DistanceOptions& options) : options_(options) {}
 
-  [[nodiscard]] Distance ask(const Body& a, const Body& b, PairFrame& frame,
-                             const Parallel& parallel, NearMemory& memory) const {
+  [[nodiscard]] Distance ask(const Body& a, const Body& b, PairFrame& frame, const Limits& limits,
+                             NearMemory& memory) const {
     NearestGoal goal(frame, options_.at_most);
-    const NearEnd end = detail::pursue(frame, goal, options_.deadline, parallel, memory);
+    const NearEnd end = detail::pursue(frame, goal, limits, memory);
     Distance answer;
     answer.cost = end.cost;
     if (goal.touching()) {
-      name_overlap(a, b, frame, options_, parallel, goal, answer);
+      name_overlap(a, b, frame, limits, goal, answer);
     } else {
       name_nearest(end, options_, goal, answer);
     }
@@ -89,10 +88,10 @@ void check(const DistanceOptions& options) {
 }
 
 Distance distance(const Body& a, const Body& b, const DistanceOptions& options,
-                  const Parallel& parallel) {
+                  const Limits& limits) {
   const PlainArithmetic plain;
   check(options);
-  return detail::ask_near(DistanceQuery(options), a, b, parallel);
+  return detail::ask_near(DistanceQuery(options), a, b, limits);
 }
 
 Distance DistanceBatch::at(std::size_t pose) const {
@@ -100,10 +99,10 @@ Distance DistanceBatch::at(std::size_t pose) const {
 }
 
 DistanceBatch distance(const Shape& mover, std::span<const Pose> poses, const Body& fixed,
-                       const DistanceOptions& options, const Parallel& parallel) {
+                       const DistanceOptions& options, const Limits& limits) {
   const PlainArithmetic plain;
   check(options);
-  return detail::ask_near_batch<Distance>(DistanceQuery(options), mover, poses, fixed, parallel);
+  return detail::ask_near_batch<Distance>(DistanceQuery(options), mover, poses, fixed, limits);
 }
 
 }  // namespace soms

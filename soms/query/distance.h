@@ -40,8 +40,6 @@ namespace soms {
 struct DistanceOptions {
   /// Beyond this the answer is `farther`, without a pair; infinity for no limit.
   double at_most = std::numeric_limits<double>::infinity();
-  /// Ends the query with coverage `cut` when it passes.
-  std::optional<std::chrono::steady_clock::time_point> deadline = std::nullopt;
 
   [[nodiscard]] bool operator==(const DistanceOptions&) const = default;
 };
@@ -82,11 +80,11 @@ struct Distance {
 ///          `check(DistanceOptions)`; cancelled.
 /// \cost    Typically logarithmic in the triangle counts. Equally near pairs cost time, not memory.
 /// \threads Any number of callers. A query that takes long is dealt out to as many threads as
-///          `parallel` says; most end before that pays.
+///          `limits` says; most end before that pays.
 /// \source  Larsen, Gottschalk, Lin and Manocha 2000 (distance by box hierarchies), Dial 1969
 ///          (buckets).
 [[nodiscard]] Distance distance(const Body& a, const Body& b, const DistanceOptions& options = {},
-                                const Parallel& parallel = {});
+                                const Limits& limits = {});
 
 /// Answers for a batch of poses: columns, one entry a pose, as those of `Distance`.
 struct DistanceBatch {
@@ -136,6 +134,6 @@ struct Fields<Distance> {
 /// \errors  As `distance`; a pose at fault is named by its index.
 [[nodiscard]] DistanceBatch distance(const Shape& mover, std::span<const Pose> poses,
                                      const Body& fixed, const DistanceOptions& options = {},
-                                     const Parallel& parallel = {});
+                                     const Limits& limits = {});
 
 }  // namespace soms

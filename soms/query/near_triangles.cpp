@@ -41,10 +41,10 @@ class Rows {
         order_(detail::order_of(points, body.shape)),
         blocks_((points.size() + detail::kPosesOfBlock - 1) / detail::kPosesOfBlock) {}
 
-  void answer(NearTriangles& batch, const Parallel& parallel) {
-    const Parallel alone = {.stop = parallel.stop};
+  void answer(NearTriangles& batch, const Limits& limits) {
+    const Limits alone = limits.alone();
     detail::for_each_block(
-        points_.size(), parallel, [] { return PointMemory(); },
+        points_.size(), limits, [] { return PointMemory(); },
         [&](PointMemory& memory, std::size_t begin, std::size_t end) {
           RowBlock& block = blocks_[begin / detail::kPosesOfBlock];
           for (std::size_t k = begin; k < end; ++k) {
@@ -58,13 +58,12 @@ class Rows {
   /// The row of the point that is answered at turn k.
   [[nodiscard]] std::size_t row_at(std::size_t k) const { return order_.empty() ? k : order_[k]; }
 
-  void ask(std::size_t row, const Parallel& parallel, PointMemory& memory, RowBlock& block,
+  void ask(std::size_t row, const Limits& limits, PointMemory& memory, RowBlock& block,
            NearTriangles& batch) const {
     SeveralGoal goal(frame_, points_[row], most_, options_.at_most);
-    const NearEnd end =
-        detail::pursue(frame_, points_[row], goal, options_.deadline, parallel, memory);
+    const NearEnd end = detail::pursue(frame_, points_[row], goal, limits, memory);
     Cost cost = end.cost;
-    Limit limit(options_.deadline, parallel);
+    Limit limit(limits);
     for (const std::size_t i : goal.sorted(limit, cost)) {
       NearTriangle& found = goal.found()[i];
       const std::uint64_t before = found.pair.exact_tests();
@@ -119,17 +118,17 @@ class Rows {
 };
 
 NearTriangles answer(const Body& body, std::span<const Vec3> points, std::size_t most,
-                     const ClosestOptions& options, const Parallel& parallel) {
+                     const ClosestOptions& options, const Limits& limits) {
   check(options);
   detail::check_pose(body.pose, body.shape);
   detail::check_points(points);
-  check_stop(parallel);
+  check_stop(limits);
   NearTriangles batch;
   batch.offsets.assign(points.size() + 1, 0);
   batch.coverage.resize(points.size());
   batch.costs.resize(points.size());
   if (!detail::is_empty(body.shape) && most != 0) {
-    Rows(body, points, most, options).answer(batch, parallel);
+    Rows(body, points, most, options).answer(batch, limits);
   }
   batch.cost = detail::sum_of(batch.costs);
   return batch;
@@ -138,19 +137,19 @@ NearTriangles answer(const Body& body, std::span<const Vec3> points, std::size_t
 }  // namespace
 
 NearTriangles nearest_triangles(const Body& body, std::span<const Vec3> points, std::size_t count,
-                                const ClosestOptions& options, const Parallel& parallel) {
+                                const ClosestOptions& options, const Limits& limits) {
   const PlainArithmetic plain;
-  return answer(body, points, count, options, parallel);
+  return answer(body, points, count, options, limits);
 }
 
 NearTriangles near_triangles(const Body& body, std::span<const Vec3> points, double radius,
-                             const ClosestOptions& options, const Parallel& parallel) {
+                             const ClosestOptions& options, const Limits& limits) {
   const PlainArithmetic plain;
   detail::check_length(radius, "near triangles: the radius");
   ClosestOptions within = options;
   check(within);
   within.at_most = std::min(radius, options.at_most);
-  return answer(body, points, std::numeric_limits<std::size_t>::max(), within, parallel);
+  return answer(body, points, std::numeric_limits<std::size_t>::max(), within, limits);
 }
 
 }  // namespace soms

@@ -54,7 +54,7 @@ void join(const std::vector<PartOfSearch>& parts, const OverlapOptions& options,
 }
 
 /// One query on several threads.
-void run_parallel(PairFrame& frame, const OverlapOptions& options, const Parallel& parallel,
+void run_parallel(PairFrame& frame, const OverlapOptions& options, const Limits& limits,
                   Overlap& answer) {
   TraversalMemory memory;
   OverlapTraversal<WideSource> head(frame, options.mode, memory);
@@ -62,32 +62,33 @@ void run_parallel(PairFrame& frame, const OverlapOptions& options, const Paralle
   answer.cost = head.cost();
   std::vector<PartOfSearch> parts(frontier.size());
   std::atomic<bool> done = false;
-  for_each_chunk(frontier.size(), 1, parallel, [&](std::size_t begin, std::size_t) {
-    if (done) {
-      return;
-    }
-    PartOfSearch& part = parts[begin];
-    TraversalMemory own;
-    Limit limit(options.deadline, parallel, &done);
-    OverlapTraversal<WideSource> traversal(frame, options.mode, own);
-    Collector collector(options.mode, options.limit, part.pairs);
-    traversal.start(frontier[begin]);
-    traversal.run(collector, limit);
-    collector.finish();
-    part.cost = traversal.cost();
-    part.late = limit.late();
-    if (options.mode == OverlapMode::any && collector.any()) {
-      done = true;
-    }
-  });
+  for_each_chunk(frontier.size(), 1, limits.without_deadline(),
+                 [&](std::size_t begin, std::size_t) {
+                   if (done) {
+                     return;
+                   }
+                   PartOfSearch& part = parts[begin];
+                   TraversalMemory own;
+                   Limit limit(limits, &done);
+                   OverlapTraversal<WideSource> traversal(frame, options.mode, own);
+                   Collector collector(options.mode, options.limit, part.pairs);
+                   traversal.start(frontier[begin]);
+                   traversal.run(collector, limit);
+                   collector.finish();
+                   part.cost = traversal.cost();
+                   part.late = limit.late();
+                   if (options.mode == OverlapMode::any && collector.any()) {
+                     done = true;
+                   }
+                 });
   join(parts, options, answer);
 }
 
 /// One query on the caller's thread.
 template <class Source>
-void run_single(PairFrame& frame, const OverlapOptions& options, const Parallel& parallel,
+void run_single(PairFrame& frame, const OverlapOptions& options, const Limits& limits,
                 Overlap& answer) {
-  Limit limit(options.deadline, parallel);
+  Limit limit(limits);
   Collector collector(options.mode, options.limit, answer.pairs);
   RootTest roots;
   detail::test_roots<Source>(frame, roots);
@@ -125,13 +126,12 @@ void check(const OverlapOptions& options) {
   }
 }
 
-Overlap overlap(const Body& a, const Body& b, const OverlapOptions& options,
-                const Parallel& parallel) {
+Overlap overlap(const Body& a, const Body& b, const OverlapOptions& options, const Limits& limits) {
   const PlainArithmetic plain;
   check(options);
   detail::check_pose(a.pose, a.shape);
   detail::check_pose(b.pose, b.shape);
-  check_stop(parallel);
+  check_stop(limits);
   Overlap answer;
   if (detail::is_empty(a.shape) || detail::is_empty(b.shape)) {
     return answer;
@@ -141,11 +141,11 @@ Overlap overlap(const Body& a, const Body& b, const OverlapOptions& options,
   // pair, which rules out most of what is left.
   const bool limited = options.limit != std::numeric_limits<std::uint64_t>::max();
   if (detail::any_compact(a.shape, b.shape)) {
-    run_single<CompactSource>(frame, options, parallel, answer);
-  } else if (parallel.threads != 1 && !limited && options.mode != OverlapMode::first) {
-    run_parallel(frame, options, parallel, answer);
+    run_single<CompactSource>(frame, options, limits, answer);
+  } else if (limits.threads != 1 && !limited && options.mode != OverlapMode::first) {
+    run_parallel(frame, options, limits, answer);
   } else {
-    run_single<WideSource>(frame, options, parallel, answer);
+    run_single<WideSource>(frame, options, limits, answer);
   }
   return answer;
 }

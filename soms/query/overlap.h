@@ -58,8 +58,6 @@ struct OverlapOptions {
   /// Most pairs returned; more are cut, and the answer says so. The first found by one thread.
   /// With modes `any` and `first`, which return one pair at most, 0 alone has an effect.
   std::uint64_t limit = std::numeric_limits<std::uint64_t>::max();
-  /// Ends the query with coverage `cut` when it passes.
-  std::optional<std::chrono::steady_clock::time_point> deadline = std::nullopt;
 
   [[nodiscard]] bool operator==(const OverlapOptions&) const = default;
 };
@@ -103,11 +101,11 @@ struct Fields<Overlap> {
 /// \errors  ErrorKind::not_rigid, not_finite, out_of_range for a pose (checked in O(1)); usage as
 ///          `check(OverlapOptions)`; cancelled.
 /// \cost    Typically logarithmic in the triangle counts plus linear in the answer.
-/// \threads Any number of callers; `parallel` splits one query, but for mode `first` and where
+/// \threads Any number of callers; `limits` splits one query, but for mode `first` and where
 /// there
 ///          is a limit.
 [[nodiscard]] Overlap overlap(const Body& a, const Body& b, const OverlapOptions& options = {},
-                              const Parallel& parallel = {});
+                              const Limits& limits = {});
 
 /// Answers for a batch of poses: arrays, one entry a pose, pairs as values and offsets.
 struct OverlapBatch {
@@ -154,6 +152,6 @@ struct Fields<OverlapBatch> {
 /// \errors  As `overlap`; a pose at fault is named by its index.
 [[nodiscard]] OverlapBatch overlap(const Shape& mover, std::span<const Pose> poses,
                                    const Body& fixed, const OverlapOptions& options = {},
-                                   const Parallel& parallel = {});
+                                   const Limits& limits = {});
 
 }  // namespace soms

@@ -55,7 +55,7 @@ Overlap OverlapBatch::at(std::size_t pose) const {
 }
 
 OverlapBatch overlap(const Shape& mover, std::span<const Pose> poses, const Body& fixed,
-                     const OverlapOptions& options, const Parallel& parallel) {
+                     const OverlapOptions& options, const Limits& limits) {
   const PlainArithmetic plain;
   check(options);
   detail::check_poses(poses, mover);
@@ -63,9 +63,9 @@ OverlapBatch overlap(const Shape& mover, std::span<const Pose> poses, const Body
   std::vector<OverlapBatch> blocks((poses.size() + detail::kPosesOfBlock - 1) /
                                    detail::kPosesOfBlock);
   detail::for_each_block(
-      poses.size(), parallel, [] { return OverlapRun(); },
+      poses.size(), limits, [] { return OverlapRun(); },
       [&](OverlapRun& run, std::size_t begin, std::size_t end) {
-        run.ask(mover, addresses(poses.subspan(begin, end - begin)), fixed, options, parallel,
+        run.ask(mover, addresses(poses.subspan(begin, end - begin)), fixed, options, limits,
                 blocks[begin / detail::kPosesOfBlock]);
       });
   return join(blocks);

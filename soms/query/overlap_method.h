@@ -19,12 +19,12 @@ class OverlapMethod {
   virtual ~OverlapMethod() = default;
 
   /// The overlaps of `mover` at each of `poses` with `fixed`, one after the other on the caller's
-  /// thread: of `parallel` only `stop` counts.
+  /// thread: of `limits` only `stop` counts.
   /// \pre     All poses have passed their checks.
   /// \threads Any number of callers.
   [[nodiscard]] virtual OverlapBatch ask(const Shape& mover, std::span<const Pose* const> poses,
                                          const Body& fixed, const OverlapOptions& options,
-                                         const Parallel& parallel) const = 0;
+                                         const Limits& limits) const = 0;
 };
 
 }  // namespace soms

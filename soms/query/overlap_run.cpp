@@ -62,7 +62,7 @@ struct PoseQueries {
   std::span<const Pose* const> poses;
   const Body& fixed;
   const OverlapOptions& options;
-  const Parallel& parallel;
+  const Limits& limits;
 };
 
 /// Takes the answers to a run's poses, in any order.
@@ -142,7 +142,7 @@ class Run {
  private:
   /// Brings the next group of queries to where their traversals begin; false if there is none left.
   bool descend_roots() {
-    check_stop(input_.parallel);
+    check_stop(input_.limits);
     descents_.clear();
     begun_ = 0;
     for (; next_ < input_.poses.size() && !descents_.full(); ++next_) {
@@ -166,7 +166,7 @@ class Run {
       }
       query.pairs.clear();
       const Collector nothing(input_.options.mode, input_.options.limit, query.pairs);
-      const Limit limit(input_.options.deadline, input_.parallel);
+      const Limit limit(input_.limits);
       answers_.add(pose, false, {}, coverage_of(input_.options.mode, nothing, limit.late()),
                    descent.cost);
     }
@@ -178,7 +178,7 @@ class Run {
     const RootDescent& descent = descents_[i];
     query.pairs.clear();
     query.collector.emplace(input_.options.mode, input_.options.limit, query.pairs);
-    query.limit.emplace(input_.options.deadline, input_.parallel);
+    query.limit.emplace(input_.limits);
     query.traversal.emplace(descents_.frame(frames_, i, query.number), input_.options.mode,
                             query.memory);
     query.traversal->start(descent.seeds, descent.cost);
@@ -202,7 +202,7 @@ class Run {
 
 /// Poses one by one: what compact layouts write out is of no use to other queries.
 void query_compact(const PoseQueries& run_input, Answers& answers) {
-  const Parallel alone{1, run_input.parallel.stop, {}};
+  const Limits alone = run_input.limits.alone();
   for (std::size_t i = 0; i < run_input.poses.size(); ++i) {
     answers.add(i, overlap(Body{run_input.mover, *run_input.poses[i]}, run_input.fixed,
                            run_input.options, alone));
@@ -226,10 +226,10 @@ OverlapRun::OverlapRun(OverlapRun&&) noexcept = default;
 OverlapRun& OverlapRun::operator=(OverlapRun&&) noexcept = default;
 
 void OverlapRun::ask(const Shape& mover, std::span<const Pose* const> poses, const Body& fixed,
-                     const OverlapOptions& options, const Parallel& parallel, OverlapBatch& batch) {
+                     const OverlapOptions& options, const Limits& limits, OverlapBatch& batch) {
   const PlainArithmetic plain;
   check(options);
-  const PoseQueries run_input{mover, poses, fixed, options, parallel};
+  const PoseQueries run_input{mover, poses, fixed, options, limits};
   Answers answers(batch, memory_->pairs, poses.size());
   if (detail::any_compact(mover, fixed.shape)) {
     query_compact(run_input, answers);

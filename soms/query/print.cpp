@@ -60,14 +60,6 @@ std::ostream& operator<<(std::ostream& out, const ContainsBatch& value) {
                     .add("cost", value.cost);
 }
 
-std::ostream& operator<<(std::ostream& out, const ContainsOptions& value) {
-  PrintedFields fields("ContainsOptions");
-  if (value.deadline) {
-    fields.item("deadline set");
-  }
-  return out << fields;
-}
-
 std::ostream& operator<<(std::ostream& out, const ClosestBatch& value) {
   return out << PrintedFields("ClosestBatch")
                     .item(printed_count(value.size(), "point", "points"))
@@ -75,12 +67,7 @@ std::ostream& operator<<(std::ostream& out, const ClosestBatch& value) {
 }
 
 std::ostream& operator<<(std::ostream& out, const ClosestOptions& value) {
-  PrintedFields fields("ClosestOptions");
-  fields.add("at_most", value.at_most);
-  if (value.deadline) {
-    fields.item("deadline set");
-  }
-  return out << fields;
+  return out << PrintedFields("ClosestOptions").add("at_most", value.at_most);
 }
 
 std::ostream& operator<<(std::ostream& out, const NearTriangles& value) {
@@ -97,12 +84,7 @@ std::ostream& operator<<(std::ostream& out, const DistanceBatch& value) {
 }
 
 std::ostream& operator<<(std::ostream& out, const DistanceOptions& value) {
-  PrintedFields fields("DistanceOptions");
-  fields.add("at_most", value.at_most);
-  if (value.deadline) {
-    fields.item("deadline set");
-  }
-  return out << fields;
+  return out << PrintedFields("DistanceOptions").add("at_most", value.at_most);
 }
 
 std::ostream& operator<<(std::ostream& out, const WithinBatch& value) {
@@ -111,14 +93,6 @@ std::ostream& operator<<(std::ostream& out, const WithinBatch& value) {
                     .item(std::to_string(near) + " of " +
                           printed_count(value.size(), "pose", "poses") + " within the clearance")
                     .add("cost", value.cost);
-}
-
-std::ostream& operator<<(std::ostream& out, const WithinOptions& value) {
-  PrintedFields fields("WithinOptions");
-  if (value.deadline) {
-    fields.item("deadline set");
-  }
-  return out << fields;
 }
 
 std::ostream& operator<<(std::ostream& out, const OverlapBatch& value) {
@@ -134,30 +108,23 @@ std::ostream& operator<<(std::ostream& out, const OverlapOptions& value) {
   if (value.limit != std::numeric_limits<std::uint64_t>::max()) {
     fields.add("limit", value.limit);
   }
-  if (value.deadline) {
-    fields.item("deadline set");
-  }
   return out << fields;
 }
 
 std::ostream& operator<<(std::ostream& out, const Ray& value) {
+  if (value.end) {
+    return out << PrintedFields("Ray").add("origin", value.origin).add("end", *value.end);
+  }
   return out << PrintedFields("Ray")
                     .add("origin", value.origin)
                     .add("direction", value.direction)
                     .add("length", value.length);
 }
 
-std::ostream& operator<<(std::ostream& out, const Segment& value) {
-  return out << PrintedFields("Segment").add("from", value.from).add("to", value.to);
-}
-
 std::ostream& operator<<(std::ostream& out, const RayOptions& value) {
   PrintedFields fields("RayOptions");
   if (value.skip) {
     fields.add("skip", *value.skip);
-  }
-  if (value.deadline) {
-    fields.item("deadline set");
   }
   return out << fields;
 }
@@ -196,14 +163,6 @@ std::ostream& operator<<(std::ostream& out, const SolidBatch& value) {
                     .item(std::to_string(apart) + " of " +
                           printed_count(value.size(), "pose", "poses") + " clear")
                     .add("cost", value.cost);
-}
-
-std::ostream& operator<<(std::ostream& out, const SolidOptions& value) {
-  PrintedFields fields("SolidOptions");
-  if (value.deadline) {
-    fields.item("deadline set");
-  }
-  return out << fields;
 }
 
 }  // namespace soms

@@ -28,12 +28,7 @@ std::ostream& operator<<(std::ostream& out, const WindingBatch& value) {
 }
 
 std::ostream& operator<<(std::ostream& out, const WindingOptions& value) {
-  PrintedFields fields("WindingOptions");
-  fields.add("width", value.width);
-  if (value.deadline) {
-    fields.item("deadline set");
-  }
-  return out << fields;
+  return out << PrintedFields("WindingOptions").add("width", value.width);
 }
 
 std::ostream& operator<<(std::ostream& out, const DividedPart& value) {

@@ -52,6 +52,11 @@ void check_place(const Vec3& p, const char* what, const char* which,
 }
 
 void check_one(const Ray& ray, std::optional<std::size_t> index) {
+  if (ray.end) {
+    check_place(ray.origin, "segment", "start", index);
+    check_place(*ray.end, "segment", "end", index);
+    return;
+  }
   check_place(ray.origin, "ray", "origin", index);
   const Vec3& d = ray.direction;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -72,11 +77,6 @@ void check_one(const Ray& ray, std::optional<std::size_t> index) {
   }
 }
 
-void check_one(const Segment& segment, std::optional<std::size_t> index) {
-  check_place(segment.from, "segment", "start", index);
-  check_place(segment.to, "segment", "end", index);
-}
-
 void check_body(const Body& body, const RayOptions& options) {
   detail::check_pose(body.pose, body.shape);
   const std::size_t count = body.shape.mesh().triangles.size();
@@ -88,12 +88,12 @@ void check_body(const Body& body, const RayOptions& options) {
   }
 }
 
-/// Answers rays or segments by one goal, in chunks on any thread. `take(begin, answers)` is called
+/// Answers rays by one goal, in chunks on any thread. `take(begin, answers)` is called
 /// for each chunk.
-template <class Goal, class Line, class Take>
-void answer_all(const Body& body, std::span<const Line> rays, const RayOptions& options,
-                const Parallel& parallel, const Take& take) {
-  check_stop(parallel);
+template <class Goal, class Take>
+void answer_all(const Body& body, std::span<const Ray> rays, const RayOptions& options,
+                const Limits& limits, const Take& take) {
+  check_stop(limits);
   std::optional<RayFrame> frame;
   if (!detail::is_empty(body.shape)) {
     frame.emplace(body.shape.layout(), body.pose);
@@ -106,40 +106,43 @@ void answer_all(const Body& body, std::span<const Line> rays, const RayOptions& 
   };
 
   detail::MemoryPool<Memory> pool;
-  for_each_chunk(rays.size(), kRaysOfBlock, parallel, [&](std::size_t begin, std::size_t end) {
-    auto place = pool.take([&] {
-      return Memory{frame ? detail::ray_memory<Goal>(body, *frame, options.skip) : nullptr, {}, {}};
-    });
-    Memory& memory = place->memory;
-    memory.answers.assign(end - begin, {});
-    memory.lines.clear();
-    for (std::size_t i = begin; i < end; ++i) {
-      memory.lines.push_back(line_of(rays[i]));
-    }
-    if (memory.rays) {
-      detail::Limit limit(options.deadline, parallel);
-      memory.rays->answer(memory.lines, memory.answers, limit);
-    } else {
-      for (auto& answer : memory.answers) {
-        answer.coverage = Coverage::complete;
-      }
-    }
-    take(begin, std::span(memory.answers));
-    pool.give_back(std::move(place));
-  });
+  for_each_chunk(
+      rays.size(), kRaysOfBlock, limits.without_deadline(),
+      [&](std::size_t begin, std::size_t end) {
+        auto place = pool.take([&] {
+          return Memory{
+              frame ? detail::ray_memory<Goal>(body, *frame, options.skip) : nullptr, {}, {}};
+        });
+        Memory& memory = place->memory;
+        memory.answers.assign(end - begin, {});
+        memory.lines.clear();
+        for (std::size_t i = begin; i < end; ++i) {
+          memory.lines.push_back(line_of(rays[i]));
+        }
+        if (memory.rays) {
+          detail::Limit limit(limits);
+          memory.rays->answer(memory.lines, memory.answers, limit);
+        } else {
+          for (auto& answer : memory.answers) {
+            answer.coverage = Coverage::complete;
+          }
+        }
+        take(begin, std::span(memory.answers));
+        pool.give_back(std::move(place));
+      });
 }
 
-template <class Line>
-void check_all(const Body& body, std::span<const Line> rays, const RayOptions& options) {
+void check_all(const Body& body, std::span<const Ray> rays, const RayOptions& options) {
   check_body(body, options);
   for (std::size_t i = 0; i < rays.size(); ++i) {
     check_one(rays[i], i);
   }
 }
 
-/// The answer for one ray or segment.
-template <class Goal, class Line>
-typename Goal::Answer answer_one(const Body& body, const Line& ray, const RayOptions& options) {
+/// The answer for one ray.
+template <class Goal>
+typename Goal::Answer answer_one(const Body& body, const Ray& ray, const RayOptions& options,
+                                 const Limits& limits) {
   const PlainArithmetic plain;
   check_body(body, options);
   check_one(ray, std::nullopt);
@@ -148,20 +151,19 @@ typename Goal::Answer answer_one(const Body& body, const Line& ray, const RayOpt
     answer.coverage = Coverage::complete;
     return answer;
   }
-  const Parallel alone;
-  detail::Limit limit(options.deadline, alone);
+  detail::Limit limit(limits);
   return detail::answer_ray<Goal>(body, options.skip, line_of(ray), limit);
 }
 
-template <class Goal, class Line>
-BatchOf<typename Goal::Answer> batch_of(const Body& body, std::span<const Line> rays,
-                                        const RayOptions& options, const Parallel& parallel) {
+template <class Goal>
+BatchOf<typename Goal::Answer> batch_of(const Body& body, std::span<const Ray> rays,
+                                        const RayOptions& options, const Limits& limits) {
   using Answer = typename Goal::Answer;
   const PlainArithmetic plain;
   check_all(body, rays, options);
   BatchOf<Answer> batch;
   resize_columns<Answer>(batch, rays.size());
-  answer_all<Goal>(body, rays, options, parallel,
+  answer_all<Goal>(body, rays, options, limits,
                    [&](std::size_t i, std::span<const Answer> answers) {
                      for (const Answer& answer : answers) {
                        put_columns(answer, i++, batch);
@@ -195,14 +197,13 @@ void append_rows_of(const AllHits& part, AllHits& hits) {
   detail::append(hits.costs, part.costs);
 }
 
-template <class Line>
-AllHits all_of(const Body& body, std::span<const Line> rays, const RayOptions& options,
-               const Parallel& parallel) {
+AllHits all_of(const Body& body, std::span<const Ray> rays, const RayOptions& options,
+               const Limits& limits) {
   const PlainArithmetic plain;
   check_all(body, rays, options);
   std::vector<AllHits> parts((rays.size() + kRaysOfBlock - 1) / kRaysOfBlock);
   answer_all<detail::AllHitsGoal>(
-      body, rays, options, parallel,
+      body, rays, options, limits,
       [&](std::size_t begin, std::span<const detail::AllHitsGoal::Answer> answers) {
         for (const auto& answer : answers) {
           append_row(answer, parts[begin / kRaysOfBlock]);
@@ -218,12 +219,9 @@ AllHits all_of(const Body& body, std::span<const Line> rays, const RayOptions& o
 
 }  // namespace
 
-ClosestHit closest_hit(const Body& body, const Ray& ray, const RayOptions& options) {
-  return answer_one<detail::ClosestHitGoal>(body, ray, options);
-}
-
-ClosestHit closest_hit(const Body& body, const Segment& segment, const RayOptions& options) {
-  return answer_one<detail::ClosestHitGoal>(body, segment, options);
+ClosestHit closest_hit(const Body& body, const Ray& ray, const RayOptions& options,
+                       const Limits& limits) {
+  return answer_one<detail::ClosestHitGoal>(body, ray, options, limits);
 }
 
 ClosestHit ClosestHitBatch::at(std::size_t i) const {
@@ -231,21 +229,12 @@ ClosestHit ClosestHitBatch::at(std::size_t i) const {
 }
 
 ClosestHitBatch closest_hit(const Body& body, std::span<const Ray> rays, const RayOptions& options,
-                            const Parallel& parallel) {
-  return batch_of<detail::ClosestHitGoal>(body, rays, options, parallel);
+                            const Limits& limits) {
+  return batch_of<detail::ClosestHitGoal>(body, rays, options, limits);
 }
 
-ClosestHitBatch closest_hit(const Body& body, std::span<const Segment> segments,
-                            const RayOptions& options, const Parallel& parallel) {
-  return batch_of<detail::ClosestHitGoal>(body, segments, options, parallel);
-}
-
-AnyHit any_hit(const Body& body, const Ray& ray, const RayOptions& options) {
-  return answer_one<detail::AnyHitGoal>(body, ray, options);
-}
-
-AnyHit any_hit(const Body& body, const Segment& segment, const RayOptions& options) {
-  return answer_one<detail::AnyHitGoal>(body, segment, options);
+AnyHit any_hit(const Body& body, const Ray& ray, const RayOptions& options, const Limits& limits) {
+  return answer_one<detail::AnyHitGoal>(body, ray, options, limits);
 }
 
 AnyHit AnyHitBatch::at(std::size_t i) const {
@@ -253,27 +242,17 @@ AnyHit AnyHitBatch::at(std::size_t i) const {
 }
 
 AnyHitBatch any_hit(const Body& body, std::span<const Ray> rays, const RayOptions& options,
-                    const Parallel& parallel) {
-  return batch_of<detail::AnyHitGoal>(body, rays, options, parallel);
-}
-
-AnyHitBatch any_hit(const Body& body, std::span<const Segment> segments, const RayOptions& options,
-                    const Parallel& parallel) {
-  return batch_of<detail::AnyHitGoal>(body, segments, options, parallel);
+                    const Limits& limits) {
+  return batch_of<detail::AnyHitGoal>(body, rays, options, limits);
 }
 
 bool sees(const Body& body, const Vec3& a, const Vec3& b) {
-  return !any_hit(body, Segment{a, b}).hit;
+  return !any_hit(body, Ray::between(a, b)).hit;
 }
 
 AllHits all_hits(const Body& body, std::span<const Ray> rays, const RayOptions& options,
-                 const Parallel& parallel) {
-  return all_of(body, rays, options, parallel);
-}
-
-AllHits all_hits(const Body& body, std::span<const Segment> segments, const RayOptions& options,
-                 const Parallel& parallel) {
-  return all_of(body, segments, options, parallel);
+                 const Limits& limits) {
+  return all_of(body, rays, options, limits);
 }
 
 }  // namespace soms

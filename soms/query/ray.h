@@ -46,25 +46,22 @@ struct Ray {
   Vec3 origin;
   Vec3 direction;
   double length = std::numeric_limits<double>::infinity();
+  /// Where it is set, the ray is the segment from `origin` to this point, kept exactly: t is 1 at
+  /// `end`, and `direction` and `length` play no part.
+  std::optional<Vec3> end = std::nullopt;
+
+  /// The segment from `from` to `to`, both included. If both are equal, it is that point.
+  [[nodiscard]] static Ray between(const Vec3& from, const Vec3& to) {
+    return {from, to - from, 1, to};
+  }
 
   [[nodiscard]] bool operator==(const Ray&) const = default;
-};
-
-/// The points between `from` and `to`, both included. Here t is 0 at `from` and 1
-/// at `to`. If both are equal, the segment is that point.
-struct Segment {
-  Vec3 from;
-  Vec3 to;
-
-  [[nodiscard]] bool operator==(const Segment&) const = default;
 };
 
 /// Options of queries of rays.
 struct RayOptions {
   /// Takes no part: the triangle that a reflected ray starts on, say.
   std::optional<TriangleId> skip = std::nullopt;
-  /// Ends the query with coverage `cut` when it passes.
-  std::optional<std::chrono::steady_clock::time_point> deadline = std::nullopt;
 
   [[nodiscard]] bool operator==(const RayOptions&) const = default;
 };
@@ -102,12 +99,9 @@ struct ClosestHit {
 /// \threads Any number of callers; a query takes one thread.
 /// \source  Woop, Benthin and Wald 2013 (watertight tests by edge functions).
 [[nodiscard]] ClosestHit closest_hit(const Body& body, const Ray& ray,
-                                     const RayOptions& options = {});
-/// The same for the points of a segment. \errors As for rays; equal ends are allowed.
-[[nodiscard]] ClosestHit closest_hit(const Body& body, const Segment& segment,
-                                     const RayOptions& options = {});
+                                     const RayOptions& options = {}, const Limits& limits = {});
 
-/// Answers for a batch of rays or segments: columns, one entry each, as those of `ClosestHit`.
+/// Answers for a batch of rays: columns, one entry each, as those of `ClosestHit`.
 struct ClosestHitBatch {
   std::vector<double> lower;                        ///< n, of t
   std::vector<double> upper;                        ///< n, of t
@@ -150,13 +144,10 @@ struct Fields<ClosestHit> {
 ///
 /// \shape   `rays`: n.
 /// \errors  As `closest_hit`; a ray at fault is named by its index. Also ErrorKind::cancelled.
-/// \threads As many as `parallel` says share the rays.
+/// \threads As many as `limits` says share the rays.
 [[nodiscard]] ClosestHitBatch closest_hit(const Body& body, std::span<const Ray> rays,
                                           const RayOptions& options = {},
-                                          const Parallel& parallel = {});
-[[nodiscard]] ClosestHitBatch closest_hit(const Body& body, std::span<const Segment> segments,
-                                          const RayOptions& options = {},
-                                          const Parallel& parallel = {});
+                                          const Limits& limits = {});
 
 /// Whether a ray hits anything at all.
 struct AnyHit {
@@ -169,11 +160,10 @@ struct AnyHit {
 };
 
 /// True where `closest_hit` has a triangle; ends at the first one found. \errors As `closest_hit`.
-[[nodiscard]] AnyHit any_hit(const Body& body, const Ray& ray, const RayOptions& options = {});
-[[nodiscard]] AnyHit any_hit(const Body& body, const Segment& segment,
-                             const RayOptions& options = {});
+[[nodiscard]] AnyHit any_hit(const Body& body, const Ray& ray, const RayOptions& options = {},
+                             const Limits& limits = {});
 
-/// Answers for a batch: columns, one entry a ray or segment, as those of `AnyHit`.
+/// Answers for a batch: columns, one entry a ray, as those of `AnyHit`.
 struct AnyHitBatch {
   std::vector<std::uint8_t> hit;   ///< n flags, 0 or 1
   std::vector<Coverage> coverage;  ///< n
@@ -205,9 +195,7 @@ struct Fields<AnyHit> {
 
 /// `any_hit` of each of `rays`. \shape `rays`: n. \errors As the batch of `closest_hit`.
 [[nodiscard]] AnyHitBatch any_hit(const Body& body, std::span<const Ray> rays,
-                                  const RayOptions& options = {}, const Parallel& parallel = {});
-[[nodiscard]] AnyHitBatch any_hit(const Body& body, std::span<const Segment> segments,
-                                  const RayOptions& options = {}, const Parallel& parallel = {});
+                                  const RayOptions& options = {}, const Limits& limits = {});
 
 /// True if nothing of the surface is on the segment from `a` to `b`, ends included: a line of sight
 /// between two points that are not on the surface.
@@ -279,8 +267,6 @@ struct Fields<AllHits> {
 /// \cost    O(k log k) decisions for k triangles found, and their memory.
 /// \source  Edelsbrunner and Muecke 1990, Simulation of Simplicity, section 4.
 [[nodiscard]] AllHits all_hits(const Body& body, std::span<const Ray> rays,
-                               const RayOptions& options = {}, const Parallel& parallel = {});
-[[nodiscard]] AllHits all_hits(const Body& body, std::span<const Segment> segments,
-                               const RayOptions& options = {}, const Parallel& parallel = {});
+                               const RayOptions& options = {}, const Limits& limits = {});
 
 }  // namespace soms

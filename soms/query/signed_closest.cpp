@@ -29,10 +29,10 @@ Bracket SignedClosest::distance() const {
 }
 
 SignedClosest closest(const ClosedBody& body, const Vec3& point, const ClosestOptions& options,
-                      const Parallel& parallel) {
+                      const Limits& limits) {
   const PlainArithmetic plain;  // flushed to 0, a tiny distance would be `on`
-  SignedClosest answer{closest(body.body(), point, options, parallel)};
-  const Contains found = contains(body, point, {.deadline = options.deadline});
+  SignedClosest answer{closest(body.body(), point, options, limits)};
+  const Contains found = contains(body, point, limits);
   answer.closest.cost += found.cost;
   answer.side = side_of(found.side, answer.closest.distance);
   return answer;
@@ -43,10 +43,10 @@ SignedClosest SignedClosestBatch::at(std::size_t point) const {
 }
 
 SignedClosestBatch closest(const ClosedBody& body, std::span<const Vec3> points,
-                           const ClosestOptions& options, const Parallel& parallel) {
+                           const ClosestOptions& options, const Limits& limits) {
   const PlainArithmetic plain;
-  SignedClosestBatch batch{closest(body.body(), points, options, parallel), {}};
-  const ContainsBatch found = contains(body, points, {.deadline = options.deadline}, parallel);
+  SignedClosestBatch batch{closest(body.body(), points, options, limits), {}};
+  const ContainsBatch found = contains(body, points, limits);
   for (std::size_t i = 0; i < points.size(); ++i) {
     batch.closest.costs[i] += found.costs[i];
     batch.side.push_back(side_of(found.side[i], {batch.closest.lower[i], batch.closest.upper[i]}));

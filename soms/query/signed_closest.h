@@ -49,8 +49,7 @@ struct SignedClosest {
 /// \cost    That of both.
 /// \threads As `closest`.
 [[nodiscard]] SignedClosest closest(const ClosedBody& body, const Vec3& point,
-                                    const ClosestOptions& options = {},
-                                    const Parallel& parallel = {});
+                                    const ClosestOptions& options = {}, const Limits& limits = {});
 
 /// Answers for a batch of points, one entry a point.
 struct SignedClosestBatch {
@@ -83,9 +82,9 @@ struct Fields<SignedClosest> {
 ///
 /// \shape   `points`: n.
 /// \errors  As the batch of `closest`.
-/// \threads As many as `parallel` says share the points.
+/// \threads As many as `limits` says share the points.
 [[nodiscard]] SignedClosestBatch closest(const ClosedBody& body, std::span<const Vec3> points,
                                          const ClosestOptions& options = {},
-                                         const Parallel& parallel = {});
+                                         const Limits& limits = {});
 
 }  // namespace soms

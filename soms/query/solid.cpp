@@ -42,14 +42,13 @@ std::optional<ClosedBody> placed(const ClosedBody& mover, const Pose& pose) {
 
 /// Answers a block of poses: contacts of all first, then what else it takes for each.
 void answer_block(const ClosedBody& mover, std::span<const Pose> poses, const ClosedBody& fixed,
-                  const SolidOptions& options, const Parallel& parallel, std::size_t begin,
-                  SolidMemory& memory, SolidBatch& batch) {
+                  const Limits& limits, std::size_t begin, SolidMemory& memory, SolidBatch& batch) {
   memory.poses.clear();
   for (const Pose& pose : poses) {
     memory.poses.push_back(&pose);
   }
-  memory.run.ask(mover.body().shape, memory.poses, fixed.body(),
-                 {.mode = OverlapMode::any, .deadline = options.deadline}, parallel, memory.found);
+  memory.run.ask(mover.body().shape, memory.poses, fixed.body(), {.mode = OverlapMode::any}, limits,
+                 memory.found);
   const OverlapBatch& found = memory.found;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     FirstContact contact{.cut = found.coverage[i] == Coverage::cut, .cost = found.costs[i]};
@@ -57,7 +56,7 @@ void answer_block(const ClosedBody& mover, std::span<const Pose> poses, const Cl
       contact.pair = found.pairs_of(i).front();
     }
     const std::optional<ClosedBody> a = placed(mover, poses[i]);
-    put_columns(a ? detail::solid_relation(*a, fixed, contact, options, parallel)
+    put_columns(a ? detail::solid_relation(*a, fixed, contact, limits)
                   : Solid{.surfaces_meet = contact.pair.has_value(),
                           .why = Undecided::open,
                           .cost = contact.cost},
@@ -67,26 +66,24 @@ void answer_block(const ClosedBody& mover, std::span<const Pose> poses, const Cl
 
 }  // namespace
 
-Solid solid(const ClosedBody& a, const ClosedBody& b, const SolidOptions& options,
-            const Parallel& parallel) {
+Solid solid(const ClosedBody& a, const ClosedBody& b, const Limits& limits) {
   const PlainArithmetic plain;
-  check_stop(parallel);
+  check_stop(limits);
   if (any_empty(a, b)) {
     return {.relation = Relation::clear};
   }
-  const Parallel alone{.threads = 1, .stop = parallel.stop};
-  const Overlap found =
-      overlap(a.body(), b.body(), {.mode = OverlapMode::any, .deadline = options.deadline}, alone);
+  const Limits alone = limits.alone();
+  const Overlap found = overlap(a.body(), b.body(), {.mode = OverlapMode::any}, alone);
   FirstContact contact{.cut = found.coverage == Coverage::cut, .cost = found.cost};
   if (found.any) {
     contact.pair = found.pairs.front();
   }
-  return detail::solid_relation(a, b, contact, options, parallel);
+  return detail::solid_relation(a, b, contact, limits);
 }
 
-Solid solid(const Body& a, const Body& b, const SolidOptions& options, const Parallel& parallel) {
-  const Parallel silent{.threads = parallel.threads, .stop = parallel.stop};
-  return solid(ClosedBody(a, silent), ClosedBody(b, silent), options, parallel);
+Solid solid(const Body& a, const Body& b, const Limits& limits) {
+  const Limits silent = limits.silent().without_deadline();
+  return solid(ClosedBody(a, silent), ClosedBody(b, silent), limits);
 }
 
 Solid SolidBatch::at(std::size_t pose) const {
@@ -94,7 +91,7 @@ Solid SolidBatch::at(std::size_t pose) const {
 }
 
 SolidBatch solid(const ClosedBody& mover, std::span<const Pose> poses, const ClosedBody& fixed,
-                 const SolidOptions& options, const Parallel& parallel) {
+                 const Limits& limits) {
   const PlainArithmetic plain;
   SolidBatch batch;
   detail::check_poses(poses, mover.body().shape);
@@ -103,22 +100,20 @@ SolidBatch solid(const ClosedBody& mover, std::span<const Pose> poses, const Clo
     batch.relation.assign(poses.size(), Relation::clear);
     return batch;
   }
-  const Parallel alone{.threads = 1, .stop = parallel.stop};
+  const Limits alone = limits.alone();
   detail::for_each_block(
-      poses.size(), parallel, [] { return SolidMemory(); },
+      poses.size(), limits, [] { return SolidMemory(); },
       [&](SolidMemory& memory, std::size_t begin, std::size_t end) {
-        answer_block(mover, poses.subspan(begin, end - begin), fixed, options, alone, begin, memory,
-                     batch);
+        answer_block(mover, poses.subspan(begin, end - begin), fixed, alone, begin, memory, batch);
       });
   sum_costs<Solid>(batch);
   return batch;
 }
 
 SolidBatch solid(const Shape& mover, std::span<const Pose> poses, const Body& fixed,
-                 const SolidOptions& options, const Parallel& parallel) {
-  const Parallel silent{.threads = parallel.threads, .stop = parallel.stop};
-  return solid(ClosedBody(Body(mover), silent), poses, ClosedBody(fixed, silent), options,
-               parallel);
+                 const Limits& limits) {
+  const Limits silent = limits.silent().without_deadline();
+  return solid(ClosedBody(Body(mover), silent), poses, ClosedBody(fixed, silent), limits);
 }
 
 }  // namespace soms

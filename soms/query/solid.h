@@ -66,14 +66,6 @@ template <>
 inline constexpr auto kWords<Undecided> = words("Undecided", "Why a relation is undecided.", "none",
                                                 "deadline", "open");
 
-/// Options of `solid`.
-struct SolidOptions {
-  /// Ends the query with coverage `cut` when it passes.
-  std::optional<std::chrono::steady_clock::time_point> deadline = std::nullopt;
-
-  [[nodiscard]] bool operator==(const SolidOptions&) const = default;
-};
-
 /// Answer of `solid`.
 struct Solid {
   Relation relation = Relation::undecided;
@@ -107,12 +99,10 @@ struct Solid {
 ///          arithmetic looked at.
 /// \threads Any number of callers.
 /// \source  Edelsbrunner and Muecke 1990, Simulation of Simplicity, section 4, for points on lines.
-[[nodiscard]] Solid solid(const ClosedBody& a, const ClosedBody& b,
-                          const SolidOptions& options = {}, const Parallel& parallel = {});
+[[nodiscard]] Solid solid(const ClosedBody& a, const ClosedBody& b, const Limits& limits = {});
 
 /// The same of bodies that are checked first, each time. \errors As `ClosedBody`, too.
-[[nodiscard]] Solid solid(const Body& a, const Body& b, const SolidOptions& options = {},
-                          const Parallel& parallel = {});
+[[nodiscard]] Solid solid(const Body& a, const Body& b, const Limits& limits = {});
 
 /// Answers for a batch of poses: columns, one entry a pose, as those of `Solid`.
 struct SolidBatch {
@@ -153,12 +143,11 @@ struct Fields<Solid> {
 /// \shape   `poses`: n.
 /// \errors  As `overlap`; a pose at fault is named by its index.
 [[nodiscard]] SolidBatch solid(const ClosedBody& mover, std::span<const Pose> poses,
-                               const ClosedBody& fixed, const SolidOptions& options = {},
-                               const Parallel& parallel = {});
+                               const ClosedBody& fixed, const Limits& limits = {});
 
 /// The same of bodies that are checked first, the mover where it was built.
 /// \errors As `ClosedBody`, too.
 [[nodiscard]] SolidBatch solid(const Shape& mover, std::span<const Pose> poses, const Body& fixed,
-                               const SolidOptions& options = {}, const Parallel& parallel = {});
+                               const Limits& limits = {});
 
 }  // namespace soms

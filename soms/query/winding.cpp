@@ -39,10 +39,11 @@ Side side_of(const Bracket& number, bool on) {
 
 }  // namespace
 
-WindingIndex::WindingIndex(Body body, const Parallel& parallel) : body_(std::move(body)) {
+WindingIndex::WindingIndex(Body body, const Limits& limits) : body_(std::move(body)) {
   const PlainArithmetic plain;
   detail::check_pose(body_.pose, body_.shape);
-  tree_ = std::make_shared<const WindingTree>(body_, parallel);
+  check(limits);
+  tree_ = std::make_shared<const WindingTree>(body_, limits);
 }
 
 std::uint64_t WindingIndex::boundary_edges() const {
@@ -57,9 +58,10 @@ const WindingTree& detail::tree_of(const WindingIndex& index) {
   return *index.tree_;
 }
 
-Winding winding(const WindingIndex& index, const Vec3& point, const WindingOptions& options) {
+Winding winding(const WindingIndex& index, const Vec3& point, const WindingOptions& options,
+                const Limits& limits) {
   detail::check_point(point);
-  return winding(index, std::span(&point, 1), options).at(0);
+  return winding(index, std::span(&point, 1), options, limits).at(0);
 }
 
 Winding WindingBatch::at(std::size_t point) const {
@@ -67,7 +69,7 @@ Winding WindingBatch::at(std::size_t point) const {
 }
 
 WindingBatch winding(const WindingIndex& index, std::span<const Vec3> points,
-                     const WindingOptions& options, const Parallel& parallel) {
+                     const WindingOptions& options, const Limits& limits) {
   const PlainArithmetic plain;
   check_width(options.width);
   detail::check_points(points);
@@ -86,7 +88,7 @@ WindingBatch winding(const WindingIndex& index, std::span<const Vec3> points,
   const WindingTree& tree = detail::tree_of(index);
   const ParityFrame frame(body.shape.layout(), body.pose);
   detail::for_each_crossing<WindingTree::Memory>(
-      body, frame, points, options.deadline, answer.costs, parallel,
+      body, frame, points, answer.costs, limits,
       [&](WindingTree::Memory& memory, std::size_t i, const PointCrossings& met, Limit& limit) {
         const bool forward = frame.start(points[i]).sign > 0;
         Cost cost;

@@ -54,7 +54,7 @@ class WindingIndex {
   /// \errors  ErrorKind::not_rigid, not_finite, out_of_range for the pose; cancelled.
   /// \cost    O(n log n). Keeps 4 bytes a vertex and 60 an edge of the boundary. If that is longer
   ///          than 64 + 4 sqrt(n) edges, O(n log^2 n) and up to about 150 bytes a triangle.
-  explicit WindingIndex(Body body, const Parallel& parallel = {});
+  explicit WindingIndex(Body body, const Limits& limits = {});
 
   [[nodiscard]] const Body& body() const { return body_; }
 
@@ -80,8 +80,6 @@ struct WindingOptions {
   /// By how much triangles that are far may widen the bracket, as they are taken together; 0: not
   /// at all.
   double width = 1e-9;
-  /// Ends the query with coverage `cut` when it passes.
-  std::optional<std::chrono::steady_clock::time_point> deadline = std::nullopt;
 
   [[nodiscard]] bool operator==(const WindingOptions&) const = default;
 };
@@ -123,7 +121,7 @@ struct Winding {
 /// \source  Jacobson, Kavan and Sorkine-Hornung 2013; Van Oosterom and Strackee 1983; Barill et al.
 ///          2018 for far triangles.
 [[nodiscard]] Winding winding(const WindingIndex& index, const Vec3& point,
-                              const WindingOptions& options = {});
+                              const WindingOptions& options = {}, const Limits& limits = {});
 
 /// Answers for a batch of points: columns, one entry a point, as those of `Winding`.
 struct WindingBatch {
@@ -164,7 +162,6 @@ struct Fields<Winding> {
 /// \errors  As `winding`; a point at fault is named by its index, before any is answered. Also
 ///          ErrorKind::cancelled.
 [[nodiscard]] WindingBatch winding(const WindingIndex& index, std::span<const Vec3> points,
-                                   const WindingOptions& options = {},
-                                   const Parallel& parallel = {});
+                                   const WindingOptions& options = {}, const Limits& limits = {});
 
 }  // namespace soms

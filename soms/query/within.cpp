@@ -18,13 +18,12 @@ using detail::WithinGoal;
 /// Nearer than a clearance, or at it?
 class WithinQuery {
  public:
-  WithinQuery(double clearance, const WithinOptions& options)
-      : clearance_(clearance), options_(options) {}
+  explicit WithinQuery(double clearance) : clearance_(clearance) {}
 
-  [[nodiscard]] Within ask(const Body&, const Body&, PairFrame& frame, const Parallel& parallel,
+  [[nodiscard]] Within ask(const Body&, const Body&, PairFrame& frame, const Limits& limits,
                            NearMemory& memory) const {
     WithinGoal goal(frame, clearance_);
-    const NearEnd end = detail::pursue(frame, goal, options_.deadline, parallel, memory);
+    const NearEnd end = detail::pursue(frame, goal, limits, memory);
     Within answer;
     answer.cost = end.cost;
     answer.within = goal.triangles().has_value();
@@ -46,7 +45,6 @@ class WithinQuery {
 
  private:
   double clearance_;
-  WithinOptions options_;
 };
 
 void check_clearance(double clearance) {
@@ -55,11 +53,10 @@ void check_clearance(double clearance) {
 
 }  // namespace
 
-Within within(const Body& a, const Body& b, double clearance, const WithinOptions& options,
-              const Parallel& parallel) {
+Within within(const Body& a, const Body& b, double clearance, const Limits& limits) {
   const PlainArithmetic plain;
   check_clearance(clearance);
-  return detail::ask_near(WithinQuery(clearance, options), a, b, parallel);
+  return detail::ask_near(WithinQuery(clearance), a, b, limits);
 }
 
 Within WithinBatch::at(std::size_t pose) const {
@@ -67,11 +64,10 @@ Within WithinBatch::at(std::size_t pose) const {
 }
 
 WithinBatch within(const Shape& mover, std::span<const Pose> poses, const Body& fixed,
-                   double clearance, const WithinOptions& options, const Parallel& parallel) {
+                   double clearance, const Limits& limits) {
   const PlainArithmetic plain;
   check_clearance(clearance);
-  return detail::ask_near_batch<Within>(WithinQuery(clearance, options), mover, poses, fixed,
-                                        parallel);
+  return detail::ask_near_batch<Within>(WithinQuery(clearance), mover, poses, fixed, limits);
 }
 
 }  // namespace soms

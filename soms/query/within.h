@@ -33,14 +33,6 @@
 
 namespace soms {
 
-/// Options of a query of clearance.
-struct WithinOptions {
-  /// Ends the query with coverage `cut` when it passes.
-  std::optional<std::chrono::steady_clock::time_point> deadline = std::nullopt;
-
-  [[nodiscard]] bool operator==(const WithinOptions&) const = default;
-};
-
 /// Answer of a query of clearance.
 struct Within {
   bool within = false;
@@ -65,7 +57,7 @@ struct Within {
 /// \cost    At most that of `distance`, as a rule far less.
 /// \threads As `distance`.
 [[nodiscard]] Within within(const Body& a, const Body& b, double clearance,
-                            const WithinOptions& options = {}, const Parallel& parallel = {});
+                            const Limits& limits = {});
 
 /// Answers for a batch of poses: columns, one entry a pose, as those of `Within`.
 struct WithinBatch {
@@ -112,7 +104,6 @@ struct Fields<Within> {
 /// \shape   `poses`: n.
 /// \errors  As `within`; a pose at fault is named by its index.
 [[nodiscard]] WithinBatch within(const Shape& mover, std::span<const Pose> poses, const Body& fixed,
-                                 double clearance, const WithinOptions& options = {},
-                                 const Parallel& parallel = {});
+                                 double clearance, const Limits& limits = {});
 
 }  // namespace soms

@@ -36,8 +36,7 @@ std::ostream& operator<<(std::ostream& out, const RobotOptions& value) {
   return out << PrintedFields("RobotOptions")
                     .add("first_contact", value.first_contact)
                     .add("distance", value.distance)
-                    .add("at_most", value.at_most)
-                    .add("deadline", value.deadline.has_value());
+                    .add("at_most", value.at_most);
 }
 
 std::ostream& operator<<(std::ostream& out, const RobotModelOptions& value) {

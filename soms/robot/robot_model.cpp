@@ -51,13 +51,13 @@ std::string name_of(std::span<const Mesh> meshes, const RobotMeshPart& part) {
 }
 
 /// Finds out what of a body is connected, and what of an open one is closed.
-void look_into(RobotBody& body, const Parallel& parallel) {
+void look_into(RobotBody& body, const Limits& limits) {
   const MeshView& mesh = body.part.body.shape.mesh();
-  detail::ClosedSurface surface = detail::closed_surface(mesh, {.stop = parallel.stop});
+  detail::ClosedSurface surface = detail::closed_surface(mesh, {.stop = limits.stop});
   body.connected = std::move(surface.first);
   body.connected_of = std::move(surface.part_of);
   if (!body.part.closed) {
-    Mesh core = closed_parts(mesh, {}, {.stop = parallel.stop});
+    Mesh core = closed_parts(mesh, {}, {.stop = limits.stop});
     if (!core.triangles.empty()) {
       body.core.emplace(Body(std::move(core)));
     }
@@ -66,7 +66,7 @@ void look_into(RobotBody& body, const Parallel& parallel) {
 
 /// The bodies of meshes that do not move against each other.
 std::vector<RobotBody> bodies_among(std::span<const Mesh> meshes, std::uint32_t owner,
-                                    const Parallel& parallel) {
+                                    const Limits& limits) {
   OneMesh one;
   if (meshes.size() == 1) {
     for (std::uint32_t k = 0; k < meshes[0].parts.size(); ++k) {
@@ -79,7 +79,7 @@ std::vector<RobotBody> bodies_among(std::span<const Mesh> meshes, std::uint32_t 
   }
   std::vector<RobotBody> bodies;
   for (PartBody& part :
-       part_bodies(meshes.size() == 1 ? meshes[0] : one.mesh, {}, parallel, OpenParts::joined)) {
+       part_bodies(meshes.size() == 1 ? meshes[0] : one.mesh, {}, limits, OpenParts::joined)) {
     const RobotMeshPart first = one.part(part.part);
     RobotBody body{.owner = owner, .mesh = first.mesh, .name = name_of(meshes, first)};
     for (const std::uint32_t other : part.joined) {
@@ -89,7 +89,7 @@ std::vector<RobotBody> bodies_among(std::span<const Mesh> meshes, std::uint32_t 
     body.part = std::move(part);
     body.part.part = first.part;
     body.part.joined.clear();
-    look_into(body, parallel);
+    look_into(body, limits);
     bodies.push_back(std::move(body));
   }
   return bodies;
@@ -106,24 +106,24 @@ void check_link(std::uint32_t link, std::size_t links) {
 }  // namespace
 
 RobotModel::RobotModel(const Robot& robot, std::span<const Mesh> cell,
-                       const RobotModelOptions& options, const Parallel& parallel)
+                       const RobotModelOptions& options, const Limits& limits)
     : kinematics_(robot), base_(options.base) {
   check(base_);
   choose_pairs(robot, options);
-  add_links(robot, parallel);
-  add_cell(cell, parallel);
+  add_links(robot, limits);
+  add_cell(cell, limits);
 }
 
-void RobotModel::add_links(const Robot& robot, const Parallel& parallel) {
+void RobotModel::add_links(const Robot& robot, const Limits& limits) {
   for (std::uint32_t link = 0; link < robot.links.size(); ++link) {
     link_names_.push_back(robot.links[link].name);
-    std::vector<RobotBody> bodies = bodies_among(robot.links[link].collisions, link, parallel);
+    std::vector<RobotBody> bodies = bodies_among(robot.links[link].collisions, link, limits);
     std::move(bodies.begin(), bodies.end(), std::back_inserter(link_bodies_));
   }
 }
 
-void RobotModel::add_cell(std::span<const Mesh> cell, const Parallel& parallel) {
-  for (RobotBody& body : bodies_among(cell, 0, parallel)) {
+void RobotModel::add_cell(std::span<const Mesh> cell, const Limits& limits) {
+  for (RobotBody& body : bodies_among(cell, 0, limits)) {
     body.owner = static_cast<std::uint32_t>(cell_bodies_.size());
     cell_bodies_.push_back(std::move(body));
   }

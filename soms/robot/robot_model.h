@@ -91,9 +91,9 @@ class RobotModel {
   /// \errors  As `check(Robot)`, `part_bodies` and `check(Pose)`; ErrorKind::out_of_range for a
   ///          link that does not exist, and for more than 4,096 links with meshes.
   /// \cost    Trees of all meshes, and whether they are closed.
-  /// \threads `parallel` gives cancellation, and threads for the trees.
+  /// \threads `limits` gives cancellation, and threads for the trees.
   explicit RobotModel(const Robot& robot, std::span<const Mesh> cell = {},
-                      const RobotModelOptions& options = {}, const Parallel& parallel = {});
+                      const RobotModelOptions& options = {}, const Limits& limits = {});
 
   [[nodiscard]] const Kinematics& kinematics() const { return kinematics_; }
 
@@ -131,8 +131,8 @@ class RobotModel {
   [[nodiscard]] const std::vector<std::uint32_t>& on_cell() const { return on_cell_; }
 
  private:
-  void add_links(const Robot& robot, const Parallel& parallel);
-  void add_cell(std::span<const Mesh> cell, const Parallel& parallel);
+  void add_links(const Robot& robot, const Limits& limits);
+  void add_cell(std::span<const Mesh> cell, const Limits& limits);
   void choose_pairs(const Robot& robot, const RobotModelOptions& options);
 
   Kinematics kinematics_;

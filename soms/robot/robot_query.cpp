@@ -40,26 +40,27 @@ void check(const RobotOptions& options) {
 }
 
 std::vector<RobotAnswer> robot_contacts(const RobotModel& model, std::span<const double> states,
-                                        const RobotOptions& options, const Parallel& parallel) {
+                                        const RobotOptions& options, const Limits& limits) {
   check(options);
   const std::size_t width = model.kinematics().size();
   const std::size_t rows = rows_of(states.size(), width);
   std::vector<RobotAnswer> answers(rows);
-  for_each_chunk(rows, kStatesOfAChunk, parallel, [&](std::size_t begin, std::size_t end) {
-    const PlainArithmetic plain;
-    detail::StateQuery query(model, options, parallel.stop);
-    for (std::size_t k = begin; k < end; ++k) {
-      try {
-        answers[k] = query.answer(states.subspan(k * width, width));
-      } catch (const Error& error) {
-        if (error.kind() == ErrorKind::cancelled) {
-          throw;
+  for_each_chunk(
+      rows, kStatesOfAChunk, limits.without_deadline(), [&](std::size_t begin, std::size_t end) {
+        const PlainArithmetic plain;
+        detail::StateQuery query(model, options, limits);
+        for (std::size_t k = begin; k < end; ++k) {
+          try {
+            answers[k] = query.answer(states.subspan(k * width, width));
+          } catch (const Error& error) {
+            if (error.kind() == ErrorKind::cancelled) {
+              throw;
+            }
+            throw Error(error.kind(), "state " + std::to_string(k) + ": " + error.place(),
+                        error.remedy());
+          }
         }
-        throw Error(error.kind(), "state " + std::to_string(k) + ": " + error.place(),
-                    error.remedy());
-      }
-    }
-  });
+      });
   return answers;
 }
 

@@ -81,8 +81,6 @@ struct RobotOptions {
   bool first_contact = false;  ///< stop at the first pair that touches: the least one
   bool distance = false;       ///< also measure RobotAnswer::gap
   double at_most = std::numeric_limits<double>::infinity();  ///< beyond it, a gap is `farther`
-  /// States, and pairs of a state, that are not decided when it passes are undecided.
-  std::optional<std::chrono::steady_clock::time_point> deadline = std::nullopt;
 
   [[nodiscard]] bool operator==(const RobotOptions&) const = default;
 };
@@ -124,10 +122,10 @@ struct RobotAnswer {
 ///          `overlap` with mode `any`, and where that finds nothing, `contains` for each connected
 ///          part. Where one is open, the vertices of both and an `overlap` with its caps. With
 ///          `distance`, `distance` of the pairs whose boxes are near enough.
-/// \threads Any number of callers; states are shared by as many threads as `parallel` says.
+/// \threads Any number of callers; states are shared by as many threads as `limits` says.
 [[nodiscard]] std::vector<RobotAnswer> robot_contacts(const RobotModel& model,
                                                       std::span<const double> states,
                                                       const RobotOptions& options = {},
-                                                      const Parallel& parallel = {});
+                                                      const Limits& limits = {});
 
 }  // namespace soms

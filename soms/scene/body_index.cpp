@@ -70,63 +70,38 @@ std::size_t BodyIndex::memory() const {
 }
 
 BodyClosest BodyIndex::closest(const Vec3& point, const ClosestOptions& options,
-                               const BodyFilter& filter, const Parallel& parallel) const {
-  return detail::closest(content_->sets, point, options, filter.except, parallel);
+                               const BodyFilter& filter, const Limits& limits) const {
+  return detail::closest(content_->sets, point, options, filter.except, limits);
 }
 
 BodyClosestBatch BodyIndex::closest(std::span<const Vec3> points, const ClosestOptions& options,
-                                    const BodyFilter& filter, const Parallel& parallel) const {
-  return detail::closest(content_->sets, points, options, filter.except, parallel);
+                                    const BodyFilter& filter, const Limits& limits) const {
+  return detail::closest(content_->sets, points, options, filter.except, limits);
 }
 
-BodyHit BodyIndex::closest_hit(const Ray& ray, const RayOptions& options,
-                               const BodyFilter& filter) const {
-  return detail::closest_hit(content_->sets, ray, options, filter.except);
-}
-
-BodyHit BodyIndex::closest_hit(const Segment& segment, const RayOptions& options,
-                               const BodyFilter& filter) const {
-  return detail::closest_hit(content_->sets, segment, options, filter.except);
+BodyHit BodyIndex::closest_hit(const Ray& ray, const RayOptions& options, const BodyFilter& filter,
+                               const Limits& limits) const {
+  return detail::closest_hit(content_->sets, ray, options, filter.except, limits);
 }
 
 BodyHitBatch BodyIndex::closest_hit(std::span<const Ray> rays, const RayOptions& options,
-                                    const BodyFilter& filter, const Parallel& parallel) const {
-  return detail::closest_hit(content_->sets, rays, options, filter.except, parallel);
+                                    const BodyFilter& filter, const Limits& limits) const {
+  return detail::closest_hit(content_->sets, rays, options, filter.except, limits);
 }
 
-BodyHitBatch BodyIndex::closest_hit(std::span<const Segment> segments, const RayOptions& options,
-                                    const BodyFilter& filter, const Parallel& parallel) const {
-  return detail::closest_hit(content_->sets, segments, options, filter.except, parallel);
-}
-
-AnyHit BodyIndex::any_hit(const Ray& ray, const RayOptions& options,
-                          const BodyFilter& filter) const {
-  return detail::any_hit(content_->sets, ray, options, filter.except);
-}
-
-AnyHit BodyIndex::any_hit(const Segment& segment, const RayOptions& options,
-                          const BodyFilter& filter) const {
-  return detail::any_hit(content_->sets, segment, options, filter.except);
+AnyHit BodyIndex::any_hit(const Ray& ray, const RayOptions& options, const BodyFilter& filter,
+                          const Limits& limits) const {
+  return detail::any_hit(content_->sets, ray, options, filter.except, limits);
 }
 
 AnyHitBatch BodyIndex::any_hit(std::span<const Ray> rays, const RayOptions& options,
-                               const BodyFilter& filter, const Parallel& parallel) const {
-  return detail::any_hit(content_->sets, rays, options, filter.except, parallel);
-}
-
-AnyHitBatch BodyIndex::any_hit(std::span<const Segment> segments, const RayOptions& options,
-                               const BodyFilter& filter, const Parallel& parallel) const {
-  return detail::any_hit(content_->sets, segments, options, filter.except, parallel);
+                               const BodyFilter& filter, const Limits& limits) const {
+  return detail::any_hit(content_->sets, rays, options, filter.except, limits);
 }
 
 BodyAllHits BodyIndex::all_hits(std::span<const Ray> rays, const RayOptions& options,
-                                const BodyFilter& filter, const Parallel& parallel) const {
-  return detail::all_hits(content_->sets, rays, options, filter.except, parallel);
-}
-
-BodyAllHits BodyIndex::all_hits(std::span<const Segment> segments, const RayOptions& options,
-                                const BodyFilter& filter, const Parallel& parallel) const {
-  return detail::all_hits(content_->sets, segments, options, filter.except, parallel);
+                                const BodyFilter& filter, const Limits& limits) const {
+  return detail::all_hits(content_->sets, rays, options, filter.except, limits);
 }
 
 }  // namespace soms

@@ -138,7 +138,7 @@ struct BodyFilter {
 ///          without BodyFilter::except.
 /// \cost    Typically logarithmic in the number of bodies, and one query for each body whose box is
 ///          no farther than what is nearest. `Cost::node_tests` counts boxes of bodies, too.
-/// \threads Any number of callers; batches are shared by as many threads as `Parallel` says.
+/// \threads Any number of callers; batches are shared by as many threads as `Limits` says.
 /// \source  Roussopoulos, Kelley and Vincent 1995 (nearest neighbors by a tree of boxes).
 class BodyIndex {
  public:
@@ -163,54 +163,38 @@ class BodyIndex {
   /// The nearest point of all bodies. Where coverage is `cut`, `triangle` is the nearest so far, if
   /// any, and the bracket's lower end is what was proved of all bodies.
   [[nodiscard]] BodyClosest closest(const Vec3& point, const ClosestOptions& options = {},
-                                    const BodyFilter& filter = {},
-                                    const Parallel& parallel = {}) const;
+                                    const BodyFilter& filter = {}, const Limits& limits = {}) const;
   /// \shape `points`: n.
   [[nodiscard]] BodyClosestBatch closest(std::span<const Vec3> points,
                                          const ClosestOptions& options = {},
                                          const BodyFilter& filter = {},
-                                         const Parallel& parallel = {}) const;
+                                         const Limits& limits = {}) const;
 
   /// The first point of all bodies on a ray or segment. Where coverage is `cut`, `triangle` is the
   /// first so far, if any, and the bracket's lower end is what was proved of all bodies.
   [[nodiscard]] BodyHit closest_hit(const Ray& ray, const RayOptions& options = {},
-                                    const BodyFilter& filter = {}) const;
-  [[nodiscard]] BodyHit closest_hit(const Segment& segment, const RayOptions& options = {},
-                                    const BodyFilter& filter = {}) const;
-  /// \shape `rays`, `segments`: n.
+                                    const BodyFilter& filter = {}, const Limits& limits = {}) const;
+  /// \shape `rays`: n.
   [[nodiscard]] BodyHitBatch closest_hit(std::span<const Ray> rays, const RayOptions& options = {},
                                          const BodyFilter& filter = {},
-                                         const Parallel& parallel = {}) const;
-  [[nodiscard]] BodyHitBatch closest_hit(std::span<const Segment> segments,
-                                         const RayOptions& options = {},
-                                         const BodyFilter& filter = {},
-                                         const Parallel& parallel = {}) const;
+                                         const Limits& limits = {}) const;
 
   /// Whether a ray or segment hits any body.
   [[nodiscard]] AnyHit any_hit(const Ray& ray, const RayOptions& options = {},
-                               const BodyFilter& filter = {}) const;
-  [[nodiscard]] AnyHit any_hit(const Segment& segment, const RayOptions& options = {},
-                               const BodyFilter& filter = {}) const;
-  /// \shape `rays`, `segments`: n.
+                               const BodyFilter& filter = {}, const Limits& limits = {}) const;
+  /// \shape `rays`: n.
   [[nodiscard]] AnyHitBatch any_hit(std::span<const Ray> rays, const RayOptions& options = {},
-                                    const BodyFilter& filter = {},
-                                    const Parallel& parallel = {}) const;
-  [[nodiscard]] AnyHitBatch any_hit(std::span<const Segment> segments,
-                                    const RayOptions& options = {}, const BodyFilter& filter = {},
-                                    const Parallel& parallel = {}) const;
+                                    const BodyFilter& filter = {}, const Limits& limits = {}) const;
 
   /// Every triangle of all bodies that rays or segments meet: for each body the crossings that
   /// `all_hits` has. Rows are sorted by exact t, crossings at the same t by body, then by their
   /// least triangles.
-  /// \shape `rays`, `segments`: n.
+  /// \shape `rays`: n.
   /// \cost    One query for each body whose box a ray meets. O(k log k) comparisons for k
   ///          crossings, exact ones where two bodies are met at nearly the same t; their memory.
   [[nodiscard]] BodyAllHits all_hits(std::span<const Ray> rays, const RayOptions& options = {},
                                      const BodyFilter& filter = {},
-                                     const Parallel& parallel = {}) const;
-  [[nodiscard]] BodyAllHits all_hits(std::span<const Segment> segments,
-                                     const RayOptions& options = {}, const BodyFilter& filter = {},
-                                     const Parallel& parallel = {}) const;
+                                     const Limits& limits = {}) const;
 
  private:
   struct Content;

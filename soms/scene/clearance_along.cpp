@@ -39,11 +39,11 @@ ClearanceVerdict verdict(const ClearanceStretch& stretch, double clearance) {
 }
 
 Clearance clearance_along(const Shape& mover, const MotionPath& path, std::span<const Body> fixed,
-                          const ClearanceOptions& options, const Parallel& parallel) {
+                          const ClearanceOptions& options, const Limits& limits) {
   const PlainArithmetic plain;
   check(path);
   check(options);
-  return detail::ClearanceSearch(mover, path, fixed, options, parallel).run();
+  return detail::ClearanceSearch(mover, path, fixed, options, limits).run();
 }
 
 }  // namespace soms

@@ -148,13 +148,12 @@ struct Clearance {
 ///          as `distance`; cancelled, unless options say otherwise.
 /// \cost    A distance for each place and body of `fixed`; along a wall, some 2 m / `accuracy`
 ///          places for each length m of motion, elsewhere far fewer.
-/// \threads Any number of callers; places are dealt out to as many threads as `parallel` says. The
+/// \threads Any number of callers; places are dealt out to as many threads as `limits` says. The
 ///          same bytes for any number.
 /// \source  Lipschitz bound of the distance under motion: Mirtich 1996 (conservative advancement);
 ///          Schwarzer, Saha and Latombe 2005 (adaptive bisection of paths).
 [[nodiscard]] Clearance clearance_along(const Shape& mover, const MotionPath& path,
                                         std::span<const Body> fixed,
-                                        const ClearanceOptions& options,
-                                        const Parallel& parallel = {});
+                                        const ClearanceOptions& options, const Limits& limits = {});
 
 }  // namespace soms

@@ -99,8 +99,8 @@ ContactSpan longer(ContactSpan span, std::uint64_t step, std::span<const SideCon
   std::vector<std::pair<Triangle, Triangle>> triangles;
   triangles.reserve(contacts.size());
   for (const SideContact& contact : contacts) {
-    triangles.emplace_back(bodies.triangle(contact.a.body, contact.pair.first),
-                           bodies.triangle(contact.b.body, contact.pair.second));
+    triangles.emplace_back(bodies.triangle(contact.a.body, contact.pair.a),
+                           bodies.triangle(contact.b.body, contact.pair.b));
   }
   const detail::ContactPlace place = detail::contact_place(triangles);
   span.most_pairs = contacts.size();

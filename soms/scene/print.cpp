@@ -95,9 +95,7 @@ std::ostream& operator<<(std::ostream& out, const ClearanceStation& value) {
       .add("chainage", value.chainage)
       .add("gap", value.gap);
   if (value.body && value.triangles) {
-    fields.add("body", *value.body)
-        .add("i", value.triangles->first)
-        .add("j", value.triangles->second);
+    fields.add("body", *value.body).add("i", value.triangles->a).add("j", value.triangles->b);
   }
   return out << fields;
 }
@@ -149,8 +147,8 @@ std::ostream& operator<<(std::ostream& out, const ContactSpan& value) {
                     .add("steps", value.steps)
                     .add("most_pairs", value.most_pairs)
                     .add("most_step", value.most_step)
-                    .add("i", value.pair.first)
-                    .add("j", value.pair.second)
+                    .add("i", value.pair.a)
+                    .add("j", value.pair.b)
                     .add("place", value.place)
                     .add("box", value.box)
                     .add("lasts", value.lasts);

@@ -82,15 +82,15 @@ struct Replay::State {
   std::optional<ChunkContent> playing{};
   std::uint64_t next = 0;  ///< frame that `playing` stands before
 
-  void open(const Parallel& parallel) {
+  void open(const Limits& limits) {
     read_the_head(detail::read_file_head(bytes));
     try {
       while (!end) {
-        check_stop(parallel);
+        check(limits);
         read_chunk();
-        if (parallel.progress) {
-          parallel.progress(static_cast<double>(bytes.position()) /
-                            static_cast<double>(bytes.size()));
+        if (limits.progress) {
+          limits.progress(static_cast<double>(bytes.position()) /
+                          static_cast<double>(bytes.size()));
         }
       }
       if (bytes.position() != bytes.size()) {
@@ -195,13 +195,13 @@ struct Replay::State {
   Fnv1a hash{};
 };
 
-Replay::Replay(const std::filesystem::path& path, const Parallel& parallel)
-    : Replay(open(path), path.string(), parallel) {
+Replay::Replay(const std::filesystem::path& path, const Limits& limits)
+    : Replay(open(path), path.string(), limits) {
 }
 
-Replay::Replay(std::unique_ptr<std::istream> bytes, std::string name, const Parallel& parallel)
+Replay::Replay(std::unique_ptr<std::istream> bytes, std::string name, const Limits& limits)
     : state_(new State{.bytes = {std::move(bytes), std::move(name)}}) {
-  state_->open(parallel);
+  state_->open(limits);
 }
 
 Replay::~Replay() = default;

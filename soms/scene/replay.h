@@ -23,10 +23,10 @@ class Replay {
  public:
   /// \errors ErrorKind::cannot_open; bad_file where not even the head is whole, or the file is no
   ///         recording; unsupported for a version of the future; cancelled.
-  explicit Replay(const std::filesystem::path& path, const Parallel& parallel = {});
+  explicit Replay(const std::filesystem::path& path, const Limits& limits = {});
 
   /// Reads from `bytes`, which must be able to seek; `name` stands for it in errors.
-  Replay(std::unique_ptr<std::istream> bytes, std::string name, const Parallel& parallel = {});
+  Replay(std::unique_ptr<std::istream> bytes, std::string name, const Limits& limits = {});
   ~Replay();
   Replay(Replay&&) noexcept;
   Replay& operator=(Replay&&) noexcept;

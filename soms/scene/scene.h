@@ -135,7 +135,7 @@ class Scene {
   /// \cost    Time and memory linear in the pairs of bodies whose boxes meet, or, with a clearance,
   ///          are within it. Where many movers of no group, or of many groups, are in one place,
   ///          that is quadratic in the movers.
-  [[nodiscard]] StepReport step(const StepOptions& options = {}, const Parallel& parallel = {});
+  [[nodiscard]] StepReport step(const StepOptions& options = {}, const Limits& limits = {});
 
   /// The nearest point of all bodies at their present poses, the first hit of a ray or segment on
   /// them, whether there is one, and all of them. Contracts are those of the queries of BodyIndex.
@@ -146,39 +146,25 @@ class Scene {
   ///          index: O(n log n), n of them. So batches are for many movers that move.
   [[nodiscard]] SceneClosest closest(const Vec3& point, const ClosestOptions& options = {},
                                      const SceneFilter& filter = {},
-                                     const Parallel& parallel = {}) const;
+                                     const Limits& limits = {}) const;
   [[nodiscard]] SceneClosestBatch closest(std::span<const Vec3> points,
                                           const ClosestOptions& options = {},
                                           const SceneFilter& filter = {},
-                                          const Parallel& parallel = {}) const;
+                                          const Limits& limits = {}) const;
   [[nodiscard]] SceneHit closest_hit(const Ray& ray, const RayOptions& options = {},
-                                     const SceneFilter& filter = {}) const;
-  [[nodiscard]] SceneHit closest_hit(const Segment& segment, const RayOptions& options = {},
-                                     const SceneFilter& filter = {}) const;
+                                     const SceneFilter& filter = {},
+                                     const Limits& limits = {}) const;
   [[nodiscard]] SceneHitBatch closest_hit(std::span<const Ray> rays, const RayOptions& options = {},
                                           const SceneFilter& filter = {},
-                                          const Parallel& parallel = {}) const;
-  [[nodiscard]] SceneHitBatch closest_hit(std::span<const Segment> segments,
-                                          const RayOptions& options = {},
-                                          const SceneFilter& filter = {},
-                                          const Parallel& parallel = {}) const;
+                                          const Limits& limits = {}) const;
   [[nodiscard]] AnyHit any_hit(const Ray& ray, const RayOptions& options = {},
-                               const SceneFilter& filter = {}) const;
-  [[nodiscard]] AnyHit any_hit(const Segment& segment, const RayOptions& options = {},
-                               const SceneFilter& filter = {}) const;
+                               const SceneFilter& filter = {}, const Limits& limits = {}) const;
   [[nodiscard]] AnyHitBatch any_hit(std::span<const Ray> rays, const RayOptions& options = {},
                                     const SceneFilter& filter = {},
-                                    const Parallel& parallel = {}) const;
-  [[nodiscard]] AnyHitBatch any_hit(std::span<const Segment> segments,
-                                    const RayOptions& options = {}, const SceneFilter& filter = {},
-                                    const Parallel& parallel = {}) const;
+                                    const Limits& limits = {}) const;
   [[nodiscard]] SceneAllHits all_hits(std::span<const Ray> rays, const RayOptions& options = {},
                                       const SceneFilter& filter = {},
-                                      const Parallel& parallel = {}) const;
-  [[nodiscard]] SceneAllHits all_hits(std::span<const Segment> segments,
-                                      const RayOptions& options = {},
-                                      const SceneFilter& filter = {},
-                                      const Parallel& parallel = {}) const;
+                                      const Limits& limits = {}) const;
 
  private:
   struct State;

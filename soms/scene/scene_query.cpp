@@ -127,89 +127,54 @@ SceneHit SceneHitBatch::at(std::size_t i) const {
 }
 
 SceneClosest Scene::closest(const Vec3& point, const ClosestOptions& options,
-                            const SceneFilter& filter, const Parallel& parallel) const {
+                            const SceneFilter& filter, const Limits& limits) const {
   const View view(*state_, filter);
-  const BodyClosest found = detail::closest(view.sets(), point, options, view.left_out(), parallel);
+  const BodyClosest found = detail::closest(view.sets(), point, options, view.left_out(), limits);
   return {found, view.name(found.body)};
 }
 
 SceneClosestBatch Scene::closest(std::span<const Vec3> points, const ClosestOptions& options,
-                                 const SceneFilter& filter, const Parallel& parallel) const {
+                                 const SceneFilter& filter, const Limits& limits) const {
   const View view(*state_, filter);
-  BodyClosestBatch found = detail::closest(view.sets(), points, options, view.left_out(), parallel);
+  BodyClosestBatch found = detail::closest(view.sets(), points, options, view.left_out(), limits);
   auto names = view.names(found.body);
   return {std::move(found), std::move(names)};
 }
 
-SceneHit Scene::closest_hit(const Ray& ray, const RayOptions& options,
-                            const SceneFilter& filter) const {
+SceneHit Scene::closest_hit(const Ray& ray, const RayOptions& options, const SceneFilter& filter,
+                            const Limits& limits) const {
   const View view(*state_, filter);
   const BodyHit found =
-      detail::closest_hit(view.sets(), ray, view.options(options), view.left_out());
-  return {found, view.name(found.body)};
-}
-
-SceneHit Scene::closest_hit(const Segment& segment, const RayOptions& options,
-                            const SceneFilter& filter) const {
-  const View view(*state_, filter);
-  const BodyHit found =
-      detail::closest_hit(view.sets(), segment, view.options(options), view.left_out());
+      detail::closest_hit(view.sets(), ray, view.options(options), view.left_out(), limits);
   return {found, view.name(found.body)};
 }
 
 SceneHitBatch Scene::closest_hit(std::span<const Ray> rays, const RayOptions& options,
-                                 const SceneFilter& filter, const Parallel& parallel) const {
+                                 const SceneFilter& filter, const Limits& limits) const {
   const View view(*state_, filter);
   BodyHitBatch found =
-      detail::closest_hit(view.sets(), rays, view.options(options), view.left_out(), parallel);
+      detail::closest_hit(view.sets(), rays, view.options(options), view.left_out(), limits);
   auto names = view.names(found.body);
   return {std::move(found), std::move(names)};
 }
 
-SceneHitBatch Scene::closest_hit(std::span<const Segment> segments, const RayOptions& options,
-                                 const SceneFilter& filter, const Parallel& parallel) const {
+AnyHit Scene::any_hit(const Ray& ray, const RayOptions& options, const SceneFilter& filter,
+                      const Limits& limits) const {
   const View view(*state_, filter);
-  BodyHitBatch found =
-      detail::closest_hit(view.sets(), segments, view.options(options), view.left_out(), parallel);
-  auto names = view.names(found.body);
-  return {std::move(found), std::move(names)};
-}
-
-AnyHit Scene::any_hit(const Ray& ray, const RayOptions& options, const SceneFilter& filter) const {
-  const View view(*state_, filter);
-  return detail::any_hit(view.sets(), ray, view.options(options), view.left_out());
-}
-
-AnyHit Scene::any_hit(const Segment& segment, const RayOptions& options,
-                      const SceneFilter& filter) const {
-  const View view(*state_, filter);
-  return detail::any_hit(view.sets(), segment, view.options(options), view.left_out());
+  return detail::any_hit(view.sets(), ray, view.options(options), view.left_out(), limits);
 }
 
 AnyHitBatch Scene::any_hit(std::span<const Ray> rays, const RayOptions& options,
-                           const SceneFilter& filter, const Parallel& parallel) const {
+                           const SceneFilter& filter, const Limits& limits) const {
   const View view(*state_, filter);
-  return detail::any_hit(view.sets(), rays, view.options(options), view.left_out(), parallel);
-}
-
-AnyHitBatch Scene::any_hit(std::span<const Segment> segments, const RayOptions& options,
-                           const SceneFilter& filter, const Parallel& parallel) const {
-  const View view(*state_, filter);
-  return detail::any_hit(view.sets(), segments, view.options(options), view.left_out(), parallel);
+  return detail::any_hit(view.sets(), rays, view.options(options), view.left_out(), limits);
 }
 
 SceneAllHits Scene::all_hits(std::span<const Ray> rays, const RayOptions& options,
-                             const SceneFilter& filter, const Parallel& parallel) const {
+                             const SceneFilter& filter, const Limits& limits) const {
   const View view(*state_, filter);
   return view.named(
-      detail::all_hits(view.sets(), rays, view.options(options), view.left_out(), parallel));
-}
-
-SceneAllHits Scene::all_hits(std::span<const Segment> segments, const RayOptions& options,
-                             const SceneFilter& filter, const Parallel& parallel) const {
-  const View view(*state_, filter);
-  return view.named(
-      detail::all_hits(view.sets(), segments, view.options(options), view.left_out(), parallel));
+      detail::all_hits(view.sets(), rays, view.options(options), view.left_out(), limits));
 }
 
 }  // namespace soms

@@ -141,14 +141,14 @@ void Scene::State::append(const Candidate& candidate, const Residents& others,
 /// Asks about all candidates and appends what touches to `contacts`, in their order.
 template <typename Contact>
 void Scene::State::ask(detail::NarrowPhase& narrow_phase, const Residents& others,
-                       const detail::PairQuery& query, const Parallel& parallel,
+                       const detail::PairQuery& query, const Limits& limits,
                        std::vector<Contact>& contacts, StepReport& report) {
   questions.clear();
   for (const Candidate& candidate : candidates) {
     questions.push_back(question(candidate, others));
   }
   report.queries += questions.size();
-  report.cost += narrow_phase.ask(questions, query, parallel);
+  report.cost += narrow_phase.ask(questions, query, limits);
   std::size_t found = 0;
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     found += narrow_phase.pairs_of(k).size();
@@ -162,7 +162,7 @@ void Scene::State::ask(detail::NarrowPhase& narrow_phase, const Residents& other
 /// Asks about the candidates round by round until each mover has its first contact or none.
 template <typename Contact>
 void Scene::State::ask_until_first(detail::NarrowPhase& narrow_phase, const Residents& others,
-                                   const detail::PairQuery& query, const Parallel& parallel,
+                                   const detail::PairQuery& query, const Limits& limits,
                                    std::vector<Contact>& contacts, StepReport& report) {
   first_contacts.begin(candidates, &others == &movers);
   for (auto round = first_contacts.next_round(); !round.empty();
@@ -172,7 +172,7 @@ void Scene::State::ask_until_first(detail::NarrowPhase& narrow_phase, const Resi
       questions.push_back(question(candidates[k], others));
     }
     report.queries += questions.size();
-    report.cost += narrow_phase.ask(questions, query, parallel);
+    report.cost += narrow_phase.ask(questions, query, limits);
     for (std::size_t at = 0; at < round.size(); ++at) {
       const auto pairs = narrow_phase.pairs_of(at);
       if (!pairs.empty()) {
@@ -195,20 +195,20 @@ void Scene::State::keep_apart(const detail::NarrowPhase& narrow_phase) {
 
 /// The distances of the pairs in `near`, as far as they are within the clearance.
 template <typename Gap>
-void Scene::State::measure(const Residents& others, double clearance, const Parallel& parallel,
+void Scene::State::measure(const Residents& others, double clearance, const Limits& limits,
                            std::vector<Gap>& gaps, StepReport& report) {
   questions.clear();
   for (const Candidate& candidate : near) {
     questions.push_back(question(candidate, others));
   }
   report.gap_queries += questions.size();
-  report.cost += near_phase.ask(questions, {.at_most = clearance}, parallel);
+  report.cost += near_phase.ask(questions, {.at_most = clearance}, limits);
   for (std::size_t k = 0; k < near.size(); ++k) {
     const Distance& answer = near_phase.answers()[k];
     if (!answer.farther && answer.triangles) {
       gaps.push_back({movers.places()[near[k].mover].id, others.places()[near[k].other].id,
-                      answer.triangles->first, answer.triangles->second, answer.distance,
-                      answer.point_a, answer.point_b});
+                      answer.triangles->a, answer.triangles->b, answer.distance, answer.point_a,
+                      answer.point_b});
     }
   }
 }
@@ -216,20 +216,20 @@ void Scene::State::measure(const Residents& others, double clearance, const Para
 /// Compares the pairs of bodies that were found.
 template <typename Contact, typename Gap>
 void Scene::State::compare(detail::NarrowPhase& narrow_phase, const Residents& others,
-                           const StepOptions& options, const Parallel& parallel,
+                           const StepOptions& options, const Limits& limits,
                            std::vector<Contact>& contacts, std::vector<Gap>& gaps,
                            StepReport& report) {
   most_candidates = std::max(most_candidates, candidates.size());
   most_near = std::max(most_near, near.size());
   const detail::PairQuery query{{.mode = options.mode}, options.method};
   if (options.scope == StepScope::first_contact) {
-    ask_until_first(narrow_phase, others, query, parallel, contacts, report);
+    ask_until_first(narrow_phase, others, query, limits, contacts, report);
   } else {
-    ask(narrow_phase, others, query, parallel, contacts, report);
+    ask(narrow_phase, others, query, limits, contacts, report);
   }
   if (options.clearance > 0) {
     keep_apart(narrow_phase);
-    measure(others, options.clearance, parallel, gaps, report);
+    measure(others, options.clearance, limits, gaps, report);
   }
   const std::size_t needed =
       kBytesOfAQuestion * candidates.size() + kBytesOfAFind * contacts.size();
@@ -250,7 +250,7 @@ void Scene::State::give_back() {
   near_phase.give_back(most_near);
 }
 
-StepReport Scene::State::step(const StepOptions& options, const Parallel& parallel) {
+StepReport Scene::State::step(const StepOptions& options, const Limits& limits) {
   check(options);  // also where nothing meets
   StepReport report;
   report.scope = options.scope;
@@ -260,29 +260,28 @@ StepReport Scene::State::step(const StepOptions& options, const Parallel& parall
   const bool until_first = options.scope == StepScope::first_contact;
   report.coverage =
       options.mode == OverlapMode::all && !until_first ? Coverage::complete : Coverage::first;
-  check_stop(parallel);
+  check(limits);
   most_candidates = 0;
   most_near = 0;
   first_contacts.start(until_first ? movers.places().size() : 0);
   refresh_parts();
   find_environment_candidates(options.clearance, report);
-  compare(environment, parts, options, parallel, report.environment, report.environment_gaps,
-          report);
+  compare(environment, parts, options, limits, report.environment, report.environment_gaps, report);
   if (options.mover_mover) {
-    check_stop(parallel);
+    check(limits);
     if (!options.coherent) {
       broad_phase.forget();
     }
     find_mover_candidates(options.clearance, report);
-    compare(mutual, movers, options, parallel, report.movers, report.mover_gaps, report);
+    compare(mutual, movers, options, limits, report.movers, report.mover_gaps, report);
   }
   give_back();
   return report;
 }
 
-StepReport Scene::step(const StepOptions& options, const Parallel& parallel) {
+StepReport Scene::step(const StepOptions& options, const Limits& limits) {
   const PlainArithmetic plain;
-  return state_->step(options, parallel);
+  return state_->step(options, limits);
 }
 
 }  // namespace soms

@@ -20,9 +20,9 @@ void save(const std::filesystem::path& path, const Shape& shape) {
 }
 
 Shape open_shape(const std::filesystem::path& path, const OpenOptions& options,
-                 const Parallel& parallel) {
+                 const Limits& limits) {
   detail::HeldBytes held = options.load ? detail::load_file(path) : detail::map_file(path);
-  return open_shape(std::move(held.owner), held.bytes, path.string(), options, parallel);
+  return open_shape(std::move(held.owner), held.bytes, path.string(), options, limits);
 }
 
 std::uint64_t tree_file_hash(const std::filesystem::path& path) {

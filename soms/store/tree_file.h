@@ -39,7 +39,7 @@ void save(const std::filesystem::path& path, const Shape& shape);
 ///          another version of the format: build the file again; cancelled.
 /// \cost    By `options.check`: none but the mesh's statements, or O(n); docs/scale.md has figures.
 [[nodiscard]] Shape open_shape(const std::filesystem::path& path, const OpenOptions& options = {},
-                               const Parallel& parallel = {});
+                               const Limits& limits = {});
 
 /// The hash of a tree file's content, from its head alone: two files with the same answer alike.
 /// \errors  As `open_shape`.

@@ -126,7 +126,7 @@ std::uint64_t node_tests_of(std::span<const FastStep> steps) {
 
 }  // namespace
 
-FastSteps fast_steps(const Body& a, const Body& b, std::size_t most, const Parallel& parallel) {
+FastSteps fast_steps(const Body& a, const Body& b, std::size_t most, const Limits& limits) {
   const PlainArithmetic plain;
   soms::detail::check_pose(a.pose, a.shape);
   soms::detail::check_pose(b.pose, b.shape);
@@ -140,7 +140,7 @@ FastSteps fast_steps(const Body& a, const Body& b, std::size_t most, const Paral
   }
   PairFrame frame(a, b);
   soms::detail::TraversalMemory memory;
-  soms::detail::Limit limit(std::nullopt, parallel);
+  soms::detail::Limit limit(limits);
   soms::detail::OverlapTraversal<soms::detail::WideSource> traversal(frame, OverlapMode::all,
                                                                      memory);
   std::vector<TrianglePair> pairs;

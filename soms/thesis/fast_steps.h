@@ -56,6 +56,6 @@ struct FastSteps {
 /// \shape  `steps`: at most `most`, and those of one round more.
 /// \errors As `soms::overlap`; ErrorKind::usage for a body that is kept compact.
 [[nodiscard]] FastSteps fast_steps(const Body& a, const Body& b, std::size_t most = 100'000,
-                                   const Parallel& parallel = {});
+                                   const Limits& limits = {});
 
 }  // namespace soms::thesis

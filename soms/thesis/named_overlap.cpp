@@ -56,12 +56,12 @@ struct MovedTriangle {
 class Decider {
  public:
   Decider(const PosedBoxes& a, const PosedBoxes& b, const OverlapOptions& options,
-          const Parallel& parallel, std::vector<MovedTriangle>& scratch)
+          const Limits& limits, std::vector<MovedTriangle>& scratch)
       : a_(a),
         b_(b),
         mode_(options.mode),
         scratch_(scratch),
-        limit_(options.deadline, parallel),
+        limit_(limits),
         collector_(options.mode, options.limit, answer_.pairs) {}
 
   /// False once nothing more is wanted.
@@ -174,12 +174,12 @@ NamedOverlap::NamedOverlap(NamedOverlap&&) noexcept = default;
 NamedOverlap& NamedOverlap::operator=(NamedOverlap&&) noexcept = default;
 
 Overlap NamedOverlap::operator()(const Pose& pose_a, const Pose& pose_b,
-                                 const OverlapOptions& options, const Parallel& parallel) {
+                                 const OverlapOptions& options, const Limits& limits) {
   const PlainArithmetic plain;
   State& state = *state_;
-  check_stop(parallel);
+  check_stop(limits);
   check_both(state.a, pose_a, state.b, pose_b);
-  Decider decider(state.posed_a, state.posed_b, options, parallel, state.scratch);
+  Decider decider(state.posed_a, state.posed_b, options, limits, state.scratch);
   TraversalVisitor visitor;
   visitor.leaf_pair = [&](NodePair p) { return decider.leaf_pair(p); };
   visitor.keep_going = [&] { return decider.keep_going(kBoxTestsBetweenAsks); };

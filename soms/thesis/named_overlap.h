@@ -30,10 +30,10 @@ class NamedOverlap {
   ///
   /// \errors  ErrorKind::not_rigid, not_finite, out_of_range for a pose; cancelled.
   /// \cost    O(n) to move the boxes of a body whose pose changed, then the traversal. One thread:
-  ///          of `parallel` only `stop` is heeded.
+  ///          of `limits` only `stop` is heeded.
   /// \threads One caller at a time.
   [[nodiscard]] Overlap operator()(const Pose& pose_a, const Pose& pose_b,
-                                   const OverlapOptions& options, const Parallel& parallel);
+                                   const OverlapOptions& options, const Limits& limits);
 
   /// Moves both bodies now: a query at the same poses that follows finds them moved. For who times
   /// the two apart.

@@ -25,33 +25,33 @@ std::vector<CountedOverlap> answers_of(const OverlapBatch& batch) {
 }  // namespace
 
 CountedOverlap overlap(const Body& a, const Body& b, const TraversalOptions& traversal,
-                       const OverlapOptions& options, const Parallel& parallel) {
+                       const OverlapOptions& options, const Limits& limits) {
   const PlainArithmetic plain;
   check(options);
   check(traversal);
   if (traversal.traversal == Traversal::fast) {
-    return {soms::overlap(a, b, options, parallel), {}};
+    return {soms::overlap(a, b, options, limits), {}};
   }
   NamedOverlap query(a.shape, b.shape, traversal);
-  Overlap answer = query(a.pose, b.pose, options, parallel);
+  Overlap answer = query(a.pose, b.pose, options, limits);
   return {std::move(answer), query.counts()};
 }
 
 std::vector<CountedOverlap> overlap(const Shape& mover, std::span<const Pose> poses,
                                     const Body& fixed, const TraversalOptions& traversal,
-                                    const OverlapOptions& options, const Parallel& parallel) {
+                                    const OverlapOptions& options, const Limits& limits) {
   const PlainArithmetic plain;
   check(options);
   check(traversal);
   if (traversal.traversal == Traversal::fast) {
-    return answers_of(soms::overlap(mover, poses, fixed, options, parallel));
+    return answers_of(soms::overlap(mover, poses, fixed, options, limits));
   }
   detail::check_poses(poses, mover);
   NamedOverlap query(mover, fixed.shape, traversal);
   std::vector<CountedOverlap> answers;
   answers.reserve(poses.size());
   for (const Pose& pose : poses) {
-    Overlap answer = query(pose, fixed.pose, options, parallel);
+    Overlap answer = query(pose, fixed.pose, options, limits);
     answers.push_back({std::move(answer), query.counts()});
   }
   return answers;
@@ -69,12 +69,12 @@ TraversalMethod::~TraversalMethod() = default;
 
 OverlapBatch TraversalMethod::ask(const Shape& mover, std::span<const Pose* const> poses,
                                   const Body& fixed, const OverlapOptions& options,
-                                  const Parallel& parallel) const {
+                                  const Limits& limits) const {
   NamedOverlap query(mover, fixed.shape, traversal_);
   OverlapBatch batch;
   batch.offsets.push_back(0);
   for (const Pose* const pose : poses) {
-    const Overlap answer = query(*pose, fixed.pose, options, parallel);
+    const Overlap answer = query(*pose, fixed.pose, options, limits);
     batch.any.push_back(answer.any ? 1 : 0);
     batch.coverage.push_back(answer.coverage);
     batch.pairs.insert(batch.pairs.end(), answer.pairs.begin(), answer.pairs.end());

@@ -31,8 +31,7 @@ struct CountedOverlap {
 /// \cost   As NamedOverlap, for a pose that is new.
 [[nodiscard]] CountedOverlap overlap(const Body& a, const Body& b,
                                      const TraversalOptions& traversal,
-                                     const OverlapOptions& options = {},
-                                     const Parallel& parallel = {});
+                                     const OverlapOptions& options = {}, const Limits& limits = {});
 
 /// The same for `mover` at each of `poses`. Answers equal those of single queries. Only the front
 /// of Traversal::e_node_front goes from pose to pose: with it costs, the pair of mode `any` and the
@@ -44,7 +43,7 @@ struct CountedOverlap {
                                                   const Body& fixed,
                                                   const TraversalOptions& traversal,
                                                   const OverlapOptions& options = {},
-                                                  const Parallel& parallel = {});
+                                                  const Limits& limits = {});
 
 /// A named traversal for scenes: StepOptions::method.
 class TraversalMethod final : public OverlapMethod {
@@ -56,7 +55,7 @@ class TraversalMethod final : public OverlapMethod {
   /// \errors ErrorKind::usage for shapes made without ShapeOptions::keep_tree; cancelled.
   [[nodiscard]] OverlapBatch ask(const Shape& mover, std::span<const Pose* const> poses,
                                  const Body& fixed, const OverlapOptions& options,
-                                 const Parallel& parallel) const override;
+                                 const Limits& limits) const override;
 
  private:
   TraversalOptions traversal_;

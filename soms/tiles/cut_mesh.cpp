@@ -128,7 +128,7 @@ void check(const CutOptions& options) {
   }
 }
 
-std::vector<TileCut> cut_mesh(const MeshView& mesh, std::size_t most, const Parallel& parallel) {
+std::vector<TileCut> cut_mesh(const MeshView& mesh, std::size_t most, const Limits& limits) {
   Items all = items_of(mesh, most);
   std::vector<TileCut> tiles;
   std::vector<std::span<Item>> waiting;
@@ -136,7 +136,7 @@ std::vector<TileCut> cut_mesh(const MeshView& mesh, std::size_t most, const Para
     waiting.emplace_back(all.items);
   }
   while (!waiting.empty()) {
-    check_stop(parallel);
+    check(limits);
     const std::span<Item> items = waiting.back();
     waiting.pop_back();
     const std::size_t triangles = triangles_of(items);

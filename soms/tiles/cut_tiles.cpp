@@ -150,7 +150,7 @@ TileCutter::TileCutter(std::filesystem::path folder, const CutOptions& options)
   check_folder(folder_);
 }
 
-bool TileCutter::add(const MeshView& mesh, const Parallel& parallel) {
+bool TileCutter::add(const MeshView& mesh, const Limits& limits) {
   check_statements(mesh);
   TileSource source{
       .file = mesh.source, .triangles = mesh.triangles.size(), .hash = corner_hash(mesh)};
@@ -164,7 +164,7 @@ bool TileCutter::add(const MeshView& mesh, const Parallel& parallel) {
   }
   const bool was_there = take_receipt(mesh, source);
   if (!was_there) {
-    write_tiles(mesh, source, parallel);
+    write_tiles(mesh, source, limits);
   }
   return !was_there;
 }
@@ -248,8 +248,7 @@ void TileCutter::keep(const TileSource& source, std::span<const Tile> tiles) {
   manifest_.sources.push_back(source);
 }
 
-void TileCutter::write_tiles(const MeshView& mesh, const TileSource& source,
-                             const Parallel& parallel) {
+void TileCutter::write_tiles(const MeshView& mesh, const TileSource& source, const Limits& limits) {
   const std::filesystem::path receipt = this->receipt();
   const std::string question = this->question(mesh, source);
   make_folder(folder_);
@@ -259,10 +258,10 @@ void TileCutter::write_tiles(const MeshView& mesh, const TileSource& source,
   TileManifest own;
   own.sources = {source};
   own.statements = manifest_.statements;
-  const std::vector<TileCut> cuts = cut_mesh(mesh, options_.most, parallel);
+  const std::vector<TileCut> cuts = cut_mesh(mesh, options_.most, limits);
   for (std::size_t k = 0; k < cuts.size(); ++k) {
     const Shape shape(extract(mesh, cuts[k].triangles), options_.shape,
-                      {.threads = parallel.threads, .stop = parallel.stop});
+                      {.threads = limits.threads, .stop = limits.stop});
     const std::string name =
         fmt::format("{}{:06}", kTilePrefix, manifest_.tiles.size() + own.tiles.size());
     Tile tile{.file = name + ".somst",
@@ -277,8 +276,8 @@ void TileCutter::write_tiles(const MeshView& mesh, const TileSource& source,
     tile.ids_hash = detail::tile_ids_hash(ids);
     tile.bytes = size_of(folder_ / tile.file) + size_of(folder_ / tile.ids);
     own.tiles.push_back(std::move(tile));
-    if (parallel.progress) {
-      parallel.progress(static_cast<double>(k + 1) / static_cast<double>(cuts.size()));
+    if (limits.progress) {
+      limits.progress(static_cast<double>(k + 1) / static_cast<double>(cuts.size()));
     }
   }
   detail::write_whole(receipt, question + detail::manifest_text(own));

@@ -60,7 +60,7 @@ struct TileCut {
 /// \errors  ErrorKind::cancelled.
 /// \cost    O(n log^2 n).
 [[nodiscard]] std::vector<TileCut> cut_mesh(const MeshView& mesh, std::size_t most,
-                                            const Parallel& parallel = {});
+                                            const Limits& limits = {});
 
 /// A mesh of some triangles of another one, numbered in the order that is given. It keeps the
 /// vertices that they use, the parts that have any of them, and the faces' numbers.
@@ -80,7 +80,7 @@ class TileCutter {
   /// \errors  ErrorKind::usage for another folder, and for a model whose unit, up axis or
   ///          georeference is not that of those before; out_of_range for too many triangles;
   ///          cannot_write; cancelled.
-  bool add(const MeshView& mesh, const Parallel& parallel = {});
+  bool add(const MeshView& mesh, const Limits& limits = {});
 
   /// Writes the manifest, which makes the folder a set of tiles.
   /// \errors  ErrorKind::cannot_write; usage for a folder that was cut from more models.
@@ -94,7 +94,7 @@ class TileCutter {
   [[nodiscard]] std::string question(const MeshView& mesh, const TileSource& source) const;
   bool take_receipt(const MeshView& mesh, const TileSource& source);
   void keep(const TileSource& source, std::span<const Tile> tiles);
-  void write_tiles(const MeshView& mesh, const TileSource& source, const Parallel& parallel);
+  void write_tiles(const MeshView& mesh, const TileSource& source, const Limits& limits);
   void check_statements(const MeshView& mesh);
 
   std::filesystem::path folder_;

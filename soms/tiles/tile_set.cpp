@@ -169,11 +169,11 @@ std::shared_ptr<const OpenTile> TileSet::open_tile(std::size_t tile) const {
   return content_->cache.get(tile, bytes, [&] { return content_->open(tile); });
 }
 
-void verify_tiles(const std::filesystem::path& folder, const Parallel& parallel) {
+void verify_tiles(const std::filesystem::path& folder, const Limits& limits) {
   const TileSet set = TileSet::open(folder, {.max_memory = 0, .check = TreeCheck::full});
   std::vector<bool> met(static_cast<std::size_t>(set.triangles()));
   for (std::size_t k = 0; k < set.tiles().size(); ++k) {
-    check_stop(parallel);
+    check(limits);
     const Tile& tile = set.tiles()[k];
     std::error_code unknown;
     if (std::filesystem::file_size(set.place() / tile.file, unknown) +
@@ -187,8 +187,8 @@ void verify_tiles(const std::filesystem::path& folder, const Parallel& parallel)
       }
       met[static_cast<std::size_t>(id)] = true;  // as many as there are tiles' triangles: all
     }
-    if (parallel.progress) {
-      parallel.progress(static_cast<double>(k + 1) / static_cast<double>(set.tiles().size()));
+    if (limits.progress) {
+      limits.progress(static_cast<double>(k + 1) / static_cast<double>(set.tiles().size()));
     }
   }
 }

@@ -148,7 +148,7 @@ class TileSet {
 /// Tiles are opened one by one.
 /// \errors  As `TileSet::open`; ErrorKind::bad_file, which names the file; cancelled.
 /// \cost    That of reading all bytes, and of half a build; a bit a triangle.
-void verify_tiles(const std::filesystem::path& folder, const Parallel& parallel = {});
+void verify_tiles(const std::filesystem::path& folder, const Limits& limits = {});
 
 /// True if the path is a folder with a manifest of tiles.
 [[nodiscard]] bool is_tile_folder(const std::filesystem::path& path);

@@ -25,11 +25,11 @@ class BodyQuestion {
   using Answer = Distance;
   using Winner = TrianglePair;
 
-  BodyQuestion(const Body& mover, const DistanceOptions& options, const Parallel& parallel)
+  BodyQuestion(const Body& mover, const DistanceOptions& options, const Limits& limits)
       : mover_(mover),
         box_(detail::moved_bounds(mover.pose, mover.shape.bounds())),
         options_(options),
-        parallel_(parallel) {}
+        limits_(limits) {}
 
   [[nodiscard]] static const Bracket& measure(const Distance& answer) { return answer.distance; }
 
@@ -37,10 +37,10 @@ class BodyQuestion {
 
   [[nodiscard]] double limit() const { return options_.at_most; }
 
-  [[nodiscard]] bool late() const { return detail::is_late(options_.deadline); }
+  [[nodiscard]] bool late() const { return limits_.late(); }
 
   [[nodiscard]] Distance ask(const Body& body, const OpenTile& /*tile*/, double limit) const {
-    Distance answer = soms::distance(mover_, body, {limit, options_.deadline}, parallel_);
+    Distance answer = soms::distance(mover_, body, {limit}, limits_);
     if (answer.coverage == Coverage::cut && answer.triangles) {
       // What was proved of the tile is not what is measured.
       answer.distance = pair_of(body, *answer.triangles).distance();
@@ -50,9 +50,9 @@ class BodyQuestion {
 
   [[nodiscard]] static std::optional<TrianglePair> winner(const Distance& answer,
                                                           const OpenTile& tile) {
-    return answer.triangles ? std::optional(TrianglePair(answer.triangles->first,
-                                                         tile.number(answer.triangles->second)))
-                            : std::nullopt;
+    return answer.triangles
+               ? std::optional(TrianglePair{answer.triangles->a, tile.number(answer.triangles->b)})
+               : std::nullopt;
   }
 
   [[nodiscard]] std::strong_ordering compare(const Body& body, const TrianglePair& pair,
@@ -64,21 +64,21 @@ class BodyQuestion {
 
  private:
   [[nodiscard]] detail::PairDistance pair_of(const Body& body, const TrianglePair& pair) const {
-    return {detail::moved_triangle(mover_, pair.first), detail::moved_triangle(body, pair.second)};
+    return {detail::moved_triangle(mover_, pair.a), detail::moved_triangle(body, pair.b)};
   }
 
   const Body& mover_;
   Box box_;
   const DistanceOptions& options_;
-  const Parallel& parallel_;
+  const Limits& limits_;
 };
 
 Distance distance_of(const Body& mover, const detail::TileBoxes& tiles,
-                     const DistanceOptions& options, const Parallel& parallel) {
+                     const DistanceOptions& options, const Limits& limits) {
   if (mover.shape.bounds().empty() || tiles.body().tiles.triangles() == 0) {
     return {.distance = {kInfinity, kInfinity}};
   }
-  const BodyQuestion question(mover, options, parallel);
+  const BodyQuestion question(mover, options, limits);
   detail::NearestTile nearest(question);
   std::vector<detail::KeyedBounds> memory;
   nearest.run(tiles, memory);
@@ -100,7 +100,7 @@ Distance distance_of(const Body& mover, const detail::TileBoxes& tiles,
 }
 
 Within within_of(const Body& mover, const detail::TileBoxes& tiles, double clearance,
-                 const WithinOptions& options, const Parallel& parallel) {
+                 const Limits& limits) {
   if (mover.shape.bounds().empty() || tiles.body().tiles.triangles() == 0) {
     return {.at_least = kInfinity};
   }
@@ -111,20 +111,20 @@ Within within_of(const Body& mover, const detail::TileBoxes& tiles, double clear
   std::vector<detail::KeyedBounds> memory;
   cost.node_tests +=
       tiles.boxes().search(key, clearance, memory, [&](std::uint32_t number, double nearest) {
-        if (detail::is_late(options.deadline)) {
+        if (limits.late()) {
           answer = {.at_least = nearest, .coverage = Coverage::cut};
           return -kInfinity;
         }
         const auto tile = tiles.open(number);
         const Within here =
-            soms::within(mover, Body(tile->shape, tiles.body().pose), clearance, options, parallel);
+            soms::within(mover, Body(tile->shape, tiles.body().pose), clearance, limits);
         cost += here.cost;
         if (!here.within && here.coverage == Coverage::complete) {
           return clearance;
         }
         answer = here;
         if (here.within) {
-          answer.triangles->second = tile->number(here.triangles->second);
+          answer.triangles->b = tile->number(here.triangles->b);
         } else {
           // Tiles that were not met may be as near as the key of this one.
           answer.at_least = std::min(answer.at_least, nearest);
@@ -138,32 +138,32 @@ Within within_of(const Body& mover, const detail::TileBoxes& tiles, double clear
 /// The box of a mover at a pose tells where its row begins.
 template <class Ask>
 void for_each_pose(const Shape& mover, std::span<const Pose> poses, const detail::TileBoxes& tiles,
-                   const Parallel& parallel, const Ask& ask) {
-  const Parallel alone = {.stop = parallel.stop};
+                   const Limits& limits, const Ask& ask) {
+  const Limits alone = limits.alone();
   const bool single = poses.size() == 1;
   detail::for_each_row(
-      tiles.body().tiles, poses.size(), parallel,
+      tiles.body().tiles, poses.size(), limits,
       [&](std::size_t row) {
         const Box box = detail::moved_bounds(poses[row], mover.bounds());
         return detail::first_tile(
             tiles, [&](const Box& other) { return detail::distance_at_least(box, other); });
       },
-      [&](std::size_t row) { ask(row, Body(mover, poses[row]), single ? parallel : alone); });
+      [&](std::size_t row) { ask(row, Body(mover, poses[row]), single ? limits : alone); });
 }
 
 }  // namespace
 
 DistanceBatch distance(const Shape& mover, std::span<const Pose> poses, const TiledBody& fixed,
-                       const DistanceOptions& options, const Parallel& parallel) {
+                       const DistanceOptions& options, const Limits& limits) {
   const PlainArithmetic plain;
   check(options);
   detail::check_poses(poses, mover);
   const detail::TileBoxes tiles(fixed);
-  check_stop(parallel);
+  check_stop(limits);
   // The columns of a shape without triangles are of the right size.
   DistanceBatch batch = distance(mover, poses, Body(), options);
-  for_each_pose(mover, poses, tiles, parallel,
-                [&](std::size_t row, const Body& body, const Parallel& threads) {
+  for_each_pose(mover, poses, tiles, limits,
+                [&](std::size_t row, const Body& body, const Limits& threads) {
                   put_columns(distance_of(body, tiles, options, threads), row, batch);
                 });
   sum_costs<Distance>(batch);
@@ -171,15 +171,15 @@ DistanceBatch distance(const Shape& mover, std::span<const Pose> poses, const Ti
 }
 
 WithinBatch within(const Shape& mover, std::span<const Pose> poses, const TiledBody& fixed,
-                   double clearance, const WithinOptions& options, const Parallel& parallel) {
+                   double clearance, const Limits& limits) {
   const PlainArithmetic plain;
   detail::check_poses(poses, mover);
   const detail::TileBoxes tiles(fixed);
-  check_stop(parallel);
-  WithinBatch batch = within(mover, poses, Body(), clearance, options);  // checks the clearance
-  for_each_pose(mover, poses, tiles, parallel,
-                [&](std::size_t row, const Body& body, const Parallel& threads) {
-                  put_columns(within_of(body, tiles, clearance, options, threads), row, batch);
+  check_stop(limits);
+  WithinBatch batch = within(mover, poses, Body(), clearance);  // checks the clearance
+  for_each_pose(mover, poses, tiles, limits,
+                [&](std::size_t row, const Body& body, const Limits& threads) {
+                  put_columns(within_of(body, tiles, clearance, threads), row, batch);
                 });
   sum_costs<Within>(batch);
   return batch;

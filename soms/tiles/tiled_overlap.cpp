@@ -34,7 +34,7 @@ class TiledPairs {
                            ? answer.coverage[k]
                            : std::max(coverage_[row], answer.coverage[k]);
       for (const TrianglePair& pair : answer.pairs_of(k)) {
-        pairs_[row].emplace_back(pair.first, tile.number(pair.second));
+        pairs_[row].push_back({pair.a, tile.number(pair.b)});
       }
     }
   }
@@ -95,14 +95,14 @@ void check_limit(const OverlapOptions& options) {
 }  // namespace
 
 OverlapBatch overlap(const Shape& mover, std::span<const Pose> poses, const TiledBody& fixed,
-                     const OverlapOptions& options, const Parallel& parallel) {
+                     const OverlapOptions& options, const Limits& limits) {
   const PlainArithmetic plain;
   check(options);
   check_limit(options);
   detail::check_poses(poses, mover);
   const detail::TileBoxes tiles(fixed);
-  check_stop(parallel);
-  const Parallel silent = {.threads = parallel.threads, .stop = parallel.stop};
+  check_stop(limits);
+  const Limits silent = limits.silent();
   const auto rows_of = rows_of_tiles(mover, poses, tiles);
   TiledPairs found(poses.size(), options.mode);
   std::vector<std::size_t> rows;
@@ -116,14 +116,14 @@ OverlapBatch overlap(const Shape& mover, std::span<const Pose> poses, const Tile
         here.push_back(poses[row]);
       }
     }
-    if (!rows.empty() && detail::is_late(options.deadline)) {
+    if (!rows.empty() && limits.late()) {
       found.cut(rows);
     } else if (!rows.empty()) {
       const auto tile = tiles.open(number);
       found.add(rows, overlap(mover, here, Body(tile->shape, fixed.pose), options, silent), *tile);
     }
-    if (parallel.progress) {
-      parallel.progress(static_cast<double>(number + 1) / static_cast<double>(rows_of.size()));
+    if (limits.progress) {
+      limits.progress(static_cast<double>(number + 1) / static_cast<double>(rows_of.size()));
     }
   }
   return found.batch();

@@ -30,10 +30,10 @@ class PointQuestion : public detail::PointMeasure {
   using Answer = Closest;
   using Winner = TriangleId;
 
-  PointQuestion(const Vec3& point, const ClosestOptions& options, const Parallel& parallel)
-      : PointMeasure(point, options, parallel), deadline_(options.deadline) {}
+  PointQuestion(const Vec3& point, const ClosestOptions& options, const Limits& limits)
+      : PointMeasure(point, options, limits), limits_(limits) {}
 
-  [[nodiscard]] bool late() const { return detail::is_late(deadline_); }
+  [[nodiscard]] bool late() const { return limits_.late(); }
 
   [[nodiscard]] Closest ask(const Body& body, const OpenTile& /*tile*/, double limit) const {
     return nearest(body, limit);
@@ -45,27 +45,26 @@ class PointQuestion : public detail::PointMeasure {
   }
 
  private:
-  std::optional<std::chrono::steady_clock::time_point> deadline_;
+  const Limits& limits_;
 };
 
-/// Where does a ray or a segment meet the surfaces first, if at all?
-template <class Line>
-class LineQuestion : public detail::LineMeasure<Line> {
+/// Where does a ray meet the surfaces first, if at all?
+class LineQuestion : public detail::LineMeasure {
  public:
   using Answer = ClosestHit;
   using Winner = TriangleId;
 
-  LineQuestion(const Line& given, const RayOptions& options)
-      : detail::LineMeasure<Line>(given), options_(options) {}
+  LineQuestion(const Ray& given, const RayOptions& options, const Limits& limits)
+      : detail::LineMeasure(given), options_(options), limits_(limits) {}
 
-  [[nodiscard]] bool late() const { return detail::is_late(options_.deadline); }
+  [[nodiscard]] bool late() const { return limits_.late(); }
 
   [[nodiscard]] ClosestHit ask(const Body& body, const OpenTile& tile, double limit) const {
-    return soms::closest_hit(body, detail::shortened(this->line(), limit), options_for(tile));
+    return soms::closest_hit(body, detail::shortened(line(), limit), options_for(tile), limits_);
   }
 
   [[nodiscard]] AnyHit ask_any(const Body& body, const OpenTile& tile) const {
-    return soms::any_hit(body, this->line(), options_for(tile));
+    return soms::any_hit(body, line(), options_for(tile), limits_);
   }
 
   [[nodiscard]] static std::optional<TriangleId> winner(const ClosestHit& answer,
@@ -76,7 +75,7 @@ class LineQuestion : public detail::LineMeasure<Line> {
  private:
   /// The triangle to skip is in one tile.
   [[nodiscard]] RayOptions options_for(const OpenTile& tile) const {
-    RayOptions options{std::nullopt, options_.deadline};
+    RayOptions options;
     if (options_.skip) {
       const auto at = std::lower_bound(tile.ids.begin(), tile.ids.end(), *options_.skip);
       if (at != tile.ids.end() && *at == *options_.skip) {
@@ -87,6 +86,7 @@ class LineQuestion : public detail::LineMeasure<Line> {
   }
 
   const RayOptions& options_;
+  const Limits& limits_;
 };
 
 void check_skip(const TileSet& tiles, const RayOptions& options) {
@@ -97,9 +97,9 @@ void check_skip(const TileSet& tiles, const RayOptions& options) {
   }
 }
 
-template <class Line>
-ClosestHit first_hit(const Line& line, const detail::TileBoxes& tiles, const RayOptions& options) {
-  const LineQuestion<Line> question(line, options);
+ClosestHit first_hit(const Ray& line, const detail::TileBoxes& tiles, const RayOptions& options,
+                     const Limits& limits) {
+  const LineQuestion question(line, options, limits);
   detail::NearestTile nearest(question);
   std::vector<detail::KeyedBounds> memory;
   nearest.run(tiles, memory);
@@ -117,9 +117,9 @@ ClosestHit first_hit(const Line& line, const detail::TileBoxes& tiles, const Ray
   return answer;
 }
 
-template <class Line>
-AnyHit some_hit(const Line& line, const detail::TileBoxes& tiles, const RayOptions& options) {
-  const LineQuestion<Line> question(line, options);
+AnyHit some_hit(const Ray& line, const detail::TileBoxes& tiles, const RayOptions& options,
+                const Limits& limits) {
+  const LineQuestion question(line, options, limits);
   AnyHit answer;
   std::vector<detail::KeyedBounds> memory;
   const auto key = [&](const Box& box) { return question.key(box); };
@@ -140,13 +140,13 @@ AnyHit some_hit(const Line& line, const detail::TileBoxes& tiles, const RayOptio
 }
 
 /// `ask(row)` for each line.
-template <class Line, class Ask>
-void for_each_line(std::span<const Line> lines, const detail::TileBoxes& tiles,
-                   const Parallel& parallel, const Ask& ask) {
+template <class Ask>
+void for_each_line(std::span<const Ray> lines, const detail::TileBoxes& tiles, const Limits& limits,
+                   const Ask& ask) {
   detail::for_each_row(
-      tiles.body().tiles, lines.size(), parallel,
+      tiles.body().tiles, lines.size(), limits,
       [&](std::size_t row) {
-        const LineQuestion<Line> question(lines[row], {});
+        const LineQuestion question(lines[row], {}, limits);
         return detail::first_tile(tiles, [&](const Box& box) { return question.key(box); });
       },
       ask);
@@ -154,37 +154,37 @@ void for_each_line(std::span<const Line> lines, const detail::TileBoxes& tiles,
 
 // What a body without triangles answers is checked, and its columns are of the right size.
 
-template <class Line>
-ClosestHitBatch first_hits(const TiledBody& body, std::span<const Line> lines,
-                           const RayOptions& options, const Parallel& parallel) {
+ClosestHitBatch first_hits(const TiledBody& body, std::span<const Ray> lines,
+                           const RayOptions& options, const Limits& limits) {
   const PlainArithmetic plain;
   check_skip(body.tiles, options);
   const detail::TileBoxes tiles(body);
   ClosestHitBatch batch = closest_hit(Body(), lines);
-  for_each_line(lines, tiles, parallel, [&](std::size_t row) {
-    put_columns(first_hit(lines[row], tiles, options), row, batch);
+  const Limits alone = limits.alone();
+  for_each_line(lines, tiles, limits, [&](std::size_t row) {
+    put_columns(first_hit(lines[row], tiles, options, alone), row, batch);
   });
   sum_costs<ClosestHit>(batch);
   return batch;
 }
 
-template <class Line>
-AnyHitBatch some_hits(const TiledBody& body, std::span<const Line> lines, const RayOptions& options,
-                      const Parallel& parallel) {
+AnyHitBatch some_hits(const TiledBody& body, std::span<const Ray> lines, const RayOptions& options,
+                      const Limits& limits) {
   const PlainArithmetic plain;
   check_skip(body.tiles, options);
   const detail::TileBoxes tiles(body);
   AnyHitBatch batch = any_hit(Body(), lines);
-  for_each_line(lines, tiles, parallel, [&](std::size_t row) {
-    put_columns(some_hit(lines[row], tiles, options), row, batch);
+  const Limits alone = limits.alone();
+  for_each_line(lines, tiles, limits, [&](std::size_t row) {
+    put_columns(some_hit(lines[row], tiles, options, alone), row, batch);
   });
   sum_costs<AnyHit>(batch);
   return batch;
 }
 
 Closest closest_of(const Vec3& point, const detail::TileBoxes& tiles, const ClosestOptions& options,
-                   const Parallel& parallel) {
-  const PointQuestion question(point, options, parallel);
+                   const Limits& limits) {
+  const PointQuestion question(point, options, limits);
   detail::NearestTile nearest(question);
   std::vector<detail::KeyedBounds> memory;
   nearest.run(tiles, memory);
@@ -208,19 +208,19 @@ Closest closest_of(const Vec3& point, const detail::TileBoxes& tiles, const Clos
 }  // namespace
 
 ClosestBatch closest(const TiledBody& body, std::span<const Vec3> points,
-                     const ClosestOptions& options, const Parallel& parallel) {
+                     const ClosestOptions& options, const Limits& limits) {
   const PlainArithmetic plain;
   const detail::TileBoxes tiles(body);
   ClosestBatch batch = closest(Body(), points, options);
-  const Parallel alone = {.stop = parallel.stop};
+  const Limits alone = limits.alone();
   detail::for_each_row(
-      body.tiles, points.size(), parallel,
+      body.tiles, points.size(), limits,
       [&](std::size_t row) {
         return detail::first_tile(
             tiles, [&](const Box& box) { return detail::distance_at_least(points[row], box); });
       },
       [&](std::size_t row) {
-        put_columns(closest_of(points[row], tiles, options, points.size() == 1 ? parallel : alone),
+        put_columns(closest_of(points[row], tiles, options, points.size() == 1 ? limits : alone),
                     row, batch);
       });
   sum_costs<Closest>(batch);
@@ -228,23 +228,13 @@ ClosestBatch closest(const TiledBody& body, std::span<const Vec3> points,
 }
 
 ClosestHitBatch closest_hit(const TiledBody& body, std::span<const Ray> rays,
-                            const RayOptions& options, const Parallel& parallel) {
-  return first_hits(body, rays, options, parallel);
-}
-
-ClosestHitBatch closest_hit(const TiledBody& body, std::span<const Segment> segments,
-                            const RayOptions& options, const Parallel& parallel) {
-  return first_hits(body, segments, options, parallel);
+                            const RayOptions& options, const Limits& limits) {
+  return first_hits(body, rays, options, limits);
 }
 
 AnyHitBatch any_hit(const TiledBody& body, std::span<const Ray> rays, const RayOptions& options,
-                    const Parallel& parallel) {
-  return some_hits(body, rays, options, parallel);
-}
-
-AnyHitBatch any_hit(const TiledBody& body, std::span<const Segment> segments,
-                    const RayOptions& options, const Parallel& parallel) {
-  return some_hits(body, segments, options, parallel);
+                    const Limits& limits) {
+  return some_hits(body, rays, options, limits);
 }
 
 }  // namespace soms

@@ -31,42 +31,36 @@ namespace soms {
 /// \cost    As `overlap` for the tiles whose boxes meet the mover's.
 [[nodiscard]] OverlapBatch overlap(const Shape& mover, std::span<const Pose> poses,
                                    const TiledBody& fixed, const OverlapOptions& options = {},
-                                   const Parallel& parallel = {});
+                                   const Limits& limits = {});
 
 /// How far is a mover from tiles, at each pose?
 /// \errors  As `distance` of shapes, and as `TileSet::open_tile`.
 /// \cost    As `distance` for the tiles that are not farther than what was found before.
 [[nodiscard]] DistanceBatch distance(const Shape& mover, std::span<const Pose> poses,
                                      const TiledBody& fixed, const DistanceOptions& options = {},
-                                     const Parallel& parallel = {});
+                                     const Limits& limits = {});
 
 /// Is a mover within a clearance of tiles, at each pose?
 /// \errors  As `within` of shapes, and as `TileSet::open_tile`.
 /// \cost    As `within` for the tiles that are within the clearance, up to one that decides.
 [[nodiscard]] WithinBatch within(const Shape& mover, std::span<const Pose> poses,
                                  const TiledBody& fixed, double clearance,
-                                 const WithinOptions& options = {}, const Parallel& parallel = {});
+                                 const Limits& limits = {});
 
 /// Where is the surface nearest to each point?
 /// \errors  As `closest` of a body, and as `TileSet::open_tile`.
 [[nodiscard]] ClosestBatch closest(const TiledBody& body, std::span<const Vec3> points,
-                                   const ClosestOptions& options = {},
-                                   const Parallel& parallel = {});
+                                   const ClosestOptions& options = {}, const Limits& limits = {});
 
 /// What does each ray hit first? `RayOptions::skip` is a number among all triangles.
 /// \errors  As `closest_hit` of a body, and as `TileSet::open_tile`.
 [[nodiscard]] ClosestHitBatch closest_hit(const TiledBody& body, std::span<const Ray> rays,
                                           const RayOptions& options = {},
-                                          const Parallel& parallel = {});
-[[nodiscard]] ClosestHitBatch closest_hit(const TiledBody& body, std::span<const Segment> segments,
-                                          const RayOptions& options = {},
-                                          const Parallel& parallel = {});
+                                          const Limits& limits = {});
 
 /// Does each ray hit anything?
 /// \errors  As `any_hit` of a body, and as `TileSet::open_tile`.
 [[nodiscard]] AnyHitBatch any_hit(const TiledBody& body, std::span<const Ray> rays,
-                                  const RayOptions& options = {}, const Parallel& parallel = {});
-[[nodiscard]] AnyHitBatch any_hit(const TiledBody& body, std::span<const Segment> segments,
-                                  const RayOptions& options = {}, const Parallel& parallel = {});
+                                  const RayOptions& options = {}, const Limits& limits = {});
 
 }  // namespace soms

@@ -25,7 +25,7 @@ class WideTree;
 ///          which may take O(n * depth) time.
 /// \source  thesis, chapter 4; Ericson 2005, section 6.2.1.
 [[nodiscard]] Tree build(const MeshView& mesh, const BuildOptions& options = {},
-                         const Parallel& parallel = {});
+                         const Limits& limits = {});
 
 /// The tree by a rule of your own: as `build`, with `rule` in place of that of `options.rule`,
 /// which is not looked at. The axis that it is given is that of the inner box unless `axis_from`
@@ -37,11 +37,11 @@ class WideTree;
 ///          throws nothing, and may be called by several threads at once.
 /// \errors  As `build`; ErrorKind::usage without a rule.
 [[nodiscard]] Tree build_by(const MeshView& mesh, RuleFunction rule, BuildOptions options = {},
-                            const Parallel& parallel = {});
+                            const Limits& limits = {});
 
 /// The layout of the same tree, which is never put together: `WideTree(build(mesh, options), mesh)`
 /// byte for byte, sooner and with less memory in between.
 [[nodiscard]] WideTree build_wide(const MeshView& mesh, const BuildOptions& options = {},
-                                  const Parallel& parallel = {});
+                                  const Limits& limits = {});
 
 }  // namespace soms

@@ -50,17 +50,17 @@ void bound_part(std::span<Node> nodes, std::uint32_t first, std::span<const Tria
 
 }  // namespace
 
-Tree refit(const Tree& tree, const MeshView& mesh, const Parallel& parallel) {
+Tree refit(const Tree& tree, const MeshView& mesh, const Limits& limits) {
   const PlainArithmetic plain;
   expect_as_many(mesh.triangles.size(), tree.primitives.size(), "triangles");
   check(mesh);
-  check_stop(parallel);
+  check(limits);
   Tree moved = tree;
   if (moved.nodes.empty()) {
     return moved;
   }
   const layout::Cut parts = layout::cut(tree);
-  for_each_chunk(parts.parts.size(), 1, parallel, [&](std::size_t k, std::size_t) {
+  for_each_chunk(parts.parts.size(), 1, limits, [&](std::size_t k, std::size_t) {
     const layout::Cut::Range& part = parts.parts[k];
     bound_part(std::span(moved.nodes).subspan(part.begin, part.end - part.begin), part.begin,
                moved.primitives, mesh);
@@ -76,7 +76,7 @@ Tree refit(const Tree& tree, const MeshView& mesh, const Parallel& parallel) {
   return moved;
 }
 
-Shape refit(const Shape& shape, std::shared_ptr<const Mesh> mesh, const Parallel& parallel) {
+Shape refit(const Shape& shape, std::shared_ptr<const Mesh> mesh, const Limits& limits) {
   const PlainArithmetic plain;
   if (!mesh) {
     throw Error(ErrorKind::usage, "refit: no mesh", "give the mesh that moved");
@@ -88,20 +88,19 @@ Shape refit(const Shape& shape, std::shared_ptr<const Mesh> mesh, const Parallel
                 "build a new shape");
   }
   check(*mesh);
-  check_stop(parallel);
+  check(limits);
   Shape moved = shape;
   moved.mesh_ = detail::HeldMesh::of(std::move(mesh));
-  moved.layout_ = std::make_shared<const WideTree>(shape.layout(), moved.mesh(), parallel);
+  moved.layout_ = std::make_shared<const WideTree>(shape.layout(), moved.mesh(), limits);
   if (shape.tree_) {
-    moved.tree_ = std::make_shared<const Tree>(
-        refit(*shape.tree_, moved.mesh(), Parallel{parallel.threads, parallel.stop, {}}));
+    moved.tree_ = std::make_shared<const Tree>(refit(*shape.tree_, moved.mesh(), limits.silent()));
   }
   moved.bounds_ = moved.layout_->bounds();
   if (moved.sah_area_ratio_ == 0) {
-    const double built = shape.layout().sah_area_ratio(shape.mesh(), parallel);
+    const double built = shape.layout().sah_area_ratio(shape.mesh(), limits);
     moved.sah_area_ratio_ = built > 0 ? built : kNoArea;
   }
-  const double now = moved.layout_->sah_area_ratio(moved.mesh(), parallel);
+  const double now = moved.layout_->sah_area_ratio(moved.mesh(), limits);
   if (now > 0) {
     // What was built of a mesh without area knows nothing of where triangles lie.
     moved.sah_degradation_ = moved.sah_area_ratio_ > 0 ? now / moved.sah_area_ratio_ : kEndless;
@@ -111,13 +110,13 @@ Shape refit(const Shape& shape, std::shared_ptr<const Mesh> mesh, const Parallel
   return moved;
 }
 
-Shape refit(const Shape& shape, std::vector<Vec3> vertices, const Parallel& parallel) {
+Shape refit(const Shape& shape, std::vector<Vec3> vertices, const Limits& limits) {
   expect_as_many(vertices.size(), shape.mesh().vertices.size(), "vertices");
   MeshView moved = shape.mesh();
   moved.vertices = {};
   auto mesh = std::make_shared<Mesh>(static_cast<Mesh>(moved));
   mesh->vertices = std::move(vertices);
-  return refit(shape, std::shared_ptr<const Mesh>(std::move(mesh)), parallel);
+  return refit(shape, std::shared_ptr<const Mesh>(std::move(mesh)), limits);
 }
 
 }  // namespace soms

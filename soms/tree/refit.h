@@ -18,7 +18,7 @@ namespace soms {
 /// \pre     `tree` is whole for a mesh of these triangles.
 /// \errors  As `check(Mesh)`; ErrorKind::usage for another number of triangles; cancelled.
 /// \cost    O(n) time.
-[[nodiscard]] Tree refit(const Tree& tree, const MeshView& mesh, const Parallel& parallel = {});
+[[nodiscard]] Tree refit(const Tree& tree, const MeshView& mesh, const Limits& limits = {});
 
 /// A shape whose vertices were moved: its layout, and its tree where it was kept, are those of
 /// `shape` with new boxes. Queries answer exactly as on a shape that is rebuilt. The shape that
@@ -30,11 +30,11 @@ namespace soms {
 ///          vertices or other triangles; cancelled.
 /// \cost    O(n) time, half of a build's; a new mesh and layout are allocated.
 [[nodiscard]] Shape refit(const Shape& shape, std::shared_ptr<const Mesh> mesh,
-                          const Parallel& parallel = {});
+                          const Limits& limits = {});
 
 /// The same, with a copy of the shape's mesh but for its vertices.
 [[nodiscard]] Shape refit(const Shape& shape, std::vector<Vec3> vertices,
-                          const Parallel& parallel = {});
+                          const Limits& limits = {});
 
 /// SAH degradation from which on a new build pays soon; docs/refit.md says what was measured.
 inline constexpr double kMostSahDegradation = 1.2;

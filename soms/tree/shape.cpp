@@ -34,12 +34,11 @@ Shape::Shape()
       layout_(std::make_shared<const WideTree>()) {
 }
 
-Shape::Shape(Mesh mesh, const ShapeOptions& options, const Parallel& parallel)
-    : Shape(std::make_shared<const Mesh>(std::move(mesh)), options, parallel) {
+Shape::Shape(Mesh mesh, const ShapeOptions& options, const Limits& limits)
+    : Shape(std::make_shared<const Mesh>(std::move(mesh)), options, limits) {
 }
 
-Shape::Shape(std::shared_ptr<const Mesh> mesh, const ShapeOptions& options,
-             const Parallel& parallel)
+Shape::Shape(std::shared_ptr<const Mesh> mesh, const ShapeOptions& options, const Limits& limits)
     : build_options_(options.build) {
   if (!mesh) {
     throw Error(ErrorKind::usage, "shape: no mesh", "give a mesh; it may be empty");
@@ -47,14 +46,14 @@ Shape::Shape(std::shared_ptr<const Mesh> mesh, const ShapeOptions& options,
   check(*mesh);
   mesh_ = detail::HeldMesh::of(std::move(mesh));
   if (options.keep_tree) {
-    tree_ = std::make_shared<const Tree>(
-        build(*mesh_, options.build, detail::within(parallel, 0, 0.6)));
-    layout_ = std::make_shared<const WideTree>(*tree_, *mesh_, detail::within(parallel, 0.6, 1));
+    tree_ =
+        std::make_shared<const Tree>(build(*mesh_, options.build, detail::within(limits, 0, 0.6)));
+    layout_ = std::make_shared<const WideTree>(*tree_, *mesh_, detail::within(limits, 0.6, 1));
   } else {
-    layout_ = std::make_shared<const WideTree>(build_wide(*mesh_, options.build, parallel));
+    layout_ = std::make_shared<const WideTree>(build_wide(*mesh_, options.build, limits));
   }
   if (options.layout == Layout::compact) {
-    layout_ = std::make_shared<const WideTree>(layout_->compacted(parallel));
+    layout_ = std::make_shared<const WideTree>(layout_->compacted(limits));
   }
   bounds_ = layout_->bounds();
 }

@@ -61,9 +61,9 @@ class Shape {
 
   /// Checks the mesh, builds its tree and converts it.
   /// \errors  As `check(Mesh)` and `build`.
-  explicit Shape(Mesh mesh, const ShapeOptions& options = {}, const Parallel& parallel = {});
+  explicit Shape(Mesh mesh, const ShapeOptions& options = {}, const Limits& limits = {});
   explicit Shape(std::shared_ptr<const Mesh> mesh, const ShapeOptions& options = {},
-                 const Parallel& parallel = {});
+                 const Limits& limits = {});
 
   /// The mesh, for as long as this shape or a copy of it lives.
   [[nodiscard]] const MeshView& mesh() const { return *mesh_; }
@@ -98,8 +98,7 @@ class Shape {
   [[nodiscard]] bool operator==(const Shape& other) const;
 
  private:
-  friend Shape refit(const Shape& shape, std::shared_ptr<const Mesh> mesh,
-                     const Parallel& parallel);
+  friend Shape refit(const Shape& shape, std::shared_ptr<const Mesh> mesh, const Limits& limits);
   friend Shape detail::opened(detail::ShapeParts parts);
   friend std::pair<double, double> detail::areas_of(const Shape& shape);
 

@@ -74,7 +74,7 @@ TEST(Arithmetic, IsPlainInEveryThread) {
   for (const test::HostMode& mode : test::host_modes()) {
     const HostArithmetic host(mode);
     std::atomic<int> others = 0;
-    for_each_chunk(200, 1, Parallel{8, {}, {}},
+    for_each_chunk(200, 1, Limits{.threads = 8},
                    [&](std::size_t, std::size_t) { others += is_plain() ? 0 : 1; });
     EXPECT_EQ(others, 0) << mode.name;
   }

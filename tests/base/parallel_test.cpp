@@ -17,13 +17,13 @@ namespace {
 
 constexpr int kThreadCounts[] = {1, 2, 8, 0};
 
-Parallel threads(int n) {
-  Parallel parallel;
-  parallel.threads = n;
-  return parallel;
+Limits threads(int n) {
+  Limits limits;
+  limits.threads = n;
+  return limits;
 }
 
-TEST(Parallel, ChunksCoverTheRangeOnceWithFixedBounds) {
+TEST(Limits, ChunksCoverTheRangeOnceWithFixedBounds) {
   for (const int n : kThreadCounts) {
     for (const std::size_t count : {0U, 1U, 6U, 7U, 8U, 1000U}) {
       std::vector<std::atomic<int>> visits(count);
@@ -45,7 +45,7 @@ TEST(Parallel, ChunksCoverTheRangeOnceWithFixedBounds) {
   }
 }
 
-TEST(Parallel, AChunkOfZeroItemsCountsAsOne) {
+TEST(Limits, AChunkOfZeroItemsCountsAsOne) {
   std::atomic<int> chunks = 0;
   for_each_chunk(5, 0, threads(2), [&](std::size_t begin, std::size_t end) {
     EXPECT_EQ(end, begin + 1);
@@ -55,7 +55,7 @@ TEST(Parallel, AChunkOfZeroItemsCountsAsOne) {
 }
 
 // Sums of doubles depend on order: joined in chunk order they are the same bits.
-TEST(Parallel, ResultsJoinedInChunkOrderAreTheSameBits) {
+TEST(Limits, ResultsJoinedInChunkOrderAreTheSameBits) {
   const auto sum = [](int n) {
     std::vector<double> parts(101);
     for_each_chunk(10007, 100, threads(n), [&](std::size_t begin, std::size_t end) {
@@ -70,7 +70,7 @@ TEST(Parallel, ResultsJoinedInChunkOrderAreTheSameBits) {
   }
 }
 
-TEST(Parallel, RethrowsTheExceptionOfABody) {
+TEST(Limits, RethrowsTheExceptionOfABody) {
   for (const int n : kThreadCounts) {
     EXPECT_THROW(for_each_chunk(100, 1, threads(n),
                                 [](std::size_t begin, std::size_t) {
@@ -82,14 +82,14 @@ TEST(Parallel, RethrowsTheExceptionOfABody) {
   }
 }
 
-TEST(Parallel, StopsBetweenChunksOnRequest) {
+TEST(Limits, StopsBetweenChunksOnRequest) {
   for (const int n : kThreadCounts) {
     std::stop_source source;
-    Parallel parallel = threads(n);
-    parallel.stop = source.get_token();
+    Limits limits = threads(n);
+    limits.stop = source.get_token();
     std::atomic<int> chunks = 0;
     try {
-      for_each_chunk(10000, 1, parallel, [&](std::size_t, std::size_t) {
+      for_each_chunk(10000, 1, limits, [&](std::size_t, std::size_t) {
         ++chunks;
         source.request_stop();
       });
@@ -98,21 +98,21 @@ TEST(Parallel, StopsBetweenChunksOnRequest) {
       EXPECT_EQ(error.kind(), ErrorKind::cancelled);
     }
     EXPECT_LE(chunks, 64);
-    EXPECT_THROW(check_stop(parallel), Error);
+    EXPECT_THROW(check_stop(limits), Error);
   }
 }
 
-TEST(Parallel, ReportsProgressUpToOne) {
+TEST(Limits, ReportsProgressUpToOne) {
   for (const int n : kThreadCounts) {
-    Parallel parallel = threads(n);
+    Limits limits = threads(n);
     std::vector<double> shares;
-    parallel.progress = [&](double share) { shares.push_back(share); };
-    for_each_chunk(10, 3, parallel, [](std::size_t, std::size_t) {});
+    limits.progress = [&](double share) { shares.push_back(share); };
+    for_each_chunk(10, 3, limits, [](std::size_t, std::size_t) {});
     EXPECT_EQ(shares, (std::vector<double>{0.25, 0.5, 0.75, 1}));
   }
 }
 
-TEST(Parallel, NestsAndIsCalledFromManyPlaces) {
+TEST(Limits, NestsAndIsCalledFromManyPlaces) {
   std::atomic<int> items = 0;
   for_each_chunk(8, 1, threads(4), [&](std::size_t, std::size_t) {
     for_each_chunk(100, 10, threads(2), [&](std::size_t begin, std::size_t end) {
@@ -122,7 +122,7 @@ TEST(Parallel, NestsAndIsCalledFromManyPlaces) {
   EXPECT_EQ(items, 800);
 }
 
-TEST(Parallel, NeverPrints) {
+TEST(Limits, NeverPrints) {
   ::testing::internal::CaptureStderr();
   for_each_chunk(100, 1, threads(64), [](std::size_t, std::size_t) {});
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");

@@ -84,7 +84,7 @@ TEST(Clashes, ArePairsOfPartsThatOverlap) {
     }
   }
   for (const TrianglePair& pair : overlap(Body(structure), Body(services)).pairs) {
-    ++expected[{part_a[pair.first], part_b[pair.second]}];
+    ++expected[{part_a[pair.a], part_b[pair.b]}];
   }
   ASSERT_EQ(expected.size(), 260U);
   std::uint64_t with_contact = 0;
@@ -186,7 +186,8 @@ TEST(Clashes, LeaveOutPairsThatAreNotWanted) {
 TEST(Clashes, AreCutByADeadline) {
   const std::vector<PartBody> a = part_bodies(read_part_file("special.obj"));
   const std::vector<PartBody> b = part_bodies(read_part_file("special_b.obj"));
-  const ClashList list = clashes(a, b, {.deadline = std::chrono::steady_clock::time_point::min()});
+  const ClashList list =
+      clashes(a, b, {}, {.deadline = std::chrono::steady_clock::time_point::min()});
   EXPECT_EQ(list.coverage, Coverage::cut);
   EXPECT_GT(list.left_out, 0U);
   EXPECT_EQ(list.compared + list.left_out, clash_candidates(a, b).size());

@@ -52,7 +52,7 @@ Vec3 point_of(Bytes& bytes, const Body& body, double unit) {
 void check_points(const ClosedBody& body, const std::vector<Vec3>& points) {
   const ContainsBatch batch = contains(body, points);
   require(batch.side == reference::contains_by_brute_force(body.body(), points), "a side");
-  require(contains(body, points, {}, {.threads = 2}) == batch, "two threads");
+  require(contains(body, points, {.threads = 2}) == batch, "two threads");
   for (std::size_t i = 0; i < points.size(); ++i) {
     require(contains(body, points[i]) == batch.at(i), "a single point");
   }

@@ -84,8 +84,7 @@ Vec3 end_of_ray(Bytes& bytes, const Body& body, double unit) {
   return fuzz::within_limits(p);
 }
 
-template <class Line>
-void check_lines(const Body& body, const std::vector<Line>& lines, const RayOptions& options) {
+void check_lines(const Body& body, const std::vector<Ray>& lines, const RayOptions& options) {
   const ClosestHitBatch closest = closest_hit(body, lines, options);
   const AnyHitBatch any = any_hit(body, lines, options);
   const AllHits all = all_hits(body, lines, options);
@@ -119,11 +118,11 @@ void check_rays(Bytes& bytes) {
     options.skip = bytes.below(static_cast<std::uint32_t>(mesh.triangles.size()));
   }
   std::vector<Ray> rays;
-  std::vector<Segment> segments;
+  std::vector<Ray> segments;
   for (std::uint32_t k = 0, count = 1 + bytes.below(20); k < count; ++k) {
     const Vec3 from = end_of_ray(bytes, body, unit);
     const Vec3 to = end_of_ray(bytes, body, unit);
-    segments.push_back({from, to});
+    segments.push_back(Ray::between(from, to));
     Ray ray{from, (to - from) * std::ldexp(1.0, static_cast<int>(bytes.below(200)) - 100)};
     ray.direction = ray.direction == Vec3{} ? Vec3{0, -0.0, 1} : ray.direction;
     if (bytes.below(3) == 0) {

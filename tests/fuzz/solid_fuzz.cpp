@@ -47,7 +47,7 @@ void check_relation(const Body& a, const Body& b) {
   require(solid(b, a).relation == the_other_way(answer.relation), "the other way round");
   if (is_closed(Body(a.shape))) {
     const std::vector<Pose> poses(3, a.pose);
-    require(solid(a.shape, poses, b, {}, {.threads = 2}).at(2) == answer, "a batch");
+    require(solid(a.shape, poses, b, {.threads = 2}).at(2) == answer, "a batch");
   }
 }
 

@@ -128,9 +128,9 @@ TEST(Closedness, ClosedPartsAreWhatIsLeftOfAMesh) {
 }
 
 TEST(Closedness, RefusesPosesAndStops) {
-  const auto kind_of = [](const ClosednessOptions& options, const Parallel& parallel) {
+  const auto kind_of = [](const ClosednessOptions& options, const Limits& limits) {
     try {
-      static_cast<void>(closedness(mesh_of("onegone"), options, parallel));
+      static_cast<void>(closedness(mesh_of("onegone"), options, limits));
     } catch (const Error& error) {
       return error.kind();
     }

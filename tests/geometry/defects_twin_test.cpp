@@ -315,22 +315,22 @@ TEST(Defects, TellProgressThatOnlyGrowsToOneAndStopOnRequest) {
   Mesh mesh = soup_of(generate_knot(200000));
   mesh.parts = {{"a", Part::kNoParent, 0, 1000}, {"b", Part::kNoParent, 1000, 100000}};
   std::vector<double> shares;
-  Parallel parallel;
-  parallel.progress = [&](double share) { shares.push_back(share); };
-  static_cast<void>(find_defects(mesh, {}, parallel));
+  Limits limits;
+  limits.progress = [&](double share) { shares.push_back(share); };
+  static_cast<void>(find_defects(mesh, {}, limits));
   EXPECT_GT(shares.size(), 20U);
   EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
   EXPECT_NEAR(shares.back(), 1, 1e-5);
 
   std::stop_source source;
-  parallel.stop = source.get_token();
-  parallel.progress = [&](double share) {
+  limits.stop = source.get_token();
+  limits.progress = [&](double share) {
     if (share > 0.5) {
       source.request_stop();
     }
   };
   try {
-    static_cast<void>(find_defects(mesh, {}, parallel));
+    static_cast<void>(find_defects(mesh, {}, limits));
     FAIL() << "went on";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::cancelled);

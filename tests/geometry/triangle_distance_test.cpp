@@ -231,8 +231,8 @@ TEST(TriangleDistance, TakesTrianglesWithoutAreaAsSegmentsAndPoints) {
   EXPECT_EQ(triangle_distance(segment, point).point_a, (Vec3{1, 0, 0}));
   EXPECT_EQ(triangle_distance(point, at_point({1, 3, 4})).distance, (Bracket{0, 0}));
   EXPECT_EQ(triangle_distance(point, at_point({1, 3, 4})).point_a, (Vec3{1, 3, 4}));
-  const Triangle parallel{{2, 2, 0}, {9, 2, 0}, {3, 2, 0}};
-  EXPECT_EQ(triangle_distance(segment, parallel), (TriangleDistance{{2, 2}, {3, 0, 0}, {3, 2, 0}}));
+  const Triangle limits{{2, 2, 0}, {9, 2, 0}, {3, 2, 0}};
+  EXPECT_EQ(triangle_distance(segment, limits), (TriangleDistance{{2, 2}, {3, 0, 0}, {3, 2, 0}}));
   const Triangle within{{1, 0, 0}, {3, 0, 0}, {3, 0, 0}};
   EXPECT_EQ(triangle_distance(segment, within), (TriangleDistance{{0, 0}, {2, 0, 0}, {2, 0, 0}}));
 }

@@ -143,11 +143,11 @@ class Answered {
 /// The parts of `all_rows`.
 void add_geometry(const Inputs& inputs, Rows& rows);
 void add_files(const Inputs& inputs, Rows& rows);
-void add_trees(const Inputs& inputs, const Parallel& parallel, Rows& rows);
-void add_answers(const Inputs& inputs, const Parallel& parallel, Rows& rows);
-void add_near_answers(const Inputs& inputs, const Parallel& parallel, Rows& rows);
-void add_solid_answers(const Inputs& inputs, const Parallel& parallel, Rows& rows);
-void add_probe_answers(const Inputs& inputs, const Parallel& parallel, Rows& rows);
-void add_scene(const Parallel& parallel, Rows& rows);
+void add_trees(const Inputs& inputs, const Limits& limits, Rows& rows);
+void add_answers(const Inputs& inputs, const Limits& limits, Rows& rows);
+void add_near_answers(const Inputs& inputs, const Limits& limits, Rows& rows);
+void add_solid_answers(const Inputs& inputs, const Limits& limits, Rows& rows);
+void add_probe_answers(const Inputs& inputs, const Limits& limits, Rows& rows);
+void add_scene(const Limits& limits, Rows& rows);
 
 }  // namespace soms::golden

@@ -37,7 +37,7 @@ Hash& Hash::operator<<(const Cost& cost) {
 }
 
 Hash& Hash::operator<<(const TrianglePair& pair) {
-  return *this << pair.first << pair.second;
+  return *this << pair.a << pair.b;
 }
 
 Hash& Hash::operator<<(const Mesh& mesh) {

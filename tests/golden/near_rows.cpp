@@ -12,11 +12,10 @@ namespace soms::golden {
 
 namespace {
 
-void add_near_pair(const ModelPair& pair, const Inputs& inputs, const Parallel& parallel,
-                   Rows& rows) {
-  const Shape a(inputs.models.at(pair.first), {}, parallel);
-  const Shape b(inputs.models.at(pair.second), {.build = {.rule = Rule::soms}}, parallel);
-  const Shape compact(inputs.models.at(pair.second), {.layout = Layout::compact}, parallel);
+void add_near_pair(const ModelPair& pair, const Inputs& inputs, const Limits& limits, Rows& rows) {
+  const Shape a(inputs.models.at(pair.first), {}, limits);
+  const Shape b(inputs.models.at(pair.second), {.build = {.rule = Rule::soms}}, limits);
+  const Shape compact(inputs.models.at(pair.second), {.layout = Layout::compact}, limits);
   for (const test::QueryRow& row : test::query_table()) {
     if (!row.takes_length) {
       continue;  // overlap has rows of its own, of more kinds
@@ -25,11 +24,11 @@ void add_near_pair(const ModelPair& pair, const Inputs& inputs, const Parallel& 
     Answered small(row);
     for (const Pose& pose : pair.near_poses) {
       const Body x(a, pose);
-      const Bracket d = distance(x, Body(b), {}, parallel).distance;
+      const Bracket d = distance(x, Body(b), {}, limits).distance;
       // At both ends of the bracket the decision is exact.
       for (const double length : {0.0, d.lower, d.upper, std::numeric_limits<double>::infinity()}) {
-        wide.add(row.ask(x, Body(b), {.length = length}, parallel));
-        small.add(row.ask(x, Body(compact), {.length = length}, parallel));
+        wide.add(row.ask(x, Body(b), {.length = length}, limits));
+        small.add(row.ask(x, Body(compact), {.length = length}, limits));
       }
     }
     wide.write("", pair.name(), rows);
@@ -44,27 +43,27 @@ const Mesh& solid_named(const Inputs& inputs, const std::string& name) {
 
 }  // namespace
 
-void add_solid_answers(const Inputs& inputs, const Parallel& parallel, Rows& rows) {
+void add_solid_answers(const Inputs& inputs, const Limits& limits, Rows& rows) {
   const test::QueryRow& row = test::query_row("solid");
   for (const ModelPair& pair : inputs.solid_pairs) {
     const Mesh& mesh_b = solid_named(inputs, pair.second);
-    const Shape a(solid_named(inputs, pair.first), {}, parallel);
-    const Body b(Shape(mesh_b, {.build = {.rule = Rule::soms}}, parallel));
-    const Body compact(Shape(mesh_b, {.layout = Layout::compact}, parallel));
+    const Shape a(solid_named(inputs, pair.first), {}, limits);
+    const Body b(Shape(mesh_b, {.build = {.rule = Rule::soms}}, limits));
+    const Body compact(Shape(mesh_b, {.layout = Layout::compact}, limits));
     Answered wide(row);
     Answered small(row);
     for (const Pose& pose : pair.near_poses) {
-      wide.add(row.ask(Body(a, pose), b, {}, parallel));
-      small.add(row.ask(Body(a, pose), compact, {}, parallel));
+      wide.add(row.ask(Body(a, pose), b, {}, limits));
+      small.add(row.ask(Body(a, pose), compact, {}, limits));
     }
     wide.write("", pair.name(), rows);
     small.write(" compact", pair.name(), rows);
   }
 }
 
-void add_near_answers(const Inputs& inputs, const Parallel& parallel, Rows& rows) {
+void add_near_answers(const Inputs& inputs, const Limits& limits, Rows& rows) {
   for (const ModelPair& pair : inputs.pairs) {
-    add_near_pair(pair, inputs, parallel, rows);
+    add_near_pair(pair, inputs, limits, rows);
   }
 }
 

@@ -14,16 +14,16 @@ namespace {
 /// What the questions about one kind of probe say of a model at all its poses.
 template <class Probe>
 void add_probed_model(std::span<const ProbedModel> poses, const Inputs& inputs,
-                      const Parallel& parallel, Rows& rows) {
+                      const Limits& limits, Rows& rows) {
   const std::string& name = poses.front().model;
   const std::array layouts{Layout::wide, Layout::compact};
   for (const Layout layout : layouts) {
-    const Shape shape(inputs.models.at(name), {.layout = layout}, parallel);
+    const Shape shape(inputs.models.at(name), {.layout = layout}, limits);
     for (const test::ProbeRow<Probe>& row : test::probe_table<Probe>(Body(shape))) {
       Answered answered(row);
       for (const ProbedModel& at : poses) {
         const test::BatchAnswer batch =
-            row.ask_batch(Body(shape, at.pose), test::of_kind<Probe>(at.probes), {}, parallel);
+            row.ask_batch(Body(shape, at.pose), test::of_kind<Probe>(at.probes), {}, limits);
         for (const test::Answer& answer : batch.answers) {
           answered.add(answer);
         }
@@ -35,14 +35,14 @@ void add_probed_model(std::span<const ProbedModel> poses, const Inputs& inputs,
 
 }  // namespace
 
-void add_probe_answers(const Inputs& inputs, const Parallel& parallel, Rows& rows) {
+void add_probe_answers(const Inputs& inputs, const Limits& limits, Rows& rows) {
   for (auto first = inputs.probed.begin(); first != inputs.probed.end();) {
     const auto behind = std::find_if(first, inputs.probed.end(), [&](const ProbedModel& at) {
       return at.model != first->model;
     });
     const std::span<const ProbedModel> poses(&*first, static_cast<std::size_t>(behind - first));
-    add_probed_model<Vec3>(poses, inputs, parallel, rows);
-    add_probed_model<Ray>(poses, inputs, parallel, rows);
+    add_probed_model<Vec3>(poses, inputs, limits, rows);
+    add_probed_model<Ray>(poses, inputs, limits, rows);
     first = behind;
   }
 }

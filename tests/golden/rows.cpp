@@ -122,20 +122,20 @@ void add_files(const Inputs& inputs, Rows& rows) {
                       .value();
 }
 
-void add_trees(const Inputs& inputs, const Parallel& parallel, Rows& rows) {
+void add_trees(const Inputs& inputs, const Limits& limits, Rows& rows) {
   for (const auto& [name, model] : inputs.models) {
     const auto mesh = std::make_shared<const Mesh>(model);
     for (const RuleEntry& rule : rules()) {
       Hash hash;
       for (const BuildOptions& options : options_of(rule.rule)) {
-        const Tree tree = build(*mesh, options, parallel);
+        const Tree tree = build(*mesh, options, limits);
         const ExpectedVisits visits = expected_visits(tree, {0.5, 0.25, 0});
         hash << tree_hash(tree) << sah_cost(tree) << visits.nodes << visits.triangles
              << find_fault(tree, *mesh) << count_visits(tree, tree.nodes[0].bounds).leaves
              << statistics(tree, options).depth;
-        const WideTree wide(tree, *mesh, parallel);
-        hash << wide << wide.compacted(parallel) << wide.sah_area_ratio(*mesh, parallel)
-             << build_wide(*mesh, options, parallel);
+        const WideTree wide(tree, *mesh, limits);
+        hash << wide << wide.compacted(limits) << wide.sah_area_ratio(*mesh, limits)
+             << build_wide(*mesh, options, limits);
       }
       rows["tree " + name + " " + std::string(rule.name)] = hash.value();
     }
@@ -143,13 +143,13 @@ void add_trees(const Inputs& inputs, const Parallel& parallel, Rows& rows) {
     unnamed.source.clear();
     Hash files;
     for (const Layout layout : {Layout::wide, Layout::compact}) {
-      write_tree_file(Shape(unnamed, {.layout = layout}, parallel),
+      write_tree_file(Shape(unnamed, {.layout = layout}, limits),
                       [&](std::span<const std::byte> bytes) { files << lanes_hash(bytes); });
     }
     rows["tree file " + name] = files.value();
   }
-  const Shape ring(inputs.models.at("ring"), {.keep_tree = true}, parallel);
-  const Shape bent = refit(ring, inputs.bent.vertices, parallel);
+  const Shape ring(inputs.models.at("ring"), {.keep_tree = true}, limits);
+  const Shape bent = refit(ring, inputs.bent.vertices, limits);
   rows["refit"] =
       (Hash() << tree_hash(*bent.tree()) << bent.layout() << bent.sah_degradation()).value();
 }
@@ -174,13 +174,13 @@ std::uint64_t hash_of(const std::vector<thesis::CountedOverlap>& answers) {
 }
 
 /// What each way of asking about a pair says, all poses together.
-void add_pair(const ModelPair& pair, const Inputs& inputs, const Parallel& parallel, Rows& rows) {
+void add_pair(const ModelPair& pair, const Inputs& inputs, const Limits& limits, Rows& rows) {
   const Mesh& mesh_a = inputs.models.at(pair.first);
   const Mesh& mesh_b = inputs.models.at(pair.second);
   const std::string name = pair.name();
-  const Shape a(mesh_a, {.keep_tree = true}, parallel);
-  const Shape b(mesh_b, {.build = {.rule = Rule::soms}, .keep_tree = true}, parallel);
-  const Shape compact(mesh_b, {.layout = Layout::compact}, parallel);
+  const Shape a(mesh_a, {.keep_tree = true}, limits);
+  const Shape b(mesh_b, {.build = {.rule = Rule::soms}, .keep_tree = true}, limits);
+  const Shape compact(mesh_b, {.layout = Layout::compact}, limits);
   Hash all;
   Hash costs;
   Hash first;
@@ -188,22 +188,22 @@ void add_pair(const ModelPair& pair, const Inputs& inputs, const Parallel& paral
   Hash brute;
   for (const Pose& pose : inputs.poses) {
     const Body x(a, pose);
-    const Overlap answer = overlap(x, Body(b), {}, parallel);
+    const Overlap answer = overlap(x, Body(b), {}, limits);
     all << answer;
     costs << answer.cost;
-    first << overlap(x, Body(b), {.mode = OverlapMode::first}, parallel).pairs.size()
-          << overlap(x, Body(b), {.mode = OverlapMode::any}, parallel).any
-          << overlap(x, Body(b), {.limit = 3}, parallel).pairs;
-    const Overlap of_compact = overlap(x, Body(compact), {}, parallel);
+    first << overlap(x, Body(b), {.mode = OverlapMode::first}, limits).pairs.size()
+          << overlap(x, Body(b), {.mode = OverlapMode::any}, limits).any
+          << overlap(x, Body(b), {.limit = 3}, limits).pairs;
+    const Overlap of_compact = overlap(x, Body(compact), {}, limits);
     small << of_compact;
     costs << of_compact.cost;
-    brute << reference::overlap(mesh_a, pose, mesh_b, Pose(), parallel).pairs;
+    brute << reference::overlap(mesh_a, pose, mesh_b, Pose(), limits).pairs;
   }
   rows["overlap " + name] = all.value();
   rows["overlap first " + name] = first.value();
   rows["overlap compact " + name] = small.value();
   rows["overlap brute " + name] = brute.value();
-  const OverlapBatch batch = overlap(a, inputs.poses, Body(b), {}, parallel);
+  const OverlapBatch batch = overlap(a, inputs.poses, Body(b), {}, limits);
   rows["overlap batch " + name] = (Hash() << batch.any << batch.offsets << batch.pairs).value();
   // Work has a row of its own: a better engine may change it and must not change an answer.
   rows["overlap cost " + name] = (costs << batch.costs).value();
@@ -211,7 +211,7 @@ void add_pair(const ModelPair& pair, const Inputs& inputs, const Parallel& paral
     if (traversal.traversal != Traversal::fast) {
       const std::vector<thesis::CountedOverlap> named =
           thesis::overlap(a, std::span(inputs.poses).last(2), Body(b),
-                          {.traversal = traversal.traversal}, {}, parallel);
+                          {.traversal = traversal.traversal}, {}, limits);
       rows[std::string(traversal.name) + " " + name] = hash_of(named);
     }
   }
@@ -219,13 +219,13 @@ void add_pair(const ModelPair& pair, const Inputs& inputs, const Parallel& paral
 
 }  // namespace
 
-void add_answers(const Inputs& inputs, const Parallel& parallel, Rows& rows) {
+void add_answers(const Inputs& inputs, const Limits& limits, Rows& rows) {
   for (const ModelPair& pair : inputs.pairs) {
-    add_pair(pair, inputs, parallel, rows);
+    add_pair(pair, inputs, limits, rows);
   }
 }
 
-void add_scene(const Parallel& parallel, Rows& rows) {
+void add_scene(const Limits& limits, Rows& rows) {
   City city = generate_city({.triangles = 6000, .size = 400, .seed = 3});
   rows["city"] = (Hash() << city.mesh).value();
   for (const auto& [name, mesh] :
@@ -234,9 +234,9 @@ void add_scene(const Parallel& parallel, Rows& rows) {
         std::pair("spread", generate_spread({.triangles = 300, .ratio = 1e4}))}) {
     rows[std::string("generate ") + name] = (Hash() << mesh).value();
   }
-  const std::array<Shape, 3> shapes{Shape(generate_mover(MoverKind::car), {}, parallel),
-                                    Shape(generate_mover(MoverKind::person), {}, parallel),
-                                    Shape(generate_mover(MoverKind::drone), {}, parallel)};
+  const std::array<Shape, 3> shapes{Shape(generate_mover(MoverKind::car), {}, limits),
+                                    Shape(generate_mover(MoverKind::person), {}, limits),
+                                    Shape(generate_mover(MoverKind::drone), {}, limits)};
   Scene scene;
   const Box box = bounds(city.mesh);
   std::vector<Route> routes;
@@ -248,7 +248,7 @@ void add_scene(const Parallel& parallel, Rows& rows) {
     routes.back().measure();
     scene.add_mover(Body(shapes[i % 3], routes.back().at(0)));
   }
-  scene.add_environment(Body(Shape(std::move(city.mesh), {}, parallel)));
+  scene.add_environment(Body(Shape(std::move(city.mesh), {}, limits)));
   Hash poses;
   Hash steps;
   Hash costs;
@@ -258,7 +258,7 @@ void add_scene(const Parallel& parallel, Rows& rows) {
       poses << pose << routes[i].length() << city.ground(pose.m[3], pose.m[7]);
       scene.set_pose(static_cast<MoverId>(i), pose);
     }
-    const StepReport report = scene.step({}, parallel);
+    const StepReport report = scene.step({}, limits);
     steps << report.hash() << report.queries << report.box_pairs;
     costs << report.cost;
   }
@@ -268,16 +268,16 @@ void add_scene(const Parallel& parallel, Rows& rows) {
 }
 
 Rows all_rows(const Inputs& inputs, int threads) {
-  const Parallel parallel{.threads = threads};
+  const Limits limits{.threads = threads};
   Rows rows;
   add_geometry(inputs, rows);
   add_files(inputs, rows);
-  add_trees(inputs, parallel, rows);
-  add_answers(inputs, parallel, rows);
-  add_near_answers(inputs, parallel, rows);
-  add_solid_answers(inputs, parallel, rows);
-  add_probe_answers(inputs, parallel, rows);
-  add_scene(parallel, rows);
+  add_trees(inputs, limits, rows);
+  add_answers(inputs, limits, rows);
+  add_near_answers(inputs, limits, rows);
+  add_solid_answers(inputs, limits, rows);
+  add_probe_answers(inputs, limits, rows);
+  add_scene(limits, rows);
   return rows;
 }
 

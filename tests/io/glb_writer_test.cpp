@@ -17,9 +17,9 @@
 namespace soms::test {
 namespace {
 
-std::string as_glb(const Mesh& mesh, const Parallel& parallel = {}) {
+std::string as_glb(const Mesh& mesh, const Limits& limits = {}) {
   std::ostringstream out;
-  write_mesh(out, "out", mesh, MeshFormat::glb, parallel);
+  write_mesh(out, "out", mesh, MeshFormat::glb, limits);
   return out.str();
 }
 

@@ -8,8 +8,8 @@ namespace soms::detail {
 namespace {
 
 TEST(MeshBuilder, RefusesMoreFacesThanNumbersAreGivenTo) {
-  const Parallel parallel;
-  Source source{.bytes = {}, .name = "a.ply", .budget = Budget(1 << 20), .parallel = parallel};
+  const Limits limits;
+  Source source{.bytes = {}, .name = "a.ply", .budget = Budget(1 << 20), .limits = limits};
   MeshBuilder builder(source);
   // An instance may have faces without triangles: as many as would take minutes one by one.
   builder.add_instance({}, 0, static_cast<std::uint32_t>(kMaxPrimitives - 1), false);

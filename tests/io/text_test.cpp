@@ -89,8 +89,8 @@ TEST(Forget, GivesBackPagesThatWerePassedAndNoOthers) {
     bytes[i] = '\n';
   }
   const std::string whole = bytes;
-  const Parallel parallel;
-  Source source{.bytes = bytes, .name = "text", .parallel = parallel, .forgettable = true};
+  const Limits limits;
+  Source source{.bytes = bytes, .name = "text", .limits = limits, .forgettable = true};
   source.kept = kHeader;
   source.forget(1000);  // too little to be worth a call
   EXPECT_EQ(bytes, whole);

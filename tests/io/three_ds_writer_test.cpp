@@ -17,9 +17,9 @@
 namespace soms::test {
 namespace {
 
-std::string as_three_ds(const Mesh& mesh, const Parallel& parallel = {}) {
+std::string as_three_ds(const Mesh& mesh, const Limits& limits = {}) {
   std::ostringstream out;
-  write_mesh(out, "out", mesh, MeshFormat::three_ds, parallel);
+  write_mesh(out, "out", mesh, MeshFormat::three_ds, limits);
   return out.str();
 }
 

@@ -134,7 +134,7 @@ TEST(ClosestProperty, APointIsABodyOfOnePoint) {
     const Closest near = closest(body, p);
     const Distance same = distance(body, test::body_of({p, p, p}));
     RC_ASSERT(near.distance == same.distance);
-    RC_ASSERT(*near.triangle == same.triangles->first);
+    RC_ASSERT(*near.triangle == same.triangles->a);
   });
 }
 

@@ -116,8 +116,8 @@ TEST(DistanceProperty, ExchangingTheBodiesKeepsTheBracket) {
     RC_ASSERT(there.distance == back.distance);
     if (there.triangles) {
       // Each names a pair that is as near; of equally near ones each the least in its own order.
-      RC_ASSERT(*there.triangles <= TrianglePair(back.triangles->second, back.triangles->first));
-      RC_ASSERT(*back.triangles <= TrianglePair(there.triangles->second, there.triangles->first));
+      RC_ASSERT(*there.triangles <= (TrianglePair{back.triangles->b, back.triangles->a}));
+      RC_ASSERT(*back.triangles <= (TrianglePair{there.triangles->b, there.triangles->a}));
     }
   });
 }
@@ -246,9 +246,9 @@ TEST(DistanceProperty, RemovingATriangleBringsNothingNearer) {
     const Distance rest = distance(Body(fewer), b);
     RC_ASSERT(rest.distance.lower >= whole.distance.lower);
     RC_ASSERT(rest.distance.upper >= whole.distance.upper);
-    if (left_out != whole.triangles->first) {
+    if (left_out != whole.triangles->a) {
       TrianglePair expected = *whole.triangles;
-      expected.first -= left_out < expected.first ? 1 : 0;
+      expected.a -= left_out < expected.a ? 1 : 0;
       RC_ASSERT(rest.distance == whole.distance);
       RC_ASSERT(rest.triangles == expected);
     }
@@ -272,7 +272,7 @@ TEST(DistanceProperty, PermutingTrianglesAndCornersKeepsTheBracket) {
     const Distance after = distance(Body(permuted), b);
     RC_ASSERT(after.distance == before.distance);
     RC_ASSERT(test::distance_of_pair(Body(permuted), b, *after.triangles) == before.distance);
-    RC_ASSERT(order[after.triangles->first] >= before.triangles->first);
+    RC_ASSERT(order[after.triangles->a] >= before.triangles->a);
   });
 }
 

@@ -115,11 +115,11 @@ TEST_F(RayScales, RaysAndSegmentsAnswerAsBruteForce) {
   for_all_scales("ray-scales/rays", [&](Rng& rng, const Scales& scales) {
     const Body body(shape_of(rng, test::uneven_mesh(rng, scales)), test::pose_at(rng, scales));
     std::vector<Ray> rays;
-    std::vector<Segment> segments;
+    std::vector<Ray> segments;
     for (int i = 0; i < 6; ++i) {
       rays.push_back(ray_at(rng, body, scales));
       const Vec3 from = ray_at(rng, body, scales).origin;
-      segments.push_back({from, point_of_small(rng, body.shape.mesh(), body.pose)});
+      segments.push_back(Ray::between(from, point_of_small(rng, body.shape.mesh(), body.pose)));
     }
     ASSERT_NO_FATAL_FAILURE(expect_lines(body, rays, counts));
     ASSERT_NO_FATAL_FAILURE(expect_lines(body, segments, counts));

@@ -111,9 +111,9 @@ Ray any_ray(Rng& rng, const Body& body) {
   return ray;
 }
 
-Segment any_segment(Rng& rng, const Body& body) {
+Ray any_segment(Rng& rng, const Body& body) {
   const Vec3 from = any_ray(rng, body).origin;
-  return {from, rng.below(8) == 0 ? from : surface_point(rng, body)};
+  return Ray::between(from, rng.below(8) == 0 ? from : surface_point(rng, body));
 }
 
 Body any_body(Rng& rng) {
@@ -124,8 +124,7 @@ Body any_body(Rng& rng) {
 }
 
 /// All questions about one ray or segment, alone, against brute force.
-template <class Line>
-bool is_as_brute_force(const Body& body, const Line& line, std::optional<TriangleId> skip) {
+bool is_as_brute_force(const Body& body, const Ray& line, std::optional<TriangleId> skip) {
   const RayOptions options{.skip = skip};
   ClosestHit closest = closest_hit(body, line, options);
   AllHits all = all_hits(body, std::span(&line, 1), options);
@@ -164,7 +163,7 @@ TEST(RayProperty, BatchesAnswerAsSingleRays) {
     Rng rng(seed);
     const Body body = any_body(rng);
     std::vector<Ray> rays;
-    std::vector<Segment> segments;
+    std::vector<Ray> segments;
     for (std::uint64_t i = 0, count = rng.below(50); i < count; ++i) {
       rays.push_back(any_ray(rng, body));
       segments.push_back(any_segment(rng, body));
@@ -186,14 +185,14 @@ TEST(RayProperty, OfAReversedSegmentMeetsTheSame) {
     Rng rng(seed);
     const Body body = any_body(rng);
     for (int i = 0; i < 8; ++i) {
-      const Segment there = any_segment(rng, body);
-      const Segment back{there.to, there.from};
+      const Ray there = any_segment(rng, body);
+      const Ray back = Ray::between(*there.end, there.origin);
       std::vector<TriangleId> first = all_hits(body, std::span(&there, 1)).triangle;
       std::vector<TriangleId> second = all_hits(body, std::span(&back, 1)).triangle;
       std::sort(first.begin(), first.end());
       std::sort(second.begin(), second.end());
       RC_ASSERT(first == second);
-      RC_ASSERT(sees(body, there.from, there.to) == first.empty());
+      RC_ASSERT(sees(body, there.origin, *there.end) == first.empty());
     }
   });
 }

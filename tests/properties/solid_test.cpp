@@ -190,7 +190,7 @@ TEST(SolidProperty, BatchesAreSingleQueries) {
       poses.push_back(Pose::translation(static_cast<double>(rng.below(4)), 0, rng.uniform(-1, 1)));
     }
     const SolidBatch batch = solid(mover, poses, fixed);
-    RC_ASSERT(solid(mover, poses, fixed, {}, {.threads = 2}) == batch);
+    RC_ASSERT(solid(mover, poses, fixed, {.threads = 2}) == batch);
     Cost cost;
     for (std::size_t i = 0; i < poses.size(); ++i) {
       if (batch.why[i] != Undecided::open) {

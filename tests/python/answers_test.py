@@ -228,7 +228,7 @@ class SignedDistances(unittest.TestCase):
     def test_what_is_not_known_is_no_number(self):
         closed = soms.ClosedBody(soms.Body(tetrahedron()))
         self.assertEqual(soms.signed_distance(closed, [5, 0, 0], at_most=1), np.inf)
-        self.assertTrue(np.isnan(soms.signed_distance(closed, POINTS[[0, 2]], seconds=0)).all())
+        self.assertTrue(np.isnan(soms.signed_distance(closed, POINTS[[0, 2]], timeout=0)).all())
         half = soms.Mesh([[-1e3, -1e3, 0], [1e3, -1e3, 0], [0, 2e3, 0]], [[0, 1, 2]])
         self.assertEqual(soms.signed_distance(half, [0, 0, 0]), 0)
         cup = soms.Mesh(TETRAHEDRON, FACES[[0, 1]])  # 1/2 is met in some place of the opening

@@ -76,12 +76,12 @@ class SameAsCommand(unittest.TestCase):
         structure, services = building()
         clashes = soms.clash(structure, services, within=0.05, threads=2)
         self.check_same(clashes, command_rows(DATA / "structure.obj", "--against",
-                                              DATA / "services.gltf", "--within", "0.05"))
+                                              DATA / "services.gltf", "--clearance", "0.05"))
 
     def test_every_class(self):
         files = [str(DATA / "special.obj"), str(DATA / "special_b.obj")]
         clashes = soms.clash([soms.read_mesh(file) for file in files], within=0.01)
-        self.check_same(clashes, command_rows(*files, "--within", "0.01"), files)
+        self.check_same(clashes, command_rows(*files, "--clearance", "0.01"), files)
         self.assertEqual(set(clashes.kind.tolist()), set(soms.ClashKind) - {soms.ClashKind.undecided})
 
 
@@ -180,7 +180,7 @@ class Clashes(unittest.TestCase):
         self.assertTrue(np.isnan(inside.depth[0]) and np.isnan(inside.direction).all())
 
     def test_a_deadline_cuts(self):
-        cut = soms.clash(*building(), seconds=0)
+        cut = soms.clash(*building(), timeout=0)
         self.assertEqual(cut.coverage, soms.Coverage.cut)
         self.assertGreater(cut.left_out, 0)
 

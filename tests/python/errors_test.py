@@ -154,8 +154,8 @@ class Errors(unittest.TestCase):
                 soms.overlap(tetrahedron(), tetrahedron(), threads=threads)
             with self.fails("usage", str(threads)):
                 soms.Shape(tetrahedron(), threads=threads)
-        with self.fails("usage", "seconds"):
-            soms.overlap(tetrahedron(), tetrahedron(), seconds=float("nan"))
+        with self.fails("usage", "timeout"):
+            soms.overlap(tetrahedron(), tetrahedron(), timeout=float("nan"))
         with self.fails("usage"):
             soms.distance(tetrahedron(), tetrahedron(), at_most=-1)
         with self.fails("usage", "directions and ends"):
@@ -194,8 +194,23 @@ class Errors(unittest.TestCase):
         with self.fails("out_of_range", "-1"):
             soms.overlap(tetrahedron(), Foreign(faces=-np.ones((1, 3), dtype=int)))
 
+    def test_an_old_name_is_accepted_with_a_warning(self):
+        body, index = tetrahedron(), soms.BodyIndex([soms.Body(tetrahedron())])
+        for call in (
+            lambda: soms.overlap(body, body, seconds=0),
+            lambda: soms.near_triangles(body, [[0, 0, 0]], 1, seconds=0).coverage,
+            lambda: index.closest([5, 5, 5], seconds=0),
+            lambda: index.any_hit([5, 5, 5], [0, 0, 1], seconds=0),
+        ):
+            with self.assertWarnsRegex(DeprecationWarning, "seconds is named timeout now"):
+                call()
+        with self.assertRaises(TypeError):
+            index.closest([5, 5, 5], minutes=0)
+        with self.assertRaises(TypeError):
+            index.closest([5, 5, 5], timeout=1, seconds=1)
+
     def test_truth_of_answers(self):
-        answer = soms.overlap(tetrahedron(), tetrahedron(), seconds=0)
+        answer = soms.overlap(tetrahedron(), tetrahedron(), timeout=0)
         self.assertEqual(answer.coverage, soms.Coverage.cut)
         if not answer.any:
             with self.fails("timed_out"):

@@ -27,7 +27,7 @@ class Shards(unittest.TestCase):
             for number, (verb, question, words) in enumerate(cases):
                 whole, folder = files / f"{number}.npz", files / str(number)
                 words = [verb, "car.ply", "city.ply", "--pose", "poses.npy", *words]
-                self.run_soms(files, *words, "--binary", whole)
+                self.run_soms(files, *words, "-o", whole)
                 parts = [(0, 1000), (1000, 1001), (1001, ROWS)]
                 for rows in parts:
                     _shards.work(job_in(files, folder, verb, question), rows)
@@ -35,7 +35,7 @@ class Shards(unittest.TestCase):
                 self.assertEqual((folder / "answer.npz").read_bytes(), whole.read_bytes(), words)
                 self.run_soms(files, "join", folder, "-o", "joined.npz")
                 self.assertEqual((files / "joined.npz").read_bytes(), whole.read_bytes(), words)
-                self.run_soms(files, *words, "--binary", folder, "--shard", "1/1")
+                self.run_soms(files, *words, "-o", folder / "shard.npz", "--shard", "1/1")
                 one = (folder / "shard-1.json").read_text()
                 other = (folder / f"{_shards.name_of(parts[0])}.json").read_text()
                 self.assertEqual(one.partition(',"rows"')[0], other.partition(',"rows"')[0])
@@ -51,7 +51,7 @@ class Shards(unittest.TestCase):
         with tempfile.TemporaryDirectory() as place:
             files = make_files(place)
             self.run_soms(files, "build", "city.ply", "-o", "city.somst")
-            words = ["distance", "car.ply", "city.somst", "--pose", "poses.npy", "--binary"]
+            words = ["distance", "car.ply", "city.somst", "--pose", "poses.npy", "-o"]
             self.run_soms(files, *words, "whole.npz")
             job = job_in(files, files / "answers", "distance", {})
             tree = _shards.job_of("distance", job["a"], files / "city.somst", job["poses"], job["folder"], {})
@@ -65,8 +65,8 @@ class Shards(unittest.TestCase):
         with tempfile.TemporaryDirectory() as place:
             files = make_files(place)
             self.run_soms(files, "tile", "city.ply", "--most", "700", "-o", "tiles")
-            self.run_soms(files, "distance", "car.ply", "city.ply", "--pose", "poses.npy", "--binary", "whole.npz")
-            self.run_soms(files, "distance", "car.ply", "tiles", "--pose", "poses.npy", "--shard", "2/2", "--binary", "shards")
+            self.run_soms(files, "distance", "car.ply", "city.ply", "--pose", "poses.npy", "-o", "whole.npz")
+            self.run_soms(files, "distance", "car.ply", "tiles", "--pose", "poses.npy", "--shard", "2/2", "-o", "shards/shard.npz")
             job = _shards.job_of("distance", files / "car.ply", files / "tiles", files / "poses.npy", files / "answers", {})
             with open(files / "shards" / "shard-2.json", encoding="utf-8") as file:
                 self.assertEqual(json.load(file)["models"], _shards.identity(job)["models"])
@@ -80,7 +80,7 @@ class Shards(unittest.TestCase):
             files = make_files(place)
             self.run_soms(files, "build", "city.ply", "--crs", "EPSG:25833", "-o", "placed.somst")
             for verb, question, words in (("distance", {}, []), ("within", {"clearance": 2.5}, ["--clearance", "2.5"])):
-                self.run_soms(files, verb, "car.ply", "placed.somst", "--pose", "poses.npy", *words, "--binary", "whole.npz")
+                self.run_soms(files, verb, "car.ply", "placed.somst", "--pose", "poses.npy", *words, "-o", "whole.npz")
                 job = _shards.job_of(verb, files / "car.ply", files / "placed.somst", files / "poses.npy", files / verb, question)
                 _shards.work(job, (0, ROWS))
                 _shards.join(files / verb, [(0, ROWS)], files / "joined.npz")

@@ -119,7 +119,7 @@ TEST(Closest, EndsWhenItIsStopped) {
   const std::array points{Vec3{}};
   std::stop_source source;
   source.request_stop();
-  const Parallel stopped{.stop = source.get_token()};
+  const Limits stopped{.stop = source.get_token()};
   expect_error(ErrorKind::cancelled, "", [&] { return closest(cube(), Vec3{}, {}, stopped); });
   expect_error(ErrorKind::cancelled, "", [&] { return closest(cube(), points, {}, stopped); });
   expect_error(ErrorKind::cancelled, "",
@@ -127,15 +127,15 @@ TEST(Closest, EndsWhenItIsStopped) {
 }
 
 TEST(Closest, APastDeadlineCutsEverything) {
-  const ClosestOptions late{.deadline = std::chrono::steady_clock::time_point()};
-  const Closest answer = closest(cube(), {3, 0, 0}, late);
+  const Limits late{.deadline = std::chrono::steady_clock::time_point()};
+  const Closest answer = closest(cube(), {3, 0, 0}, {}, late);
   EXPECT_EQ(answer.coverage, Coverage::cut);
   EXPECT_FALSE(answer.farther);
   EXPECT_LE(answer.distance.lower, 2);
   EXPECT_EQ(answer.distance.upper, kInfinity);
   const std::array points{Vec3{3, 0, 0}};
-  EXPECT_EQ(closest(cube(), points, late).at(0), answer);
-  EXPECT_EQ(nearest_triangles(cube(), points, 3, late).coverage[0], Coverage::cut);
+  EXPECT_EQ(closest(cube(), points, {}, late).at(0), answer);
+  EXPECT_EQ(nearest_triangles(cube(), points, 3, {}, late).coverage[0], Coverage::cut);
 }
 
 // All triangles of a sphere are about equally far from its center: many steps, which deadlines cut
@@ -149,7 +149,7 @@ TEST(Closest, WhatACutAnswerSaysHolds) {
   for (bool complete = false; !complete; wait *= 1.1) {
     const auto deadline = std::chrono::steady_clock::now() +
                           std::chrono::microseconds(static_cast<std::int64_t>(wait));
-    const Closest answer = closest(sphere, center, {.deadline = deadline});
+    const Closest answer = closest(sphere, center, {}, {.deadline = deadline});
     complete = answer.coverage == Coverage::complete;
     cut += complete ? 0 : 1;
     ASSERT_LE(answer.distance.lower, truth.lower);

@@ -82,7 +82,7 @@ TEST(ContainsParts, AnswersBatchesAsSinglePoints) {
     points.push_back(pose.apply({i % 12 - 0.5, i / 12 % 12 - 0.5, i / 144 + 0.5}));
   }
   const ContainsPartsBatch batch = contains(body, points);
-  EXPECT_EQ(contains(body, points, {}, {.threads = 3}), batch);
+  EXPECT_EQ(contains(body, points, {.threads = 3}), batch);
   EXPECT_GT(batch.parts.size(), 500U);
   for (std::size_t i = 0; i < points.size(); i += 37) {
     EXPECT_EQ(contains(body, points[i]), batch.at(i));

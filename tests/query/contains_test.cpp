@@ -48,7 +48,7 @@ TEST(Contains, TellsInsideOutsideAndOn) {
   EXPECT_EQ(contains(cube, Vec3{0x1p-1074, 0.5, 0.5}).side, Side::inside);
   EXPECT_EQ(contains(cube, Vec3{-0x1p-1074, 0.5, 0.5}).side, Side::outside);
   EXPECT_EQ(contains(cube, Vec3{0x1p300, -0x1p300, 0.5}).side, Side::outside);
-  EXPECT_EQ(contains(Body(unit_cube()), Vec3{0.5, 0.5, 0.5}).side, Side::inside);
+  EXPECT_EQ(contains(ClosedBody(Body(unit_cube())), Vec3{0.5, 0.5, 0.5}).side, Side::inside);
 }
 
 TEST(Contains, HasNothingInsideOfNothing) {
@@ -69,7 +69,7 @@ TEST(Contains, RefusesAnOpenBodyAndNamesItsEdges) {
             "triangle 3 from (1, 0, 1) to (0, 0, 1), of triangle 5 from (0, 1, 1) to (1, 1, 1), of "
             "triangle 7 from (0, 0, 1) to (0, 1, 1)");
   const Error moved = contains_error(
-      [&] { static_cast<void>(contains(Body(mesh, Pose::translation(8, 0, 0)), Vec3{})); });
+      [&] { static_cast<void>(ClosedBody(Body(mesh, Pose::translation(8, 0, 0)))); });
   EXPECT_EQ(moved.kind(), ErrorKind::not_closed);
   EXPECT_NE(moved.place().find("from (9, 0, 1) to (8, 0, 1)"), std::string::npos);
 }
@@ -100,18 +100,19 @@ TEST(Contains, RefusesPointsAndPosesThatAreNone) {
 
 TEST(Contains, IsCutByADeadlineAndSaysSo) {
   const ClosedBody cube{Body(unit_cube())};
-  const ContainsOptions late{.deadline = std::chrono::steady_clock::time_point::min()};
+  Limits late{.deadline = std::chrono::steady_clock::time_point::min()};
   const Contains answer = contains(cube, Vec3{0.5, 0.5, 0.5}, late);
   EXPECT_EQ(answer.side, Side::undecided);
   EXPECT_EQ(answer.coverage, Coverage::cut);
   const std::vector<Vec3> points(3000, {0.5, 0.5, 0.5});
-  const ContainsBatch batch = contains(cube, points, late, {.threads = 2});
+  late.threads = 2;
+  const ContainsBatch batch = contains(cube, points, late);
   EXPECT_EQ(batch.side, std::vector<Side>(3000, Side::undecided));
   EXPECT_EQ(batch.coverage, std::vector<Coverage>(batch.size(), Coverage::cut));
   std::stop_source source;
   source.request_stop();
   EXPECT_EQ(contains_error([&] {
-              static_cast<void>(contains(cube, points, {}, {.stop = source.get_token()}));
+              static_cast<void>(contains(cube, points, {.stop = source.get_token()}));
             }).kind(),
             ErrorKind::cancelled);
 }
@@ -167,8 +168,8 @@ TEST(Contains, AnswersManyPointsAlikeForAnyNumberOfThreads) {
                       rng.uniform(box.lower.z, box.upper.z)});
   }
   const ContainsBatch one = contains(body, points);
-  EXPECT_EQ(contains(body, points, {}, {.threads = 2}), one);
-  EXPECT_EQ(contains(body, points, {}, {.threads = 5}), one);
+  EXPECT_EQ(contains(body, points, {.threads = 2}), one);
+  EXPECT_EQ(contains(body, points, {.threads = 5}), one);
   const std::vector<Vec3> some(points.begin(), points.begin() + 100);
   EXPECT_EQ(reference::contains_by_brute_force(body.body(), some),
             std::vector<Side>(one.side.begin(), one.side.begin() + 100));

@@ -51,7 +51,7 @@ void run(const ClosedBody& body, const Points& points) {
   const ContainsBatch batch = contains(body, points.points);
   ASSERT_NO_FATAL_FAILURE(expect_sides(batch.side, points));
   ASSERT_EQ(batch.coverage, std::vector<Coverage>(batch.size(), Coverage::complete));
-  ASSERT_EQ(contains(body, points.points, {}, {.threads = 2}), batch);
+  ASSERT_EQ(contains(body, points.points, {.threads = 2}), batch);
   Cost cost;
   std::vector<Side> sides;
   for (const Vec3& point : points.points) {

@@ -72,7 +72,7 @@ TEST(DistanceCut, BoundsHoldAmongLeaves) {
   const Distance whole = distance(a, b);
   EXPECT_EQ(whole.distance, (Bracket{0.55, 0.55}));
   const int cut = ask_until_complete([&](const auto& deadline) {
-    const Distance d = distance(a, b, {.deadline = deadline});
+    const Distance d = distance(a, b, {}, {.deadline = deadline});
     EXPECT_LE(d.distance.lower, 0.55);
     EXPECT_GE(d.distance.upper, 0.55);
     return d.coverage;
@@ -103,7 +103,7 @@ TEST(DistanceCut, BoundsHoldAmongCandidates) {
   const Body b = in_large_leaves(test::soup_body(above), kMany);
   EXPECT_EQ(distance(a, b).distance, (Bracket{20, 20}));
   const int cut = ask_until_complete([&](const auto& deadline) {
-    const Distance d = distance(a, b, {.deadline = deadline});
+    const Distance d = distance(a, b, {}, {.deadline = deadline});
     EXPECT_LE(d.distance.lower, 20);
     EXPECT_GE(d.distance.upper, 20);
     return d.coverage;

@@ -51,11 +51,10 @@ TEST(DistanceThreads, AnswersAndCostsAreThoseOfOneThread) {
     EXPECT_FALSE(far.within);
     for (const int threads : {2, 3, 8}) {
       SCOPED_TRACE(threads);
-      const Parallel parallel{.threads = threads};
-      EXPECT_EQ(distance(inner, spheres.outer, {}, parallel), one);
-      EXPECT_EQ(within(inner, spheres.outer, d, {}, parallel), near);
-      EXPECT_EQ(within(inner, spheres.outer, std::nextafter(one.distance.lower, 0), {}, parallel),
-                far);
+      const Limits limits{.threads = threads};
+      EXPECT_EQ(distance(inner, spheres.outer, {}, limits), one);
+      EXPECT_EQ(within(inner, spheres.outer, d, limits), near);
+      EXPECT_EQ(within(inner, spheres.outer, std::nextafter(one.distance.lower, 0), limits), far);
     }
   }
 }
@@ -82,7 +81,7 @@ TEST(DistanceThreads, PartsFindWhatQueriesOfPiecesFind) {
     EXPECT_LT(d.cost.node_tests, kAlone);
     if (d.distance.lower < best.distance.lower) {
       best = d;
-      best.triangles->first += first;
+      best.triangles->a += first;
     }
   }
   EXPECT_EQ(whole.distance, best.distance);
@@ -98,12 +97,12 @@ TEST(DistanceThreads, ADeadlineLeavesABracketThatHolds) {
     for (std::int64_t us = 0; us < 60'000; us = us * 2 + 500) {
       const auto deadline = std::chrono::steady_clock::now() + std::chrono::microseconds(us);
       const Distance cut =
-          distance(inner, spheres.outer, {.deadline = deadline}, {.threads = threads});
+          distance(inner, spheres.outer, {}, {.threads = threads, .deadline = deadline});
       EXPECT_LE(cut.distance.lower, whole.distance.lower);
       EXPECT_GE(cut.distance.upper, whole.distance.upper);
       const auto another = std::chrono::steady_clock::now() + std::chrono::microseconds(us);
       const Within near = within(inner, spheres.outer, whole.distance.upper * 2,
-                                 {.deadline = another}, {.threads = threads});
+                                 {.threads = threads, .deadline = another});
       EXPECT_TRUE(near.within || near.at_least <= whole.distance.lower);
     }
   }

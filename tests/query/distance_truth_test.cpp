@@ -126,7 +126,7 @@ void expect_right_at_all_lengths(const PairTruth& truth, const Body& a, const Bo
 void expect_right_by(const Setup& setup, const PairTruth& truth, const Body& a, const Body& b,
                      const Pose& before) {
   const Bracket& d = truth.distance.distance;
-  const Parallel parallel{.threads = setup.threads};
+  const Limits limits{.threads = setup.threads};
   const double below = std::max(0.0, std::nextafter(d.lower, -1));
   for (const QueryRow* row : questions()) {
     for (const double length : {d.upper, below, std::numeric_limits<double>::infinity()}) {
@@ -135,10 +135,10 @@ void expect_right_by(const Setup& setup, const PairTruth& truth, const Body& a, 
       std::vector<Answer> answers;
       if (setup.batch) {
         const std::array poses{before, a.pose, a.pose};
-        answers = row->ask_batch(a.shape, poses, b, options, parallel).answers;
+        answers = row->ask_batch(a.shape, poses, b, options, limits).answers;
         answers.erase(answers.begin());
       } else {
-        answers = {row->ask(a, b, options, parallel)};
+        answers = {row->ask(a, b, options, limits)};
       }
       for (const Answer& answer : answers) {
         ASSERT_NO_FATAL_FAILURE(expect_right(*row, answer, truth, a, b, length));

@@ -148,10 +148,10 @@ TEST(Overlap, TraversesAMillionIdenticalTrianglesInOneLeaf) {
   const Body one{mesh};
   const Overlap all = overlap(many, one);
   ASSERT_EQ(all.pairs.size(), 1000000U);
-  EXPECT_EQ(all.pairs.back(), TrianglePair(999999, 0));
+  EXPECT_EQ(all.pairs.back(), (TrianglePair{999999, 0}));
   EXPECT_EQ(overlap(one, many, {}, {.threads = 2}).pairs.size(), 1000000U);
   const auto soon = std::chrono::steady_clock::now() + std::chrono::milliseconds(20);
-  EXPECT_EQ(overlap(many, many, {.deadline = soon}).coverage, Coverage::cut);
+  EXPECT_EQ(overlap(many, many, {}, {.deadline = soon}).coverage, Coverage::cut);
 }
 
 // The normal of the tiny triangle is nearly nothing as floats, and the other body is large.
@@ -187,7 +187,7 @@ TEST(Overlap, EndsInTimeInsideALargeLeafOfACompactShape) {
   Overlap some;
   // All of it takes minutes; on a slow machine a deadline may pass before the first pair.
   for (auto time = std::chrono::milliseconds(20); !some.any; time *= 2) {
-    some = overlap(many, many, {.deadline = std::chrono::steady_clock::now() + time});
+    some = overlap(many, many, {}, {.deadline = std::chrono::steady_clock::now() + time});
     ASSERT_EQ(some.coverage, Coverage::cut);
   }
 }

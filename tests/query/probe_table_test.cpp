@@ -208,7 +208,7 @@ TEST_F(ProbeTable, EndsWhenAStopIsRequested) {
   const Body knot{generate_knot(600)};
   std::stop_source source;
   source.request_stop();
-  const Parallel stopped{.stop = source.get_token()};
+  const Limits stopped{.stop = source.get_token()};
   for_each_probe_row(knot, test::probes_of(knot, 50), [&](const auto& row, const auto& kind) {
     EXPECT_EQ(
         error_thrown([&] { static_cast<void>(row.ask_batch(knot, kind, {}, stopped)); }).kind(),

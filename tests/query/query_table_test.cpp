@@ -339,7 +339,7 @@ TEST_F(QueryTable, EndsWhenAStopIsRequested) {
   const std::vector<Pose> poses(600);
   std::stop_source source;
   source.request_stop();
-  const Parallel stopped{.stop = source.get_token()};
+  const Limits stopped{.stop = source.get_token()};
   for (const QueryRow& row : test::query_table()) {
     EXPECT_EQ(
         error_of([&] { static_cast<void>(row.ask(knot, knot, {.length = 1}, stopped)); }).kind(),
@@ -368,7 +368,7 @@ TEST(QueryTableFault, IsFoundInPairs) {
   EXPECT_NE(fault("overlap", wrong), "");
   wrong.coverage = Coverage::cut;
   EXPECT_EQ(fault("overlap", wrong), "");
-  wrong.pairs.front().second += 80;
+  wrong.pairs.front().b += 80;
   EXPECT_NE(fault("overlap", wrong), "");
   wrong = all;
   wrong.any = false;
@@ -402,7 +402,7 @@ TEST(QueryTableFault, IsFound) {
   wrong.distance.upper = std::nextafter(wrong.distance.upper, 2);
   EXPECT_NE(fault(wrong), "");
   wrong = right;
-  ++wrong.triangles->second;
+  ++wrong.triangles->b;
   EXPECT_NE(fault(wrong), "");
   wrong = right;
   wrong.point_b.z -= 0x1p-40;
@@ -419,7 +419,7 @@ TEST(QueryTableFault, IsFound) {
   EXPECT_EQ(near.fault(Within{.at_least = 0.9375}, truth, a, b, 0.875), "");
   EXPECT_NE(near.fault(Within{.at_least = 1.0625}, truth, a, b, 0.875), "");
   Within other = within(a, b, 1);
-  other.triangles->first = 40;
+  other.triangles->a = 40;
   EXPECT_NE(near.fault(other, truth, a, b, 1), "");
 }
 

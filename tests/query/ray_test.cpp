@@ -83,10 +83,10 @@ TEST(Ray, CountsItsEndsAndNothingBeyondThem) {
   EXPECT_TRUE(any_hit(body, Ray{{0.75, 0.25, 0}, {0, 0, -1}, 0}).hit);
   EXPECT_EQ(closest_hit(body, Ray{{0.75, 0.25, 0}, {0, 0, -1}}).t, (Bracket{0, 0}));
   EXPECT_FALSE(any_hit(body, Ray{{0.75, 0.25, 0x1p-1074}, {0, 0, 1}}).hit);
-  EXPECT_TRUE(any_hit(body, Segment{over, {0.75, 0.25, 0}}).hit);
-  EXPECT_FALSE(any_hit(body, Segment{over, {0.75, 0.25, 0x1p-1074}}).hit);
-  EXPECT_TRUE(any_hit(body, Segment{{1, 1, 0}, {1, 1, 0}}).hit);
-  EXPECT_FALSE(any_hit(body, Segment{over, over}).hit);
+  EXPECT_TRUE(any_hit(body, Ray::between(over, {0.75, 0.25, 0})).hit);
+  EXPECT_FALSE(any_hit(body, Ray::between(over, {0.75, 0.25, 0x1p-1074})).hit);
+  EXPECT_TRUE(any_hit(body, Ray::between({1, 1, 0}, {1, 1, 0})).hit);
+  EXPECT_FALSE(any_hit(body, Ray::between(over, over)).hit);
   EXPECT_FALSE(sees(body, over, {0.75, 0.25, -1}));
   EXPECT_TRUE(sees(body, over, {0.75, 0.25, 0.5}));
 }
@@ -97,8 +97,8 @@ TEST(Ray, OfASegmentIsNotRounded) {
   mesh.vertices = {{0x1p-60, 1, 0}, {0x1p-60, 1, 0}, {0x1p-60, 1, 0}};
   mesh.triangles = {{0, 1, 2}};
   const Body body(mesh);
-  EXPECT_TRUE(any_hit(body, Segment{{-1, 1, 0}, {0x1p-60, 1, 0}}).hit);
-  EXPECT_EQ(closest_hit(body, Segment{{-1, 1, 0}, {0x1p-60, 1, 0}}).t, (Bracket{1, 1}));
+  EXPECT_TRUE(any_hit(body, Ray::between({-1, 1, 0}, {0x1p-60, 1, 0})).hit);
+  EXPECT_EQ(closest_hit(body, Ray::between({-1, 1, 0}, {0x1p-60, 1, 0})).t, (Bracket{1, 1}));
   EXPECT_FALSE(any_hit(body, Ray{{-1, 1, 0}, {1, 0, 0}, 1}).hit);
 }
 
@@ -173,12 +173,12 @@ TEST(Ray, HitsNothingOfNothing) {
 
 TEST(Ray, IsCutByADeadlineAndSaysSo) {
   const Body body(cut_square());
-  const RayOptions late{.deadline = std::chrono::steady_clock::time_point::min()};
+  Limits late{.deadline = std::chrono::steady_clock::time_point::min()};
   const std::vector<Ray> rays(3000, {{0.75, 0.25, 1}, {0, 0, -1}});
-  EXPECT_EQ(closest_hit(body, rays[0], late).coverage, Coverage::cut);
-  EXPECT_EQ(any_hit(body, rays, late, {.threads = 2}).coverage,
-            std::vector<Coverage>(3000, Coverage::cut));
-  EXPECT_EQ(all_hits(body, rays, late).coverage, std::vector<Coverage>(3000, Coverage::cut));
+  EXPECT_EQ(closest_hit(body, rays[0], {}, late).coverage, Coverage::cut);
+  late.threads = 2;
+  EXPECT_EQ(any_hit(body, rays, {}, late).coverage, std::vector<Coverage>(3000, Coverage::cut));
+  EXPECT_EQ(all_hits(body, rays, {}, late).coverage, std::vector<Coverage>(3000, Coverage::cut));
   std::stop_source source;
   source.request_stop();
   EXPECT_EQ(ray_error([&] {

@@ -86,7 +86,7 @@ TEST(SignedClosest, KnowsTheSideOfPointsThatAreFarther) {
 TEST(SignedClosest, HoldsBothSignsWhereTimeRanOut) {
   const ClosedBody body{Body(test::box_body({-1, -1, -1}, {1, 1, 1}))};
   const SignedClosest cut =
-      closest(body, {0, 0, 0}, {.deadline = std::chrono::steady_clock::time_point()});
+      closest(body, {0, 0, 0}, {}, {.deadline = std::chrono::steady_clock::time_point()});
   EXPECT_EQ(cut.side, Side::undecided);
   EXPECT_EQ(cut.closest.coverage, Coverage::cut);
   EXPECT_EQ(cut.distance().lower, -cut.distance().upper);

@@ -145,7 +145,7 @@ TEST(Solid, OfAnOpenBodyIsAnError) {
 }
 
 TEST(Solid, IsUndecidedWhenTimeIsUp) {
-  const SolidOptions late{.deadline = std::chrono::steady_clock::time_point::min()};
+  const Limits late{.deadline = std::chrono::steady_clock::time_point::min()};
   const Solid answer = solid(Body(cube(0, 1)), Body(box_body({1, 0, 0}, {2, 1, 1}, 4)), late);
   EXPECT_EQ(answer.relation, Relation::undecided);
   EXPECT_EQ(answer.why, Undecided::deadline);

@@ -41,7 +41,7 @@ void run(const test::SolidRow& row, const Shape& a, const Shape& b) {
   const ClosedBody body_b(Body(b, row.pose_b));
   const Solid alone = solid(body_a, body_b);
   ASSERT_NO_FATAL_FAILURE(expect_relation(alone, row));
-  ASSERT_EQ(solid(body_a, body_b, {}, {.threads = 1}), alone);
+  ASSERT_EQ(solid(body_a, body_b, {.threads = 1}), alone);
   test::SolidRow turned = row;
   turned.relation = exchanged(row.relation);
   ASSERT_NO_FATAL_FAILURE(expect_relation(solid(body_b, body_a), turned));
@@ -61,7 +61,7 @@ void run_batches(const std::vector<test::SolidRow>& rows, Layout layout) {
     ASSERT_EQ(batch.at(0), solid(Body(a, row.pose_a), fixed));
     ASSERT_EQ(batch.at(0), batch.at(2));
     ASSERT_EQ(batch.at(1), solid(Body(a), fixed));
-    ASSERT_EQ(solid(a, poses, fixed, {}, {.threads = 2}), batch);
+    ASSERT_EQ(solid(a, poses, fixed, {.threads = 2}), batch);
   }
 }
 

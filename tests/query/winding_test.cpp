@@ -259,7 +259,7 @@ TEST(Winding, LeavesPointsUndecidedAfterTheDeadline) {
   const WindingIndex index{Body(squares(20))};
   const std::vector<Vec3> points{{1, 2, 0.5}, {3, 4, 5}};
   const WindingBatch late =
-      winding(index, points, {.deadline = std::chrono::steady_clock::time_point::min()});
+      winding(index, points, {}, {.deadline = std::chrono::steady_clock::time_point::min()});
   EXPECT_EQ(late.coverage.front(), Coverage::cut);
   EXPECT_EQ(late.side, std::vector<Side>(2, Side::undecided));
   EXPECT_EQ(late.at(0).number, (Bracket{-kInfinite, kInfinite}));

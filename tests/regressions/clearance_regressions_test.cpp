@@ -31,8 +31,8 @@ Gap gap_of(MoverId a, const Body& first, std::uint32_t b, const Body& second) {
   const Distance answer = distance(first, second);
   return {a,
           b,
-          answer.triangles->first,
-          answer.triangles->second,
+          answer.triangles->a,
+          answer.triangles->b,
           answer.distance,
           answer.point_a,
           answer.point_b};

@@ -245,12 +245,11 @@ TEST(Regression, R32BodiesNearerThanTheMarginAreWithinIt) {
   test::for_each_variation(test::unit_box(), near, [](const test::Variation& variation) {
     const double unit = std::ldexp(1.0, variation.exponent);
     for (const double margin : {1.0, 0.75, 0.7}) {
-      const Within near_by =
-          within(variation.a, variation.b, margin * unit, {}, variation.parallel);
+      const Within near_by = within(variation.a, variation.b, margin * unit, variation.limits);
       EXPECT_TRUE(near_by.within) << variation.what;
       EXPECT_TRUE(near_by.triangles) << variation.what;
     }
-    EXPECT_FALSE(within(variation.a, variation.b, 0.6875 * unit, {}, variation.parallel).within)
+    EXPECT_FALSE(within(variation.a, variation.b, 0.6875 * unit, variation.limits).within)
         << variation.what;
   });
 }

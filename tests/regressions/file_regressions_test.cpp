@@ -103,7 +103,7 @@ TEST(FileRegressions, R46NumbersOfTrianglesLeadBackToFaceAndPart) {
     needle.triangles = {{0, 1, 2}};
     const Overlap answer = overlap(Body(needle), Body(mesh));
     ASSERT_EQ(answer.pairs.size(), 1U);
-    const TriangleId i = answer.pairs[0].second;
+    const TriangleId i = answer.pairs[0].b;
     EXPECT_EQ(mesh.faces.at(i), static_cast<std::uint32_t>(k));
     EXPECT_EQ(mesh.parts.at(part_of(mesh, i)).name, std::string("part").append(std::to_string(k)));
   }

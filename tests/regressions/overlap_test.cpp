@@ -189,7 +189,7 @@ TEST(Regression, R14ABodyAndItsCopyInOnePlace) {
   const Mesh knot = generate_knot(120);
   const auto pairs = overlap_under_variations(knot, knot);
   for (TriangleId i = 0; i < 120; ++i) {
-    EXPECT_TRUE(std::binary_search(pairs.begin(), pairs.end(), TrianglePair(i, i)));
+    EXPECT_TRUE(std::binary_search(pairs.begin(), pairs.end(), (TrianglePair{i, i})));
   }
 }
 

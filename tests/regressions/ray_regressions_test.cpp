@@ -76,12 +76,12 @@ TEST(Regression, R47ARayAtTheMiddleOfABodyHitsIt) {
 /// of each face to hit it; the numbers are such that all of them end exactly there.
 void expect_all_reached(const Mesh& mesh, const Vec3& eye) {
   const Body body(mesh);
-  std::vector<Segment> segments;
+  std::vector<Ray> segments;
   for (TriangleId i = 0; i < mesh.triangles.size(); ++i) {
     const Triangle t = mesh.triangle(i);
     for (const Vec3& target : {t.a, (t.a + t.b) * 0.5, t.b, (t.b + t.c) * 0.5, t.c,
                                (t.c + t.a) * 0.5, (t.a + t.a + t.b + t.c) * 0.25}) {
-      segments.push_back({eye, target});
+      segments.push_back(Ray::between(eye, target));
     }
   }
   const ClosestHitBatch batch = closest_hit(body, segments);
@@ -90,10 +90,10 @@ void expect_all_reached(const Mesh& mesh, const Vec3& eye) {
     ASSERT_TRUE(batch.triangle[i]) << "segment " << i;
     ASSERT_LE(batch.upper[i], 1) << "segment " << i;
     ASSERT_TRUE(any.hit[i]) << "segment " << i;
-    const ClosestHit ray = closest_hit(body, Ray{eye, segments[i].to - eye});
+    const ClosestHit ray = closest_hit(body, Ray{eye, *segments[i].end - eye});
     ASSERT_EQ(ray.triangle, batch.triangle[i]) << "ray " << i;
     ASSERT_EQ(ray.t, (Bracket{batch.lower[i], batch.upper[i]})) << "ray " << i;
-    ASSERT_FALSE(sees(body, eye, segments[i].to)) << "segment " << i;
+    ASSERT_FALSE(sees(body, eye, *segments[i].end)) << "segment " << i;
   }
 }
 
@@ -313,17 +313,17 @@ TEST(Regression, R54ARidgeIsGrazedAndNotCrossed) {
 TEST(Regression, R55TheReversedRayHitsToo) {
   const double half = 2.024;
   const Body box(box_body({-half, 0, -3 - half}, {half, 2 * half, -3 + half}));
-  const Segment there{{-2.027535, 1.323740, -4.894639}, {2.506727, 1.292858, -2.102663}};
+  const Ray there = Ray::between({-2.027535, 1.323740, -4.894639}, {2.506727, 1.292858, -2.102663});
   const ClosestHit hit = closest_hit(box, there);
   ASSERT_TRUE(hit.triangle);
   EXPECT_NEAR(hit.t.lower, 0.00077962, 1e-8);
   EXPECT_EQ(hit.point.x, -half);
-  const ClosestHit back = closest_hit(box, Segment{there.to, there.from});
+  const ClosestHit back = closest_hit(box, Ray::between(*there.end, there.origin));
   ASSERT_TRUE(back.triangle);
   EXPECT_NEAR(back.t.lower, (2.506727 - half) / (2.506727 + 2.027535), 1e-12);
   EXPECT_EQ(back.point.x, half);
-  EXPECT_FALSE(sees(box, there.from, there.to));
-  EXPECT_FALSE(sees(box, there.to, there.from));
+  EXPECT_FALSE(sees(box, there.origin, *there.end));
+  EXPECT_FALSE(sees(box, *there.end, there.origin));
 }
 
 }  // namespace

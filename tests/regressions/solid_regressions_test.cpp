@@ -32,7 +32,7 @@ Relation of_exchanged(Relation relation) {
 
 void expect_relation(const Mesh& a, const Mesh& b, Relation expected) {
   test::for_each_variation(a, b, [&](const test::Variation& variation) {
-    const Solid answer = solid(variation.a, variation.b, {}, variation.parallel);
+    const Solid answer = solid(variation.a, variation.b, variation.limits);
     EXPECT_EQ(answer.relation, variation.exchanged ? of_exchanged(expected) : expected)
         << variation.what;
   });

@@ -20,23 +20,22 @@ using Work = std::vector<std::uint64_t>;
 
 Work work_of(std::size_t k, const Shape& shared) {
   const Rule rule = rules()[k % rules().size()].rule;
-  const Parallel parallel{.threads = k % 2 == 0 ? 1 : 3};
+  const Limits limits{.threads = k % 2 == 0 ? 1 : 3};
   const ShapeOptions options{.build = {.rule = rule}, .keep_tree = true};
-  const Body body(Shape(generate_knot(200 + 2 * (k % 4)), options, parallel),
+  const Body body(Shape(generate_knot(200 + 2 * (k % 4)), options, limits),
                   Pose::translation(0.1 * static_cast<double>(k % 4), 0, 0));
-  Work work{tree_hash(*body.shape.tree()),
-            tree_hash(build(shared.mesh(), options.build, parallel))};
-  const Overlap answer = overlap(body, Body(shared), {}, parallel);
+  Work work{tree_hash(*body.shape.tree()), tree_hash(build(shared.mesh(), options.build, limits))};
+  const Overlap answer = overlap(body, Body(shared), {}, limits);
   work.insert(work.end(), {answer.hash(), answer.cost.node_tests, answer.cost.triangle_tests});
   const std::vector<Pose> poses(20, body.pose);
-  const OverlapBatch batch = overlap(body.shape, poses, Body(shared), {}, parallel);
+  const OverlapBatch batch = overlap(body.shape, poses, Body(shared), {}, limits);
   work.insert(work.end(), {batch.pairs.size(), batch.cost.node_tests});
   Scene scene;
   scene.add_environment(Body(shared));
   for (std::size_t i = 0; i < 3; ++i) {
     scene.add_mover(body);
   }
-  work.push_back(scene.step({}, parallel).hash());
+  work.push_back(scene.step({}, limits).hash());
   return work;
 }
 

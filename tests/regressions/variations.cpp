@@ -124,7 +124,7 @@ void vary_machinery(const Mesh& a, const Mesh& b, const Check& check) {
     check({.what = std::to_string(threads) + " threads",
            .a = at(a),
            .b = at(b),
-           .parallel = {.threads = threads}});
+           .limits = {.threads = threads}});
   }
 }
 
@@ -140,7 +140,7 @@ Pairs renamed(const Pairs& pairs, const Variation& variation) {
   for (const auto& [i, j] : pairs) {
     const TriangleId x = variation.place_a.empty() ? i : variation.place_a[i];
     const TriangleId y = variation.place_b.empty() ? j : variation.place_b[j];
-    result.emplace_back(variation.exchanged ? TrianglePair(y, x) : TrianglePair(x, y));
+    result.emplace_back(variation.exchanged ? TrianglePair{y, x} : TrianglePair{x, y});
   }
   std::sort(result.begin(), result.end());
   return result;
@@ -158,18 +158,18 @@ void vary_traversals(const Mesh& a, const Mesh& b, const Pairs& expected) {
 
 void vary_modes(const Mesh& a, const Mesh& b, const Pairs& expected) {
   for (const int threads : {1, 2}) {
-    Parallel parallel;
-    parallel.threads = threads;
+    Limits limits;
+    limits.threads = threads;
     OverlapOptions options;
     options.mode = OverlapMode::any;
-    const Overlap any = overlap(Body(a), Body(b), options, parallel);
+    const Overlap any = overlap(Body(a), Body(b), options, limits);
     EXPECT_EQ(any.any, !expected.empty());
     EXPECT_EQ(any.pairs.size(), expected.empty() ? 0U : 1U);
     for (const TrianglePair& pair : any.pairs) {
       EXPECT_TRUE(std::binary_search(expected.begin(), expected.end(), pair));
     }
     options.mode = OverlapMode::first;
-    const Overlap first = overlap(Body(a), Body(b), options, parallel);
+    const Overlap first = overlap(Body(a), Body(b), options, limits);
     EXPECT_EQ(first.pairs, Pairs(expected.begin(), expected.begin() + (expected.empty() ? 0 : 1)));
   }
 }
@@ -206,8 +206,7 @@ void expect_near(const Variation& variation, const PairTruth& truth) {
       continue;
     }
     for (const double length : lengths_around(row, truth.distance.distance)) {
-      const Answer answer =
-          row.ask(variation.a, variation.b, {.length = length}, variation.parallel);
+      const Answer answer = row.ask(variation.a, variation.b, {.length = length}, variation.limits);
       EXPECT_EQ(row.fault(answer, truth, variation.a, variation.b, length), "")
           << variation.what << ", " << row.name << " at " << length << ": " << row.text(answer);
     }
@@ -256,7 +255,7 @@ std::vector<Pose> poses_around(const Mesh& a) {
 std::vector<TrianglePair> overlap_under_variations(const Mesh& a, const Mesh& b) {
   Pairs expected = reference::overlap(a, {}, b, {}).pairs;
   for_each_variation(a, b, [&](const Variation& variation) {
-    expect_pairs(overlap(variation.a, variation.b, {}, variation.parallel),
+    expect_pairs(overlap(variation.a, variation.b, {}, variation.limits),
                  renamed(expected, variation), variation.what);
   });
   vary_traversals(a, b, expected);

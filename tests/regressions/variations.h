@@ -17,7 +17,7 @@ struct Variation {
   std::string what;
   Body a;
   Body b;
-  Parallel parallel = {};
+  Limits limits = {};
   bool exchanged = false;  ///< `a` is of the second mesh
   /// Where the triangles of each body went; empty where all stayed.
   std::vector<TriangleId> place_a = {};

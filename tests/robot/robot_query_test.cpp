@@ -20,8 +20,8 @@ namespace {
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 RobotAnswer at(const RobotModel& model, const std::vector<double>& state,
-               const RobotOptions& options = {}) {
-  return robot_contacts(model, state, options).at(0);
+               const RobotOptions& options = {}, const Limits& limits = {}) {
+  return robot_contacts(model, state, options, limits).at(0);
 }
 
 TEST(RobotContacts, AreExact) {
@@ -184,7 +184,7 @@ TEST(RobotContacts, RefuseStatesThatAreNoneAndNameThem) {
 TEST(RobotContacts, ArePastADeadlineUndecided) {
   const RobotModel model(test::sliding_robot({test::cube(1), test::cube(1)}));
   const RobotAnswer answer =
-      at(model, {0, 1}, {.deadline = std::chrono::steady_clock::time_point::min()});
+      at(model, {0, 1}, {}, {.deadline = std::chrono::steady_clock::time_point::min()});
   EXPECT_EQ(answer.verdict, RobotVerdict::undecided);
   EXPECT_EQ(answer.coverage, Coverage::cut);
 }

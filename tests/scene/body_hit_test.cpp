@@ -36,7 +36,7 @@ TEST(BodyHit, NamesBodyAndTriangle) {
   EXPECT_EQ(first.triangle, 0U);
   EXPECT_EQ(first.t, (Bracket{2, 2}));
   EXPECT_EQ(first.point, (Vec3{4, 0, 0}));
-  EXPECT_EQ(index.closest_hit(Segment{{7, 0, 0}, {5, 0, 0}}).body, 3U);
+  EXPECT_EQ(index.closest_hit(Ray::between({7, 0, 0}, {5, 0, 0})).body, 3U);
   EXPECT_EQ(index.closest_hit(Ray{{9, 0, 0}, {1, 0, 0}}).body, std::nullopt);
   EXPECT_FALSE(index.any_hit(Ray{{0, 0, 0}, {1, 0, 0}, 3.5}).hit);
   EXPECT_TRUE(index.any_hit(Ray{{0, 0, 0}, {1, 0, 0}, 4}).hit);
@@ -55,7 +55,7 @@ TEST(BodyHit, HitsAtTheSameTimeAreDecidedByNumber) {
                                  screen_at(3)};
   const BodyIndex index(bodies);
   EXPECT_EQ(index.closest_hit(Ray{{0, 0, 0}, {1, 0, 0}}).body, 2U);
-  EXPECT_EQ(index.closest_hit(Segment{{4.5, 0, 0}, {3.5, 0, 0}}).body, 1U);
+  EXPECT_EQ(index.closest_hit(Ray::between({4.5, 0, 0}, {3.5, 0, 0})).body, 1U);
 }
 
 // Where no double is the time, brackets of all are alike, and only exact numbers decide.
@@ -65,7 +65,7 @@ TEST(BodyHit, TimesBetweenTheSameDoublesAreCompared) {
   const std::vector<Body> bodies{screen_at(next), screen_at(near), screen_at(next),
                                  screen_at(near)};
   const Ray ray{{0, 0, 0}, {7.7, 0, 0}};
-  const Segment segment{{0, 0, 0}, {15.4, 0, 0}};
+  const Ray segment = Ray::between({0, 0, 0}, {15.4, 0, 0});
   ASSERT_EQ(closest_hit(bodies[0], ray).t, closest_hit(bodies[1], ray).t);
   ASSERT_EQ(closest_hit(bodies[0], segment).t, closest_hit(bodies[1], segment).t);
   ASSERT_LT(closest_hit(bodies[0], segment).t.lower, closest_hit(bodies[0], segment).t.upper);
@@ -117,15 +117,14 @@ TEST(BodyAllHits, TimesBetweenTheSameDoublesAreCompared) {
   const double next = std::nextafter(near, 9.0);
   const std::vector<Body> bodies{screen_at(next), screen_at(near), screen_at(next),
                                  screen_at(near)};
-  const std::vector<Segment> segments{{{0, 0, 0}, {15.4, 0, 0}}};
+  const std::vector<Ray> segments{Ray::between({0, 0, 0}, {15.4, 0, 0})};
   ASSERT_EQ(closest_hit(bodies[0], segments[0]).t, closest_hit(bodies[1], segments[0]).t);
   EXPECT_EQ(BodyIndex(bodies).all_hits(segments).body, (std::vector<std::uint32_t>{1, 3, 0, 2}));
 }
 
-template <class Line>
 void check_lines(const std::vector<Body>& bodies, const BodyIndex& index,
-                 const std::vector<Line>& lines) {
-  const std::span<const Line> all(lines);
+                 const std::vector<Ray>& lines) {
+  const std::span<const Ray> all(lines);
   const BodyHitBatch one = index.closest_hit(all);
   ASSERT_EQ(one, index.closest_hit(all, {}, {}, {.threads = 2}));
   const AnyHitBatch any = index.any_hit(all);
@@ -159,11 +158,12 @@ TEST(BodyHit, RaysAnswerAsALoopOverAllBodies) {
 TEST(BodyHit, SegmentsAnswerAsALoopOverAllBodies) {
   test::for_each_case("scene/body-hit/segments", 300, [](Rng& rng) {
     const std::vector<Body> bodies = test::many_bodies(rng);
-    std::vector<Segment> segments;
+    std::vector<Ray> segments;
     for (int k = 0; k < 5; ++k) {
-      segments.push_back({test::point_among(bodies, rng), test::point_among(bodies, rng)});
+      const Vec3 from = test::point_among(bodies, rng);
+      segments.push_back(Ray::between(from, test::point_among(bodies, rng)));
     }
-    segments.push_back({segments[0].from, segments[0].from});
+    segments.push_back(Ray::between(segments[0].origin, segments[0].origin));
     check_lines(bodies, BodyIndex(bodies), segments);
   });
 }
@@ -220,14 +220,14 @@ TEST(BodyHit, HiddenBodiesCostNothing) {
 TEST(BodyHit, ADeadlineCutsIt) {
   const std::vector<Body> bodies{screen_at(3), screen_at(4)};
   const BodyIndex index(bodies);
-  const RayOptions late{.deadline = std::chrono::steady_clock::time_point::min()};
-  const BodyHit answer = index.closest_hit(Ray{{0, 0, 0}, {1, 0, 0}}, late);
+  const Limits late{.deadline = std::chrono::steady_clock::time_point::min()};
+  const BodyHit answer = index.closest_hit(Ray{{0, 0, 0}, {1, 0, 0}}, {}, {}, late);
   EXPECT_EQ(answer.coverage, Coverage::cut);
   EXPECT_LE(answer.t.lower, 3);
   EXPECT_GE(answer.t.upper, 3);
-  EXPECT_EQ(index.any_hit(Ray{{0, 0, 0}, {1, 0, 0}}, late).coverage, Coverage::cut);
+  EXPECT_EQ(index.any_hit(Ray{{0, 0, 0}, {1, 0, 0}}, {}, {}, late).coverage, Coverage::cut);
   const std::vector<Ray> rays(2, Ray{{0, 0, 0}, {1, 0, 0}});
-  EXPECT_EQ(index.all_hits(rays, late).coverage, (std::vector<Coverage>(2, Coverage::cut)));
+  EXPECT_EQ(index.all_hits(rays, {}, {}, late).coverage, (std::vector<Coverage>(2, Coverage::cut)));
 }
 
 TEST(BodyHit, FaultsAreNamed) {

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -199,14 +200,24 @@ TEST(ClearanceAlong, AStopThrowsOrKeepsWhatIsDone) {
   EXPECT_TRUE(answer.stations.empty());
 }
 
+TEST(ClearanceAlong, ADeadlineCutsIt) {
+  const std::vector<Body> wall{block({2, 1, -1}, {6, 2, 1})};
+  const ClearanceOptions options{.every = 1, .accuracy = 0.01};
+  const Clearance answer =
+      clearance_along(cube(1), straight(4), wall, options,
+                      {.deadline = std::chrono::steady_clock::time_point::min()});
+  EXPECT_EQ(answer.coverage, Coverage::cut);
+  EXPECT_TRUE(answer.stations.empty());
+}
+
 // Stopped at its second block of places: the first is there, and its bounds hold.
 TEST(ClearanceAlong, AStopInTheMiddleLeavesTrueBounds) {
   StopSource source;
   const std::vector<Body> wall{block({2, 1, -1}, {6, 2, 1})};
   const ClearanceOptions options{.every = 0.001, .accuracy = 1e-5, .keep_on_stop = true};
-  const Parallel parallel{.stop = source.get_token(),
-                          .progress = [&](double) { source.request_stop(); }};
-  const Clearance answer = clearance_along(cube(0.5), straight(4), wall, options, parallel);
+  const Limits limits{.stop = source.get_token(),
+                      .progress = [&](double) { source.request_stop(); }};
+  const Clearance answer = clearance_along(cube(0.5), straight(4), wall, options, limits);
   EXPECT_EQ(answer.coverage, Coverage::cut);
   EXPECT_EQ(answer.stations.size(), 1024U);
   EXPECT_EQ(answer.stretches.size(), 1023U);
@@ -292,7 +303,7 @@ TEST(ClearanceAlong, TheTwinRefutesWhatIsWrong) {
   changed.stations[2].gap.lower = std::nextafter(changed.stations[2].gap.lower, 0);
   EXPECT_GT(wrong_of(changed), 0U);
   changed = answer;
-  changed.stretches[0].least.triangles->second ^= 1U;
+  changed.stretches[0].least.triangles->b ^= 1U;
   EXPECT_GT(wrong_of(changed), 0U);
 }
 

@@ -65,7 +65,7 @@ StepReport step_in_all_modes(Scene& scene, double clearance) {
   for (const bool coherent : {true, false}) {
     for (const int threads : {1, 2}) {
       const StepReport again =
-          scene.step({.coherent = coherent, .clearance = clearance}, Parallel{.threads = threads});
+          scene.step({.coherent = coherent, .clearance = clearance}, Limits{.threads = threads});
       EXPECT_EQ(again, report) << "coherent " << coherent << ", threads " << threads;
     }
   }
@@ -159,8 +159,8 @@ TEST(Clearance, GivesEachPairTheAnswerOfDistance) {
   ASSERT_EQ(report.environment_gaps.size(), 1U);
   const EnvironmentGap& gap = report.environment_gaps[0];
   const Distance answer = distance(scene.mover(a), scene.environment(wall));
-  EXPECT_EQ(gap, (EnvironmentGap{a, wall, answer.triangles->first, answer.triangles->second,
-                                 answer.distance, answer.point_a, answer.point_b}));
+  EXPECT_EQ(gap, (EnvironmentGap{a, wall, answer.triangles->a, answer.triangles->b, answer.distance,
+                                 answer.point_a, answer.point_b}));
   EXPECT_EQ(gap.distance, (Bracket{0.5, 0.5}));
   EXPECT_EQ(gap.point_a.x, 1.5);
   EXPECT_EQ(gap.point_b.x, 1);

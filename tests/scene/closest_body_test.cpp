@@ -158,8 +158,8 @@ TEST(ClosestBody, FarBodiesCostNothing) {
 
 TEST(ClosestBody, ADeadlineCutsIt) {
   const std::vector<Body> bodies{cube_at(0), cube_at(4)};
-  const ClosestOptions late{.deadline = std::chrono::steady_clock::time_point::min()};
-  const BodyClosest answer = BodyIndex(bodies).closest({6, 0.5, 0.5}, late);
+  const Limits late{.deadline = std::chrono::steady_clock::time_point::min()};
+  const BodyClosest answer = BodyIndex(bodies).closest({6, 0.5, 0.5}, {}, {}, late);
   EXPECT_EQ(answer.coverage, Coverage::cut);
   EXPECT_LE(answer.distance.lower, 1);
   EXPECT_GE(answer.distance.upper, 1);

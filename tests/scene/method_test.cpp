@@ -17,9 +17,9 @@ class Counting final : public OverlapMethod {
  public:
   [[nodiscard]] OverlapBatch ask(const Shape& mover, std::span<const Pose* const> poses,
                                  const Body& fixed, const OverlapOptions& options,
-                                 const Parallel& parallel) const override {
+                                 const Limits& limits) const override {
     queried += poses.size();
-    return by_.ask(mover, poses, fixed, options, parallel);
+    return by_.ask(mover, poses, fixed, options, limits);
   }
 
   mutable std::atomic<std::uint64_t> queried = 0;

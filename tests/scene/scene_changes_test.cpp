@@ -204,7 +204,7 @@ TEST(SceneChanges, AreInTheNextReportAsAScanFinds) {
     for (int step = 0; step < 15; ++step) {
       const StepReport expected = test::scan(scenes.kept, scenes.exclusions);
       const int threads = std::array{1, 2, 4}[rng.below(3)];
-      const StepReport kept = scenes.kept.step({}, Parallel{.threads = threads});
+      const StepReport kept = scenes.kept.step({}, Limits{.threads = threads});
       const StepReport fresh = scenes.fresh.step({.coherent = false});
       ASSERT_EQ(kept.environment, expected.environment) << "step " << step;
       ASSERT_EQ(kept.movers, expected.movers) << "step " << step;

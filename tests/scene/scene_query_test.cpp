@@ -215,8 +215,8 @@ TEST(SceneQuery, TheMoverThatLooksCanBeLeftOut) {
   const Ray ahead{eye, {1, 0, 0}};
   EXPECT_EQ(scene.closest_hit(ahead).body, itself);
   EXPECT_EQ(scene.closest_hit(ahead, {}, {.except = itself}).t, (Bracket{4.5, 4.5}));
-  EXPECT_TRUE(scene.any_hit(Segment{eye, {5, 0.5, 0.5}}, {}, {.except = itself}).hit);
-  EXPECT_FALSE(scene.any_hit(Segment{eye, {4, 0.5, 0.5}}, {}, {.except = itself}).hit);
+  EXPECT_TRUE(scene.any_hit(Ray::between(eye, {5, 0.5, 0.5}), {}, {.except = itself}).hit);
+  EXPECT_FALSE(scene.any_hit(Ray::between(eye, {4, 0.5, 0.5}), {}, {.except = itself}).hit);
   EXPECT_FALSE(scene.any_hit(ahead, {}, {.environment = false, .except = itself}).hit);
   scene.remove_mover(looks);
   EXPECT_THROW((void)scene.closest(eye, {}, {.except = itself}), Error);
@@ -229,11 +229,12 @@ TEST(SceneQuery, ADeadlineIsProvedOfPartsAndMovers) {
   scene.add_environment(Body(cube, Pose::translation(8, 0, 0)));
   scene.add_mover(Body(cube, Pose::translation(1, 0, 0)));
   const auto past = std::chrono::steady_clock::time_point::min();
-  const SceneClosest near = scene.closest({0, 0.5, 0.5}, {.deadline = past});
+  const SceneClosest near = scene.closest({0, 0.5, 0.5}, {}, {}, {.deadline = past});
   EXPECT_EQ(near.coverage, Coverage::cut);
   EXPECT_LE(near.distance.lower, 1);
   EXPECT_GE(near.distance.upper, 1);
-  const SceneHit first = scene.closest_hit(Ray{{0, 0.5, 0.5}, {1, 0, 0}}, {.deadline = past});
+  const SceneHit first =
+      scene.closest_hit(Ray{{0, 0.5, 0.5}, {1, 0, 0}}, {}, {}, {.deadline = past});
   EXPECT_EQ(first.coverage, Coverage::cut);
   EXPECT_LE(first.t.lower, 1);
   EXPECT_GE(first.t.upper, 1);

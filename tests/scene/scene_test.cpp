@@ -73,7 +73,7 @@ TEST(Scene, ReportsTheSameBytesForAnyNumberOfThreads) {
     for (const OverlapMode mode : {OverlapMode::all, OverlapMode::first}) {
       const StepOptions options{.mode = mode};
       const StepReport serial = scene.step(options);
-      const StepReport report = scene.step(options, Parallel{.threads = threads});
+      const StepReport report = scene.step(options, Limits{.threads = threads});
       EXPECT_EQ(report.environment, serial.environment);
       EXPECT_EQ(report.movers, serial.movers);
       EXPECT_EQ(report.hash(), serial.hash());
@@ -95,7 +95,7 @@ TEST(Scene, ReportsTheSameAnyPairOfFewBodiesForAnyNumberOfThreads) {
     const StepReport one = scene.step({.mode = mode});
     ASSERT_FALSE(one.environment.empty());
     for (const int threads : {2, 8}) {
-      const StepReport report = scene.step({.mode = mode}, Parallel{.threads = threads});
+      const StepReport report = scene.step({.mode = mode}, Limits{.threads = threads});
       EXPECT_EQ(report.environment, one.environment);
       EXPECT_EQ(report.hash(), one.hash());
     }
@@ -143,7 +143,7 @@ TEST(Scene, SplitsASingleLargePairForManyThreadsAndReportsTheSame) {
   scene.add_environment(Body(Shape(soup)));
   scene.add_mover(body_at(Shape(soup), 1, 1, 1));
   const StepReport one = scene.step();
-  const StepReport eight = scene.step({}, Parallel{.threads = 8});
+  const StepReport eight = scene.step({}, Limits{.threads = 8});
   EXPECT_GT(one.environment.size(), 1000U);
   EXPECT_EQ(one.environment, eight.environment);
   EXPECT_EQ(one.cost, eight.cost);
@@ -380,7 +380,7 @@ TEST(Scene, StopsWhenRequestedAndGoesOnAfterwards) {
   std::stop_source stop;
   stop.request_stop();
   try {
-    static_cast<void>(scene.step({}, Parallel{.threads = 2, .stop = stop.get_token()}));
+    static_cast<void>(scene.step({}, Limits{.threads = 2, .stop = stop.get_token()}));
     FAIL() << "the step did not stop";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::cancelled);

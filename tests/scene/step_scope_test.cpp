@@ -109,7 +109,7 @@ TEST(StepScope, FirstContactReportsTheSameBytesForAnyThreadsAndFromNothing) {
     for (const bool coherent : {true, false}) {
       options.coherent = coherent;
       for (const int threads : {1, 2, 4}) {
-        const StepReport report = scene.step(options, Parallel{.threads = threads});
+        const StepReport report = scene.step(options, Limits{.threads = threads});
         EXPECT_EQ(report.environment, one.environment);
         EXPECT_EQ(report.movers, one.movers);
         EXPECT_EQ(report.queries, one.queries);

@@ -73,12 +73,12 @@ Vec3 place_of_heap(Rng& rng, const Scales& scales) {
 void add_sheets(Rng& rng, const Vec3& place, double size, Mesh& mesh) {
   const std::size_t axis = rng.below(3);
   const double gap = 0.125 * size * std::exp2(-rng.uniform(0, 6));
-  const bool parallel = rng.below(2) == 0;
+  const bool limits = rng.below(2) == 0;
   for (std::uint64_t k = 0, count = 2 + rng.below(8); k < count; ++k) {
     std::array<Vec3, 3> corner{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}};
     const double height = gap * static_cast<double>(rng.below(8));
     for (Vec3& v : corner) {
-      const Vec3 flat{v.x * size, v.y * size, height + (parallel ? 0 : rng.uniform(0, gap))};
+      const Vec3 flat{v.x * size, v.y * size, height + (limits ? 0 : rng.uniform(0, gap))};
       v = place;
       for (std::size_t i = 0; i < 3; ++i) {
         v[(axis + 1 + i) % 3] += flat[i];

@@ -44,13 +44,13 @@ Body body_of(const Triangle& t) {
 }
 
 Bracket distance_of_pair(const Body& a, const Body& b, const TrianglePair& pair) {
-  return triangle_distance(moved_triangle(a, pair.first), moved_triangle(b, pair.second)).distance;
+  return triangle_distance(moved_triangle(a, pair.a), moved_triangle(b, pair.b)).distance;
 }
 
 std::string fault_of_points(const Body& a, const Body& b, const TrianglePair& pair, const Vec3& p,
                             const Vec3& q, const Bracket& d) {
-  const Triangle s = moved_triangle(a, pair.first);
-  const Triangle t = moved_triangle(b, pair.second);
+  const Triangle s = moved_triangle(a, pair.a);
+  const Triangle t = moved_triangle(b, pair.b);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!std::isfinite(p[axis]) || !std::isfinite(q[axis])) {
       return "a coordinate of a point is not a number";

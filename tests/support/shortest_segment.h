@@ -17,7 +17,7 @@ namespace soms::test {
 /// A body of one triangle.
 [[nodiscard]] Body body_of(const Triangle& t);
 
-/// The distance of triangle `pair.first` of `a` from triangle `pair.second` of `b`, by itself.
+/// The distance of triangle `pair.a` of `a` from triangle `pair.b` of `b`, by itself.
 [[nodiscard]] Bracket distance_of_pair(const Body& a, const Body& b, const TrianglePair& pair);
 
 /// What is wrong with the points `p` and `q` of a pair at distance `d`; empty if nothing is. Each

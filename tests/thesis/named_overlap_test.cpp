@@ -297,18 +297,18 @@ TEST(NamedOverlap, IsCutByADeadlineAndEndedByAStop) {
   for (const Traversal traversal :
        {Traversal::larger, Traversal::e_node, Traversal::e_node_front}) {
     const TraversalOptions settings{.traversal = traversal};
-    OverlapOptions options;
-    EXPECT_THROW((void)thesis::overlap(body, body, settings, options, {.stop = source.get_token()}),
+    Limits limits;
+    EXPECT_THROW((void)thesis::overlap(body, body, settings, {}, {.stop = source.get_token()}),
                  Error);
-    options.deadline = std::chrono::steady_clock::now();
-    const Overlap late = thesis::overlap(body, body, settings, options).answer;
+    limits.deadline = std::chrono::steady_clock::now();
+    const Overlap late = thesis::overlap(body, body, settings, {}, limits).answer;
     EXPECT_EQ(late.coverage, Coverage::cut);
     EXPECT_EQ(late.cost, Cost{});
     Overlap cut;
     // On a slow machine the deadline may pass before the first box test.
     for (auto time = std::chrono::milliseconds(20); cut.cost == Cost{}; time *= 2) {
-      options.deadline = std::chrono::steady_clock::now() + time;
-      cut = thesis::overlap(body, body, settings, options).answer;
+      limits.deadline = std::chrono::steady_clock::now() + time;
+      cut = thesis::overlap(body, body, settings, {}, limits).answer;
     }
     EXPECT_EQ(cut.coverage, Coverage::cut);
     EXPECT_GT(cut.cost.node_tests, 0U);
@@ -333,12 +333,12 @@ TEST(NamedOverlap, IsCutByADeadlineWithinAPairOfLeaves) {
   Body other = body;
   other.pose = Pose::translation(0.5, 0, 0);
   const TraversalOptions settings{.traversal = Traversal::larger};
-  OverlapOptions options;
+  Limits limits;
   Overlap cut;
   // On a slow machine the deadline may pass while the boxes are moved, before the leaf pair.
   for (auto time = std::chrono::milliseconds(20); cut.cost == Cost{}; time *= 2) {
-    options.deadline = std::chrono::steady_clock::now() + time;
-    cut = thesis::overlap(body, other, settings, options).answer;
+    limits.deadline = std::chrono::steady_clock::now() + time;
+    cut = thesis::overlap(body, other, settings, {}, limits).answer;
   }
   EXPECT_EQ(cut.coverage, Coverage::cut);
   EXPECT_EQ(cut.cost, (Cost{1, 0, 0}));
@@ -352,12 +352,12 @@ TEST(NamedOverlap, IsCutByADeadlineWhereALargeLeafLeavesNothingToDecide) {
   const TraversalOptions settings{.traversal = Traversal::larger};
   for (const auto& [a, b] : {std::pair(&small, &large), std::pair(&large, &small)}) {
     ASSERT_EQ(thesis::overlap(*a, *b, settings).answer.cost, (Cost{999, 0, 0}));
-    OverlapOptions hurried;
+    Limits hurried;
     Overlap cut;
     // On a slow machine the deadline may pass while the boxes are moved, before the first leaf.
     for (auto time = std::chrono::milliseconds(2); cut.cost == Cost{}; time *= 2) {
       hurried.deadline = std::chrono::steady_clock::now() + time;
-      cut = thesis::overlap(*a, *b, settings, hurried).answer;
+      cut = thesis::overlap(*a, *b, settings, {}, hurried).answer;
     }
     EXPECT_EQ(cut.coverage, Coverage::cut);
     EXPECT_LT(cut.cost.node_tests, 999U);

@@ -85,7 +85,7 @@ TEST(TileSet, AnswersAsTheWholeOnEdgesBetweenTiles) {
       q.points.push_back(at);
       q.rays.push_back({at, {0, 0, -1}});
       q.rays.push_back({at, {-at.x, -at.y, -10}});
-      q.segments.push_back({at, {4, 4, 4}});
+      q.segments.push_back(Ray::between(at, {4, 4, 4}));
     }
   }
   for (const std::size_t most : {1UL, 2UL, 5UL, 50UL}) {
@@ -106,7 +106,7 @@ TEST(TileSet, DecidesTiesOfBracketsExactly) {
   q.points = {{0, 0, 0}};
   ASSERT_EQ(tiles.tiles().size(), 2U);
   EXPECT_EQ(difference(q, {tiles}, whole), "");
-  EXPECT_EQ(distance(q.mover, q.poses, TiledBody{tiles}).triangles[0], TrianglePair(0, 1));
+  EXPECT_EQ(distance(q.mover, q.poses, TiledBody{tiles}).triangles[0], (TrianglePair{0, 1}));
   EXPECT_EQ(closest(TiledBody{tiles}, q.points).triangle[0], 1U);
 }
 
@@ -127,7 +127,7 @@ TEST(TileSet, NamesTheLeastOfEquallyNearTriangles) {
     q.poses = {Pose{}, Pose::translation(1, 1, 1), Pose::translation(0.5, 0, 0)};
     q.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 1}};
     q.rays = {{{0, 0, 0}, {1, 1, 1}}, {{3, 3, 3}, {-1, -1, -1}}, {{1, 1, 0}, {0, 0, 1}}};
-    q.segments = {{{0, 0, 0}, {2, 2, 2}}, {{0, 0, 0}, {-2, 2, 2}}};
+    q.segments = {Ray::between({0, 0, 0}, {2, 2, 2}), Ray::between({0, 0, 0}, {-2, 2, 2})};
     EXPECT_EQ(difference(q, {tiles}, Body{Shape(meshes[0])}), "");
   });
 }
@@ -141,7 +141,7 @@ TEST(TileSet, AnswersWithoutTriangles) {
   q.poses = {Pose{}};
   q.points = {{0, 0, 0}};
   q.rays = {{{0, 0, 0}, {1, 0, 0}}};
-  q.segments = {{{0, 0, 0}, {1, 0, 0}}};
+  q.segments = {Ray::between({0, 0, 0}, {1, 0, 0})};
   EXPECT_EQ(difference(q, {tiles}, Body()), "");
   EXPECT_EQ(difference(q, {TileSet()}, Body()), "");
   // A model without triangles between others leaves no tile, and a mover without any meets nothing.
@@ -184,7 +184,7 @@ TEST(TileSet, CutsAnswersWhenTimeIsUp) {
   const Shape car(generate_mover(MoverKind::car));
   const std::vector<Pose> poses{Pose::translation(20, 20, 1), Pose::translation(1e4, 0, 0)};
   const DistanceBatch truth = distance(car, poses, Body{Shape(meshes[0])});
-  const DistanceBatch cut = distance(car, poses, tiles, {.deadline = past});
+  const DistanceBatch cut = distance(car, poses, tiles, {}, {.deadline = past});
   const WithinBatch within_cut = within(car, poses, tiles, 1e5, {.deadline = past});
   for (std::size_t k = 0; k < 2; ++k) {
     if (cut.coverage[k] == Coverage::cut) {
@@ -236,12 +236,12 @@ TEST(TileSet, StopsAtTheDeadlineBeforeItOpensTiles) {
   const std::vector<Pose> poses(3);
   const std::vector<Vec3> points(3);
   const std::vector<Ray> rays(3, Ray{{0, 0, 90}, {0, 0, -1}});
-  EXPECT_EQ(overlap(city, poses, tiles, {.deadline = past}).coverage[1], Coverage::cut);
-  EXPECT_EQ(distance(city, poses, tiles, {.deadline = past}).coverage[1], Coverage::cut);
+  EXPECT_EQ(overlap(city, poses, tiles, {}, {.deadline = past}).coverage[1], Coverage::cut);
+  EXPECT_EQ(distance(city, poses, tiles, {}, {.deadline = past}).coverage[1], Coverage::cut);
   EXPECT_EQ(within(city, poses, tiles, 1, {.deadline = past}).coverage[1], Coverage::cut);
-  EXPECT_EQ(closest(tiles, points, {.deadline = past}).coverage[1], Coverage::cut);
-  EXPECT_EQ(closest_hit(tiles, rays, {.deadline = past}).coverage[1], Coverage::cut);
-  EXPECT_EQ(any_hit(tiles, rays, {.deadline = past}).coverage[1], Coverage::cut);
+  EXPECT_EQ(closest(tiles, points, {}, {.deadline = past}).coverage[1], Coverage::cut);
+  EXPECT_EQ(closest_hit(tiles, rays, {}, {.deadline = past}).coverage[1], Coverage::cut);
+  EXPECT_EQ(any_hit(tiles, rays, {}, {.deadline = past}).coverage[1], Coverage::cut);
   EXPECT_EQ(tiles.tiles.openings(), 0U);
 }
 
@@ -252,17 +252,17 @@ TEST(TileSet, ReportsProgressThatOnlyGrows) {
   const std::vector<Pose> poses(500, Pose::translation(20, 20, 0));
   const std::vector<Ray> rays(500, Ray{{0, 0, 90}, {0, 0, -1}});
   std::vector<double> shares;
-  const Parallel parallel{.progress = [&](double share) { shares.push_back(share); }};
+  const Limits limits{.progress = [&](double share) { shares.push_back(share); }};
   const auto check = [&] {
     EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
     EXPECT_FALSE(shares.empty());
     shares.clear();
   };
-  static_cast<void>(overlap(Shape(generate_sphere(20)), poses, tiles, {}, parallel));
+  static_cast<void>(overlap(Shape(generate_sphere(20)), poses, tiles, {}, limits));
   check();
-  static_cast<void>(closest_hit(tiles, rays, {}, parallel));
+  static_cast<void>(closest_hit(tiles, rays, {}, limits));
   check();
-  static_cast<void>(distance(Shape(generate_sphere(20)), poses, tiles, {}, parallel));
+  static_cast<void>(distance(Shape(generate_sphere(20)), poses, tiles, {}, limits));
   check();
 }
 

@@ -40,13 +40,13 @@ std::string wrong_pair(const OverlapBatch& any, const OverlapBatch& all) {
 }
 
 std::string overlaps_differ(const TiledQuestions& q, const TiledBody& tiles, const Body& whole,
-                            const Parallel& parallel) {
+                            const Limits& limits) {
   const OverlapBatch all = overlap(q.mover, q.poses, whole);
   std::vector<std::string> found;
   for (const OverlapMode mode : {OverlapMode::all, OverlapMode::any, OverlapMode::first}) {
     const OverlapOptions options{.mode = mode};
     const OverlapBatch one = overlap(q.mover, q.poses, whole, options);
-    const OverlapBatch many = overlap(q.mover, q.poses, tiles, options, parallel);
+    const OverlapBatch many = overlap(q.mover, q.poses, tiles, options, limits);
     const std::string name = "overlap " + std::to_string(static_cast<int>(mode)) + " ";
     found.push_back(first_other(name + "any", many.any, one.any));
     found.push_back(first_other(name + "coverage", many.coverage, one.coverage));
@@ -58,9 +58,9 @@ std::string overlaps_differ(const TiledQuestions& q, const TiledBody& tiles, con
 }
 
 std::string distances_differ(const TiledQuestions& q, const TiledBody& tiles, const Body& whole,
-                             double at_most, const Parallel& parallel) {
+                             double at_most, const Limits& limits) {
   const DistanceBatch one = distance(q.mover, q.poses, whole, {.at_most = at_most});
-  const DistanceBatch many = distance(q.mover, q.poses, tiles, {.at_most = at_most}, parallel);
+  const DistanceBatch many = distance(q.mover, q.poses, tiles, {.at_most = at_most}, limits);
   return first_of({first_other("distance lower", many.lower, one.lower),
                    first_other("distance upper", many.upper, one.upper),
                    first_other("distance triangles", many.triangles, one.triangles),
@@ -71,12 +71,12 @@ std::string distances_differ(const TiledQuestions& q, const TiledBody& tiles, co
 }
 
 std::string withins_differ(const TiledQuestions& q, const TiledBody& tiles, const Body& whole,
-                           const Parallel& parallel) {
+                           const Limits& limits) {
   const DistanceBatch distances = distance(q.mover, q.poses, whole);
   std::vector<std::string> found;
   for (const double clearance : {0.0, q.at_most}) {
     const WithinBatch one = within(q.mover, q.poses, whole, clearance);
-    const WithinBatch many = within(q.mover, q.poses, tiles, clearance, {}, parallel);
+    const WithinBatch many = within(q.mover, q.poses, tiles, clearance, limits);
     found.push_back(first_other("within", many.within, one.within));
     found.push_back(first_other("within at_least", many.at_least, one.at_least));
     found.push_back(first_other("within coverage", many.coverage, one.coverage));
@@ -85,8 +85,8 @@ std::string withins_differ(const TiledQuestions& q, const TiledBody& tiles, cons
         found.push_back("within: pair of " + std::to_string(k));
       } else if (many.triangles[k]) {
         // The pair that is named is as near as that.
-        const Mesh a = extract(q.mover.mesh(), std::array{many.triangles[k]->first});
-        const Mesh b = extract(whole.shape.mesh(), std::array{many.triangles[k]->second});
+        const Mesh a = extract(q.mover.mesh(), std::array{many.triangles[k]->a});
+        const Mesh b = extract(whole.shape.mesh(), std::array{many.triangles[k]->b});
         if (!within(Body(a, q.poses[k]), Body(b, whole.pose), clearance).within) {
           found.push_back("within: a pair that is farther, at " + std::to_string(k));
         }
@@ -97,9 +97,9 @@ std::string withins_differ(const TiledQuestions& q, const TiledBody& tiles, cons
 }
 
 std::string points_differ(const TiledQuestions& q, const TiledBody& tiles, const Body& whole,
-                          double at_most, const Parallel& parallel) {
+                          double at_most, const Limits& limits) {
   const ClosestBatch one = closest(whole, q.points, {.at_most = at_most});
-  const ClosestBatch many = closest(tiles, q.points, {.at_most = at_most}, parallel);
+  const ClosestBatch many = closest(tiles, q.points, {.at_most = at_most}, limits);
   return first_of({first_other("closest lower", many.lower, one.lower),
                    first_other("closest upper", many.upper, one.upper),
                    first_other("closest triangle", many.triangle, one.triangle),
@@ -111,12 +111,12 @@ std::string points_differ(const TiledQuestions& q, const TiledBody& tiles, const
 
 template <class Line>
 std::string lines_differ(const std::vector<Line>& lines, const TiledBody& tiles, const Body& whole,
-                         const RayOptions& options, const Parallel& parallel) {
+                         const RayOptions& options, const Limits& limits) {
   const std::span<const Line> rows(lines);
   const ClosestHitBatch one = closest_hit(whole, rows, options);
-  const ClosestHitBatch many = closest_hit(tiles, rows, options, parallel);
+  const ClosestHitBatch many = closest_hit(tiles, rows, options, limits);
   const AnyHitBatch any = any_hit(whole, rows, options);
-  const AnyHitBatch any_of_tiles = any_hit(tiles, rows, options, parallel);
+  const AnyHitBatch any_of_tiles = any_hit(tiles, rows, options, limits);
   return first_of({first_other("ray lower", many.lower, one.lower),
                    first_other("ray upper", many.upper, one.upper),
                    first_other("ray triangle", many.triangle, one.triangle),
@@ -173,7 +173,7 @@ TiledQuestions random_questions(Rng& rng, Shape mover, const Box& box, std::size
     q.poses.push_back(Pose::about_z(rng.uniform(0, 6), point_in(rng, around)));
     q.points.push_back(point_in(rng, around));
     const Vec3 to = point_in(rng, around);
-    q.segments.push_back({q.points.back(), to});
+    q.segments.push_back(Ray::between(q.points.back(), to));
     q.rays.push_back({q.points.back(), to - q.points.back(),
                       rng.below(2) == 0 ? std::numeric_limits<double>::infinity() : 1.0});
   }
@@ -181,21 +181,21 @@ TiledQuestions random_questions(Rng& rng, Shape mover, const Box& box, std::size
 }
 
 std::string difference(const TiledQuestions& q, const TiledBody& tiles, const Body& whole,
-                       const Parallel& parallel) {
+                       const Limits& limits) {
   constexpr double kUnlimited = std::numeric_limits<double>::infinity();
   RayOptions skip;
   if (!whole.shape.mesh().triangles.empty()) {
     skip.skip = static_cast<TriangleId>(whole.shape.mesh().triangles.size() / 2);
   }
-  return first_of({overlaps_differ(q, tiles, whole, parallel),
-                   distances_differ(q, tiles, whole, kUnlimited, parallel),
-                   distances_differ(q, tiles, whole, q.at_most, parallel),
-                   withins_differ(q, tiles, whole, parallel),
-                   points_differ(q, tiles, whole, kUnlimited, parallel),
-                   points_differ(q, tiles, whole, q.at_most, parallel),
-                   lines_differ(q.rays, tiles, whole, {}, parallel),
-                   lines_differ(q.rays, tiles, whole, skip, parallel),
-                   lines_differ(q.segments, tiles, whole, {}, parallel)});
+  return first_of({overlaps_differ(q, tiles, whole, limits),
+                   distances_differ(q, tiles, whole, kUnlimited, limits),
+                   distances_differ(q, tiles, whole, q.at_most, limits),
+                   withins_differ(q, tiles, whole, limits),
+                   points_differ(q, tiles, whole, kUnlimited, limits),
+                   points_differ(q, tiles, whole, q.at_most, limits),
+                   lines_differ(q.rays, tiles, whole, {}, limits),
+                   lines_differ(q.rays, tiles, whole, skip, limits),
+                   lines_differ(q.segments, tiles, whole, {}, limits)});
 }
 
 ErrorKind kind_of(const std::function<void()>& action) {

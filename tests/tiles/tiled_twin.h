@@ -33,7 +33,7 @@ struct TiledQuestions {
   std::vector<Pose> poses = {};
   std::vector<Vec3> points = {};
   std::vector<Ray> rays = {};
-  std::vector<Segment> segments = {};
+  std::vector<Ray> segments = {};
   double at_most = 0;  ///< of distances
 };
 
@@ -43,7 +43,7 @@ struct TiledQuestions {
 
 /// The first answer that differs in what is promised, in words; empty if there is none.
 [[nodiscard]] std::string difference(const TiledQuestions& questions, const TiledBody& tiles,
-                                     const Body& whole, const Parallel& parallel = {});
+                                     const Body& whole, const Limits& limits = {});
 
 /// The kind of the error that an action throws; a failure if it throws none.
 [[nodiscard]] ErrorKind kind_of(const std::function<void()>& action);

@@ -27,8 +27,8 @@ ShapeOptions with_tree(Rule rule) {
   return options;
 }
 
-Shape refitted(const Shape& shape, const MeshView& mesh, const Parallel& parallel = {}) {
-  return refit(shape, std::make_shared<const Mesh>(mesh), parallel);
+Shape refitted(const Shape& shape, const MeshView& mesh, const Limits& limits = {}) {
+  return refit(shape, std::make_shared<const Mesh>(mesh), limits);
 }
 
 /// Ways in which vertices move.

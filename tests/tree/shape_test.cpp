@@ -45,7 +45,7 @@ TEST(Shape, ReportsProgressInOrder) {
   const Mesh mesh = test::make_input(test::Input::random, 60000);
   for (const bool keep_tree : {false, true}) {
     std::vector<double> shares;
-    const Parallel watched{.progress = [&](double share) { shares.push_back(share); }};
+    const Limits watched{.progress = [&](double share) { shares.push_back(share); }};
     EXPECT_EQ(Shape(mesh, {.keep_tree = keep_tree}, watched).bounds(), bounds(mesh));
     ASSERT_GT(shares.size(), 5U);
     EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end())) << keep_tree;

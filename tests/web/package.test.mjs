@@ -172,7 +172,7 @@ test('what is no argument is refused, whatever it is', () => {
     'bytes that were handed over': () => soms.readMesh(handedOver.buffer, 'ply'),
     'no limit': () => soms.overlap(a, a, { limit: NaN }),
     'a limit below 0': () => soms.overlap(a, a, { limit: -1 }),
-    'no time': () => soms.overlap(a, a, { timeLimit: 'soon' }),
+    'no time': () => soms.overlap(a, a, { timeout: 'soon' }),
     'no distance': () => soms.distance(a, a, { atMost: NaN }),
     'a distance below 0': () => soms.closest(a, [0, 0, 0], { atMost: -1 }),
     'no clearance': () => soms.within(a, a),
@@ -292,7 +292,7 @@ test('a worker loads from a URL, too', async () => {
 
 test('a limit of time cuts, and says so', () => {
   const a = new soms.Shape(box(1));
-  assert.equal(soms.overlap(a, new soms.Body(a, shifted(1)), { timeLimit: -1 }).coverage, 'cut');
+  assert.equal(soms.overlap(a, new soms.Body(a, shifted(1)), { timeout: -1 }).coverage, 'cut');
   assert.equal(soms.overlap(a, new soms.Body(a, shifted(1)), { limit: 3 }).coverage, 'cut');
   a.free();
 });

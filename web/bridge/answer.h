@@ -73,8 +73,8 @@ class Answer {
   void add(const std::vector<std::optional<TrianglePair>>& rows) {
     std::vector<std::int32_t> numbers(2 * rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      numbers[2 * i] = rows[i] ? static_cast<std::int32_t>(rows[i]->first) : -1;
-      numbers[2 * i + 1] = rows[i] ? static_cast<std::int32_t>(rows[i]->second) : -1;
+      numbers[2 * i] = rows[i] ? static_cast<std::int32_t>(rows[i]->a) : -1;
+      numbers[2 * i + 1] = rows[i] ? static_cast<std::int32_t>(rows[i]->b) : -1;
     }
     hold(std::move(numbers), 1, Numbers::i32);
   }

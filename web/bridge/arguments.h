@@ -2,13 +2,13 @@
 /// Arguments as JavaScript hands them in.
 #pragma once
 
+#include "soms/base/limits.h"
 #include "soms/base/pose.h"
 #include "soms/base/vector.h"
 
 #include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 #include <span>
 
 namespace soms::web {
@@ -16,14 +16,14 @@ namespace soms::web {
 static_assert(sizeof(Pose) == 12 * sizeof(double) && sizeof(Vec3) == 3 * sizeof(double));
 
 /// A deadline after so many milliseconds; none where they are infinite.
-[[nodiscard]] inline std::optional<std::chrono::steady_clock::time_point> deadline_after(
-    double milliseconds) {
+[[nodiscard]] inline Limits within_time(double milliseconds) {
   constexpr double kYear = 3e10;
-  if (!(milliseconds < kYear)) {
-    return std::nullopt;
+  Limits limits;
+  if (milliseconds < kYear) {
+    limits.deadline = std::chrono::steady_clock::now() +
+                      std::chrono::microseconds(static_cast<std::int64_t>(milliseconds * 1000));
   }
-  return std::chrono::steady_clock::now() +
-         std::chrono::microseconds(static_cast<std::int64_t>(milliseconds * 1000));
+  return limits;
 }
 
 }  // namespace soms::web

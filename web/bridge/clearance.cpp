@@ -14,9 +14,9 @@ using soms::Body;
 using soms::Pose;
 using soms::web::Answer;
 using soms::web::answer_of_batch;
-using soms::web::deadline_after;
 using soms::web::guarded;
 using soms::web::HeldShape;
+using soms::web::within_time;
 
 // Columns are those of the fields of the answer (fields.js), and its cost.
 
@@ -26,10 +26,9 @@ Answer* soms_within(const HeldShape* mover, const Pose* poses, std::uint32_t cou
                     const HeldShape* fixed, const Pose* pose, double clearance,
                     double milliseconds) {
   return guarded([&] {
-    soms::WithinOptions options;
-    options.deadline = deadline_after(milliseconds);
     return answer_of_batch<soms::Within>(within(mover->shape(), std::span(poses, count),
-                                                Body(fixed->shape(), *pose), clearance, options));
+                                                Body(fixed->shape(), *pose), clearance,
+                                                within_time(milliseconds)));
   });
 }
 
@@ -38,10 +37,8 @@ SOMS_EXPORT(soms_solid)
 Answer* soms_solid(HeldShape* mover, const Pose* poses, std::uint32_t count, HeldShape* fixed,
                    const Pose* pose, double milliseconds) {
   return guarded([&]() -> Answer* {
-    soms::SolidOptions options;
-    options.deadline = deadline_after(milliseconds);
     const soms::ClosedBody closed = mover->closed_at(count > 0 ? *poses : Pose());
     return answer_of_batch<soms::Solid>(
-        solid(closed, std::span(poses, count), fixed->closed_at(*pose), options));
+        solid(closed, std::span(poses, count), fixed->closed_at(*pose), within_time(milliseconds)));
   });
 }

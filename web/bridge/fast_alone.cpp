@@ -17,11 +17,11 @@ namespace {
 
 }  // namespace
 
-Subtrees grow_top_down(const MeshView&, const RuleEntry&, const BuildOptions&, const Parallel&) {
+Subtrees grow_top_down(const MeshView&, const RuleEntry&, const BuildOptions&, const Limits&) {
   refuse_rule();
 }
 
-Subtrees grow_by_morton(const MeshView&, const BuildOptions&, const Parallel&) {
+Subtrees grow_by_morton(const MeshView&, const BuildOptions&, const Limits&) {
   refuse_rule();
 }
 

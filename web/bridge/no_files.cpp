@@ -18,7 +18,7 @@ namespace {
 Descriptor::~Descriptor() = default;
 
 FileBytes read_file(const std::filesystem::path& path, std::uint64_t /*most*/,
-                    const Parallel& /*parallel*/) {
+                    const Limits& /*limits*/) {
   fail_no_files(path);
 }
 
@@ -27,7 +27,7 @@ int open_for_reading(const std::filesystem::path& path) {
 }
 
 std::size_t read_some(const std::filesystem::path& path, int /*fd*/, char* /*to*/,
-                      std::size_t /*wanted*/, const Parallel& /*parallel*/) {
+                      std::size_t /*wanted*/, const Limits& /*limits*/) {
   fail_no_files(path);
 }
 

@@ -17,9 +17,9 @@ using soms::Pose;
 using soms::web::Answer;
 using soms::web::answer_of_batch;
 using soms::web::answer_of_lists;
-using soms::web::deadline_after;
 using soms::web::guarded;
 using soms::web::HeldShape;
+using soms::web::within_time;
 
 // Columns are those of the fields of the answer (fields.js), and its cost.
 
@@ -35,9 +35,9 @@ Answer* soms_overlap(const HeldShape* mover, const Pose* poses, std::uint32_t co
     if (std::isfinite(limit)) {
       options.limit = static_cast<std::uint64_t>(limit);
     }
-    options.deadline = deadline_after(milliseconds);
-    return answer_of_lists(
-        overlap(mover->shape(), std::span(poses, count), Body(fixed->shape(), *pose), options));
+    return answer_of_lists(overlap(mover->shape(), std::span(poses, count),
+                                   Body(fixed->shape(), *pose), options,
+                                   within_time(milliseconds)));
   });
 }
 
@@ -49,8 +49,8 @@ Answer* soms_distance(const HeldShape* mover, const Pose* poses, std::uint32_t c
   return guarded([&] {
     soms::DistanceOptions options;
     options.at_most = at_most;
-    options.deadline = deadline_after(milliseconds);
-    return answer_of_batch<soms::Distance>(
-        distance(mover->shape(), std::span(poses, count), Body(fixed->shape(), *pose), options));
+    return answer_of_batch<soms::Distance>(distance(mover->shape(), std::span(poses, count),
+                                                    Body(fixed->shape(), *pose), options,
+                                                    within_time(milliseconds)));
   });
 }

@@ -14,7 +14,6 @@
 #include <span>
 
 using soms::Body;
-using soms::ClosestOptions;
 using soms::Pose;
 using soms::Vec3;
 using soms::WindingIndex;
@@ -22,20 +21,9 @@ using soms::web::add_columns;
 using soms::web::Answer;
 using soms::web::answer_of_batch;
 using soms::web::answer_of_lists;
-using soms::web::deadline_after;
 using soms::web::guarded;
 using soms::web::HeldShape;
-
-namespace {
-
-ClosestOptions closest_options(double at_most, double milliseconds) {
-  ClosestOptions options;
-  options.at_most = at_most;
-  options.deadline = deadline_after(milliseconds);
-  return options;
-}
-
-}  // namespace
+using soms::web::within_time;
 
 // Columns are those of the fields of the answer (fields.js), and its cost.
 
@@ -45,8 +33,8 @@ Answer* soms_closest(const HeldShape* shape, const Pose* pose, const Vec3* point
                      std::uint32_t count, double at_most, double milliseconds) {
   return guarded([&] {
     return answer_of_batch<soms::Closest>(closest(Body(shape->shape(), *pose),
-                                                  std::span(points, count),
-                                                  closest_options(at_most, milliseconds)));
+                                                  std::span(points, count), {.at_most = at_most},
+                                                  within_time(milliseconds)));
   });
 }
 
@@ -57,7 +45,7 @@ Answer* soms_signed_closest(HeldShape* shape, const Pose* pose, const Vec3* poin
                             std::uint32_t count, double at_most, double milliseconds) {
   return guarded([&] {
     soms::SignedClosestBatch both = closest(shape->closed_at(*pose), std::span(points, count),
-                                            closest_options(at_most, milliseconds));
+                                            {.at_most = at_most}, within_time(milliseconds));
     auto answer = std::make_unique<Answer>();
     add_columns<soms::Closest>(*answer, both.closest);
     answer->add(both.side);
@@ -73,7 +61,8 @@ Answer* soms_nearest_triangles(const HeldShape* shape, const Pose* pose, const V
                                double milliseconds) {
   return guarded([&] {
     return answer_of_lists(nearest_triangles(Body(shape->shape(), *pose), std::span(points, count),
-                                             most, closest_options(at_most, milliseconds)));
+                                             most, {.at_most = at_most},
+                                             within_time(milliseconds)));
   });
 }
 
@@ -83,10 +72,8 @@ SOMS_EXPORT(soms_near_triangles)
 Answer* soms_near_triangles(const HeldShape* shape, const Pose* pose, const Vec3* points,
                             std::uint32_t count, double radius, double milliseconds) {
   return guarded([&] {
-    ClosestOptions options;
-    options.deadline = deadline_after(milliseconds);
-    return answer_of_lists(
-        near_triangles(Body(shape->shape(), *pose), std::span(points, count), radius, options));
+    return answer_of_lists(near_triangles(Body(shape->shape(), *pose), std::span(points, count),
+                                          radius, {}, within_time(milliseconds)));
   });
 }
 
@@ -95,10 +82,8 @@ SOMS_EXPORT(soms_contains)
 Answer* soms_contains(HeldShape* shape, const Pose* pose, const Vec3* points, std::uint32_t count,
                       double milliseconds) {
   return guarded([&] {
-    soms::ContainsOptions options;
-    options.deadline = deadline_after(milliseconds);
     return answer_of_batch<soms::Contains>(
-        contains(shape->closed_at(*pose), std::span(points, count), options));
+        contains(shape->closed_at(*pose), std::span(points, count), within_time(milliseconds)));
   });
 }
 
@@ -119,7 +104,7 @@ Answer* soms_winding(const WindingIndex* index, const Vec3* points, std::uint32_
   return guarded([&] {
     soms::WindingOptions options;
     options.width = width;
-    options.deadline = deadline_after(milliseconds);
-    return answer_of_batch<soms::Winding>(winding(*index, std::span(points, count), options));
+    return answer_of_batch<soms::Winding>(
+        winding(*index, std::span(points, count), options, within_time(milliseconds)));
   });
 }

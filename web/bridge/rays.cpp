@@ -7,44 +7,39 @@
 #include "web/bridge/failure.h"
 #include "web/bridge/held_shape.h"
 
-#include <span>
-#include <utility>
+#include <vector>
 
 using soms::Body;
 using soms::Pose;
 using soms::Ray;
 using soms::RayOptions;
-using soms::Segment;
+using soms::Vec3;
 using soms::web::Answer;
 using soms::web::answer_of_batch;
 using soms::web::answer_of_lists;
 using soms::web::guarded;
 using soms::web::HeldShape;
 
-static_assert(sizeof(Ray) == 7 * sizeof(double) && sizeof(Segment) == 6 * sizeof(double));
-
 namespace {
 
-/// Lines as they come: rays of 7 doubles (origin, direction, length), or segments of 6.
-struct Lines {
-  const double* numbers;
-  std::uint32_t count;
-  bool segments;
-
-  template <class Query>
-  [[nodiscard]] auto each(const Query& query) const {
-    return segments ? query(std::span(reinterpret_cast<const Segment*>(numbers), count))
-                    : query(std::span(reinterpret_cast<const Ray*>(numbers), count));
+/// Rays as they come: of 7 numbers each (origin, direction, length), or segments of 6.
+std::vector<Ray> rays_of(const double* numbers, std::uint32_t count, bool segments) {
+  std::vector<Ray> rays(count);
+  for (Ray& ray : rays) {
+    const Vec3 origin{numbers[0], numbers[1], numbers[2]};
+    const Vec3 other{numbers[3], numbers[4], numbers[5]};
+    ray = segments ? Ray::between(origin, other) : Ray{origin, other, numbers[6]};
+    numbers += segments ? 6 : 7;
   }
-};
+  return rays;
+}
 
 /// `skip` is -1 for none.
-RayOptions ray_options(std::int32_t skip, double milliseconds) {
+RayOptions ray_options(std::int32_t skip) {
   RayOptions options;
   if (skip >= 0) {
     options.skip = static_cast<soms::TriangleId>(skip);
   }
-  options.deadline = soms::web::deadline_after(milliseconds);
   return options;
 }
 
@@ -57,9 +52,9 @@ Answer* soms_closest_hit(const HeldShape* shape, const Pose* pose, const double*
                          double milliseconds) {
   return guarded([&] {
     const Body body(shape->shape(), *pose);
-    const RayOptions options = ray_options(skip, milliseconds);
-    return answer_of_batch<soms::ClosestHit>(Lines{numbers, count, segments != 0}.each(
-        [&](auto lines) { return closest_hit(body, lines, options); }));
+    const RayOptions options = ray_options(skip);
+    return answer_of_batch<soms::ClosestHit>(closest_hit(
+        body, rays_of(numbers, count, segments != 0), options, within_time(milliseconds)));
   });
 }
 
@@ -70,9 +65,9 @@ Answer* soms_any_hit(const HeldShape* shape, const Pose* pose, const double* num
                      double milliseconds) {
   return guarded([&] {
     const Body body(shape->shape(), *pose);
-    const RayOptions options = ray_options(skip, milliseconds);
-    return answer_of_batch<soms::AnyHit>(Lines{numbers, count, segments != 0}.each(
-        [&](auto lines) { return any_hit(body, lines, options); }));
+    const RayOptions options = ray_options(skip);
+    return answer_of_batch<soms::AnyHit>(
+        any_hit(body, rays_of(numbers, count, segments != 0), options, within_time(milliseconds)));
   });
 }
 
@@ -83,8 +78,8 @@ Answer* soms_all_hits(const HeldShape* shape, const Pose* pose, const double* nu
                       double milliseconds) {
   return guarded([&] {
     const Body body(shape->shape(), *pose);
-    const RayOptions options = ray_options(skip, milliseconds);
-    return answer_of_lists(Lines{numbers, count, segments != 0}.each(
-        [&](auto lines) { return all_hits(body, lines, options); }));
+    const RayOptions options = ray_options(skip);
+    return answer_of_lists(
+        all_hits(body, rays_of(numbers, count, segments != 0), options, within_time(milliseconds)));
   });
 }

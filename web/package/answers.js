@@ -39,9 +39,9 @@ export function firstOf(type, columns) {
   return found;
 }
 
-/** A limit of time in milliseconds; none by default. */
+/** A limit of time in milliseconds; none by default. `timeLimit` is its old name. */
 export function timeOf(options) {
-  return number(options.timeLimit ?? Infinity, 'timeLimit');
+  return number(options.timeout ?? options.timeLimit ?? Infinity, 'timeout');
 }
 
 /** What is farther does not count. */

@@ -144,7 +144,7 @@ export type Relation = 'clear' | 'touching' | 'crossing' | 'a_in_b' | 'b_in_a' |
 /** Where a point lies. */
 export type Side = 'outside' | 'inside' | 'on' | 'undecided';
 /** Where on a triangle a point lies. */
-export type Feature = 'vertex' | 'edge' | 'face';
+export type TriangleFeature = 'vertex' | 'edge' | 'face';
 /** Work done, the same on every machine. */
 export interface Cost {
   /** Boxes, or pairs of boxes, tested. */
@@ -278,7 +278,7 @@ export interface Closest {
   /** The nearest point, in world. 0 without a triangle. */
   point: Float64Array;
   /** Where on the triangle that lies. 0 without a triangle. */
-  feature: Feature;
+  feature: TriangleFeature;
   coverage: Coverage;
   cost: Cost;
 }
@@ -387,6 +387,8 @@ export interface AllHits {
 // End of answers.
 /** @deprecated */
 export type TriangleRows = NearTriangles;
+/** @deprecated */
+export type Feature = TriangleFeature;
 
 /** Names of the codes in answers of batches: NAMES.side[codes[k]]. */
 export const NAMES: {
@@ -394,12 +396,14 @@ export const NAMES: {
   readonly relation: readonly Relation[];
   readonly why: readonly ('none' | 'deadline' | 'open')[];
   readonly side: readonly Side[];
-  readonly feature: readonly Feature[];
+  readonly feature: readonly TriangleFeature[];
   readonly kind: readonly ('enter' | 'leave' | 'graze')[];
 };
 
 export interface TimeOptions {
   /** Milliseconds after which the answer is what was found so far, with coverage 'cut'. */
+  timeout?: number;
+  /** @deprecated The old name of `timeout`. */
   timeLimit?: number;
 }
 

@@ -18,12 +18,12 @@ namespace soms::python {
 namespace {
 
 constexpr const char* kClosestDoc =
-    R"(closest(body, points, *, at_most=inf, seconds=None, threads=1, progress=None)
+    R"(closest(body, points, *, at_most=inf, timeout=None, threads=1, progress=None)
 
 Where is a surface nearest to a point? Of a ClosedBody, on which side is the point, too?
 
 body: a Body, Shape or Mesh, or a ClosedBody. points: (3,) or (n, 3). at_most: beyond this the answer
-is farther, and sooner. seconds, threads, progress: as for contains.
+is farther, and sooner. timeout, threads, progress: as for contains.
 
 Returns Closest for one point, ClosestBatch for n; SignedClosest and SignedClosestBatch of a
 ClosedBody. The least distance is from lower to upper, which are equal doubles or neighbors. Raises
@@ -32,14 +32,14 @@ Cost: typically logarithmic in the triangles.
 Source: Roussopoulos, Kelley and Vincent 1995.)";
 
 constexpr const char* kNearestDoc =
-    R"(nearest_triangles(body, points, count, *, at_most=inf, seconds=None, threads=1, progress=None)
+    R"(nearest_triangles(body, points, count, *, at_most=inf, timeout=None, threads=1, progress=None)
 
 The nearest triangles of each point, in the order of their exact distances, then by number.
 
 points: (n, 3). count: most triangles of a point. Others: as for closest. Returns NearTriangles.)";
 
 constexpr const char* kNearDoc =
-    R"(near_triangles(body, points, radius, *, seconds=None, threads=1, progress=None)
+    R"(near_triangles(body, points, radius, *, timeout=None, threads=1, progress=None)
 
 All triangles that are at most a radius from each point, decided exactly, in the order of
 nearest_triangles.
@@ -47,22 +47,22 @@ nearest_triangles.
 points: (n, 3). radius: a number from 0 on. Others: as for closest. Returns NearTriangles.)";
 
 Closest closest_of_tiles(const TiledBody& tiles, const Vec3& point, const ClosestOptions& options,
-                         const Parallel& parallel) {
-  return closest(tiles, {&point, 1}, options, parallel).at(0);
+                         const Limits& limits) {
+  return closest(tiles, {&point, 1}, options, limits).at(0);
 }
 
 ClosestBatch closest_of_tiles(const TiledBody& tiles, std::span<const Vec3> points,
-                              const ClosestOptions& options, const Parallel& parallel) {
-  return closest(tiles, points, options, parallel);
+                              const ClosestOptions& options, const Limits& limits) {
+  return closest(tiles, points, options, limits);
 }
 
 py::object query_closest(const py::object& body, const py::object& points, double at_most,
-                         std::optional<double> seconds, int threads, const py::object& progress) {
-  const ClosestOptions options{.at_most = at_most, .deadline = deadline_in(seconds)};
+                         std::optional<double> timeout, int threads, const py::object& progress) {
+  const ClosestOptions options{.at_most = at_most};
   const auto ask = [&](const auto& surface) {
-    return answer_points(points, threads, progress,
-                         [&](const Parallel& parallel, const auto& places) {
-                           return closest(surface, places, options, parallel);
+    return answer_points(points, {threads, timeout}, progress,
+                         [&](const Limits& limits, const auto& places) {
+                           return closest(surface, places, options, limits);
                          });
   };
   if (const auto* const closed = inside<ClosedBody>(body)) {
@@ -70,33 +70,32 @@ py::object query_closest(const py::object& body, const py::object& points, doubl
   }
   if (py::isinstance<TileSet>(body)) {
     const TiledBody tiles{body.cast<TileSet>()};
-    return answer_points(points, threads, progress,
-                         [&](const Parallel& parallel, const auto& places) {
-                           return closest_of_tiles(tiles, places, options, parallel);
+    return answer_points(points, {threads, timeout}, progress,
+                         [&](const Limits& limits, const auto& places) {
+                           return closest_of_tiles(tiles, places, options, limits);
                          });
   }
   return ask(BodyArgument(body, "body", threads).get());
 }
 
-NearTriangles nearest(const py::object& body, const py::object& points, std::size_t count,
-                      double at_most, std::optional<double> seconds, int threads,
-                      const py::object& progress) {
+py::object nearest(const py::object& body, const py::object& points, std::size_t count,
+                   double at_most, std::optional<double> timeout, int threads,
+                   const py::object& progress) {
   const BodyArgument surface(body, "body", threads);
   const Rows<Vec3> places = points_of(points, "points").owned();
-  const ClosestOptions options{.at_most = at_most, .deadline = deadline_in(seconds)};
-  return run(Work::many, threads, progress, [&](const Parallel& parallel) {
-    return nearest_triangles(surface.get(), places.get(), count, options, parallel);
-  });
+  const ClosestOptions options{.at_most = at_most};
+  return made(run(Work::many, {threads, timeout}, progress, [&](const Limits& limits) {
+    return nearest_triangles(surface.get(), places.get(), count, options, limits);
+  }));
 }
 
-NearTriangles near(const py::object& body, const py::object& points, double radius,
-                   std::optional<double> seconds, int threads, const py::object& progress) {
+py::object near(const py::object& body, const py::object& points, double radius,
+                std::optional<double> timeout, int threads, const py::object& progress) {
   const BodyArgument surface(body, "body", threads);
   const Rows<Vec3> places = points_of(points, "points").owned();
-  const ClosestOptions options{.deadline = deadline_in(seconds)};
-  return run(Work::many, threads, progress, [&](const Parallel& parallel) {
-    return near_triangles(surface.get(), places.get(), radius, options, parallel);
-  });
+  return made(run(Work::many, {threads, timeout}, progress, [&](const Limits& limits) {
+    return near_triangles(surface.get(), places.get(), radius, {}, limits);
+  }));
 }
 
 void bind_signed(py::module_& module) {
@@ -130,13 +129,13 @@ void bind_closest(py::module_& module) {
   def_function(
       module, "closest", &query_closest, kClosestDoc,
       with_limits({{"body"}, {"points"}, {"at_most", py::float_(ClosestOptions{}.at_most), true}}));
-  module.def("nearest_triangles", &nearest, py::arg("body"), py::arg("points"), py::arg("count"),
-             py::kw_only(), py::arg("at_most") = ClosestOptions{}.at_most,
-             py::arg("seconds") = py::none(), py::arg("threads") = 1,
-             py::arg("progress") = py::none(), kNearestDoc);
-  module.def("near_triangles", &near, py::arg("body"), py::arg("points"), py::arg("radius"),
-             py::kw_only(), py::arg("seconds") = py::none(), py::arg("threads") = 1,
-             py::arg("progress") = py::none(), kNearDoc);
+  def_function(module, "nearest_triangles", &nearest, kNearestDoc,
+               with_limits({{"body"},
+                            {"points"},
+                            {"count"},
+                            {"at_most", py::float_(ClosestOptions{}.at_most), true}}));
+  def_function(module, "near_triangles", &near, kNearDoc,
+               with_limits({{"body"}, {"points"}, {"radius"}}));
 }
 
 }  // namespace soms::python

@@ -19,13 +19,14 @@ namespace soms::python {
 namespace {
 
 constexpr const char* kContainsDoc =
-    R"(contains(body, points, *, seconds=None, threads=1, progress=None)
+    R"(contains(body, points, *, timeout=None, threads=1, progress=None)
 
 Is a point inside a closed body? Decided exactly; orientation of the triangles plays no part.
 
 body: a ClosedBody, or a Body, Shape or Mesh, which is checked first each time; or a DividedBody, for
-the parts that hold each point. points: (3,) or (n, 3). seconds: ends the call, with coverage 'cut',
-after that time. threads: 0 for all processors. progress: called with the share done.
+the parts that hold each point. points: (3,) or (n, 3). timeout: seconds after
+which the call ends, with coverage 'cut'. threads: 0 for all processors. progress: called with the
+share done.
 
 Returns Contains for one point, ContainsBatch for n; ContainsParts and ContainsPartsBatch of a
 DividedBody. Raises Error of kind not_closed, not_finite, out_of_range, usage.
@@ -33,16 +34,11 @@ Cost: typically a microsecond a point and less.
 Source: Edelsbrunner and Muecke 1990, Simulation of Simplicity.)";
 
 py::object query_contains(const py::object& body, const py::object& points,
-                          std::optional<double> seconds, int threads, const py::object& progress) {
-  const ContainsOptions options{.deadline = deadline_in(seconds)};
+                          std::optional<double> timeout, int threads, const py::object& progress) {
   const auto ask = [&](const auto& surface) {
-    return answer_points(points, threads, progress,
-                         [&](const Parallel& parallel, const auto& places) {
-                           if constexpr (std::is_same_v<std::decay_t<decltype(places)>, Vec3>) {
-                             return contains(surface, places, options);
-                           } else {
-                             return contains(surface, places, options, parallel);
-                           }
+    return answer_points(points, {threads, timeout}, progress,
+                         [&](const Limits& limits, const auto& places) {
+                           return contains(surface, places, limits);
                          });
   };
   if (const auto* const closed = inside<ClosedBody>(body)) {
@@ -51,7 +47,12 @@ py::object query_contains(const py::object& body, const py::object& points,
   if (const auto* const parted = inside<DividedBody>(body)) {
     return ask(*parted);
   }
-  return ask(BodyArgument(body, "body", threads).get());
+  const BodyArgument surface(body, "body", threads);
+  return answer_points(points, {threads, timeout}, progress,
+                       [&](const Limits& limits, const auto& places) {
+                         const Limits whole = limits.silent().without_deadline();
+                         return contains(ClosedBody(surface.get(), whole), places, limits);
+                       });
 }
 
 void bind_closed_body(py::module_& module) {
@@ -61,13 +62,13 @@ void bind_closed_body(py::module_& module) {
 A body whose surface was found to be closed where its pose moves it. Checked once, queried often.
 
 Raises Error of kind not_closed, which counts the odd edges and names the first. O(n).)");
-  closed.def(
-      py::init([](const py::object& body, int threads, const py::object& progress) {
-        const BodyArgument given(body, "body", threads);
-        return run(Work::many, threads, progress,
-                   [&](const Parallel& parallel) { return ClosedBody(given.get(), parallel); });
-      }),
-      py::arg("body"), py::kw_only(), py::arg("threads") = 1, py::arg("progress") = py::none());
+  closed.def(py::init([](const py::object& body, int threads, const py::object& progress) {
+               const BodyArgument given(body, "body", threads);
+               return run(Work::many, threads, progress,
+                          [&](const Limits& limits) { return ClosedBody(given.get(), limits); });
+             }),
+             py::arg("body"), py::kw_only(), py::arg("threads") = 1,
+             py::arg("progress") = py::none());
   closed.def_property_readonly("body", &ClosedBody::body, "The Body.");
   closed.def(
       "at", [](const ClosedBody& b, const py::object& pose) { return b.at(pose_of(pose)); },
@@ -116,8 +117,8 @@ partition: 'named' by the parts of the file, or 'connected' by vertices in one p
                          const py::object& progress) {
                const BodyArgument given(body, "body", threads);
                const auto chosen = enum_of<Partition>(partition, "partition");
-               return run(Work::many, threads, progress, [&](const Parallel& parallel) {
-                 return DividedBody(given.get(), chosen, parallel);
+               return run(Work::many, threads, progress, [&](const Limits& limits) {
+                 return DividedBody(given.get(), chosen, limits);
                });
              }),
              py::arg("body"), py::arg("partition") = "named", py::kw_only(), py::arg("threads") = 1,

@@ -14,12 +14,12 @@ namespace soms::python {
 namespace {
 
 constexpr const char* kDistanceDoc =
-    R"(distance(a, b, poses=None, *, at_most=inf, seconds=None, threads=1, progress=None)
+    R"(distance(a, b, poses=None, *, at_most=inf, timeout=None, threads=1, progress=None)
 
 The least distance of two surfaces: 0 exactly where they overlap. A body wholly inside another has a
 distance above 0 from it.
 
-a, b, poses, seconds, threads, progress: as for overlap. at_most: beyond this the answer is farther,
+a, b, poses, timeout, threads, progress: as for overlap. at_most: beyond this the answer is farther,
 and sooner.
 
 Returns Distance, or with poses DistanceBatch. The least distance is from lower to upper, which are
@@ -28,12 +28,12 @@ Cost: typically logarithmic in the triangles.
 Source: Larsen, Gottschalk, Lin and Manocha 2000.)";
 
 py::object query_distance(const py::object& a, const py::object& b, const py::object& poses,
-                          double at_most, std::optional<double> seconds, int threads,
+                          double at_most, std::optional<double> timeout, int threads,
                           const py::object& progress) {
-  const DistanceOptions options{.at_most = at_most, .deadline = deadline_in(seconds)};
-  return answer_poses_or_tiles(a, b, poses, threads, progress,
-                               [&](const Parallel& parallel, const auto&... bodies) {
-                                 return distance(bodies..., options, parallel);
+  const DistanceOptions options{.at_most = at_most};
+  return answer_poses_or_tiles(a, b, poses, {threads, timeout}, progress,
+                               [&](const Limits& limits, const auto&... bodies) {
+                                 return distance(bodies..., options, limits);
                                });
 }
 

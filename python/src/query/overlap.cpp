@@ -16,14 +16,14 @@ namespace soms::python {
 namespace {
 
 constexpr const char* kOverlapDoc =
-    R"(overlap(a, b, poses=None, *, mode='all', limit=None, seconds=None, threads=1, progress=None)
+    R"(overlap(a, b, poses=None, *, mode='all', limit=None, timeout=None, threads=1, progress=None)
 
 Which triangles of a and b share a point? Decided exactly; touching counts. Surfaces only: a body
 wholly inside another touches nothing (see solid).
 
 a, b: Body, Shape or Mesh; b may be a TileSet. poses: poses of a in place of its own, (n, 3, 4), (n, 4, 4), (n, 7) as
 x y z qw qx qy qz, (n, 3), or a list of Pose. mode: 'all' pairs, 'any' one, or 'first', the least.
-limit: most pairs, for each pose. seconds: ends the call, with coverage 'cut', after that time.
+limit: most pairs, for each pose. timeout: seconds after which the call ends, with coverage 'cut'.
 threads: 0 for all processors. progress: called with the share done.
 
 Returns Overlap, or with poses OverlapBatch: the answers of single calls. Raises Error of kind
@@ -32,16 +32,15 @@ Cost: typically logarithmic in the triangles, linear in the answer.)";
 
 py::object query_overlap(const py::object& a, const py::object& b, const py::object& poses,
                          const py::object& mode, std::optional<std::uint64_t> limit,
-                         std::optional<double> seconds, int threads, const py::object& progress) {
-  OverlapOptions options{.mode = enum_of<OverlapMode>(mode, "mode"),
-                         .deadline = deadline_in(seconds)};
+                         std::optional<double> timeout, int threads, const py::object& progress) {
+  OverlapOptions options{.mode = enum_of<OverlapMode>(mode, "mode")};
   if (limit) {
     options.limit = *limit;
   }
   check(options);
-  return answer_poses_or_tiles(a, b, poses, threads, progress,
-                               [&](const Parallel& parallel, const auto&... bodies) {
-                                 return overlap(bodies..., options, parallel);
+  return answer_poses_or_tiles(a, b, poses, {threads, timeout}, progress,
+                               [&](const Limits& limits, const auto&... bodies) {
+                                 return overlap(bodies..., options, limits);
                                });
 }
 

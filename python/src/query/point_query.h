@@ -14,17 +14,17 @@ namespace soms::python {
 
 /// `query(parallel, point)` for three numbers, else `query(parallel, points)`.
 template <class Query>
-py::object answer_points(const py::object& points, int threads, const py::object& progress,
-                         const Query& query) {
+py::object answer_points(const py::object& points, const CallLimits& allowed,
+                         const py::object& progress, const Query& query) {
   Doubles numbers = doubles_of(points, "points");
   if (is_point(numbers)) {
     const Vec3 point = point_of(numbers, "points");
-    return made(run(Work::one, threads, progress,
-                    [&](const Parallel& parallel) { return query(parallel, point); }));
+    return made(run(Work::one, allowed, progress,
+                    [&](const Limits& limits) { return query(limits, point); }));
   }
   const Rows<Vec3> places = points_of(std::move(numbers), "points").owned();
-  return made(run(Work::many, threads, progress,
-                  [&](const Parallel& parallel) { return query(parallel, places.get()); }));
+  return made(run(Work::many, allowed, progress,
+                  [&](const Limits& limits) { return query(limits, places.get()); }));
 }
 
 }  // namespace soms::python

@@ -15,42 +15,42 @@
 
 namespace soms::python {
 
-/// `query(parallel, a, b)` without poses, else `query(parallel, shape of a, poses, b)`.
+/// `query(limits, a, b)` without poses, else `query(limits, shape of a, poses, b)`.
 template <class Query>
 py::object answer_poses(const py::object& a, const py::object& b, const py::object& poses,
-                        int threads, const py::object& progress, const Query& query) {
-  const BodyArgument mover(a, "a", threads);
-  const BodyArgument fixed(b, "b", threads);
+                        const CallLimits& allowed, const py::object& progress, const Query& query) {
+  const BodyArgument mover(a, "a", allowed.threads);
+  const BodyArgument fixed(b, "b", allowed.threads);
   if (poses.is_none()) {
-    return made(run(Work::one, threads, progress, [&](const Parallel& parallel) {
-      return query(parallel, mover.get(), fixed.get());
-    }));
+    return made(run(Work::one, allowed, progress,
+                    [&](const Limits& limits) { return query(limits, mover.get(), fixed.get()); }));
   }
   const Rows<Pose> places = poses_of(poses);
-  return made(run(Work::many, threads, progress, [&](const Parallel& parallel) {
-    return query(parallel, mover.get().shape, places.get(), fixed.get());
+  return made(run(Work::many, allowed, progress, [&](const Limits& limits) {
+    return query(limits, mover.get().shape, places.get(), fixed.get());
   }));
 }
 
 /// The same where b may be a folder of tiles, which answer batches alone:
-/// `query(parallel, shape of a, poses, tiles)`.
+/// `query(limits, shape of a, poses, tiles)`.
 template <class Query>
 py::object answer_poses_or_tiles(const py::object& a, const py::object& b, const py::object& poses,
-                                 int threads, const py::object& progress, const Query& query) {
+                                 const CallLimits& allowed, const py::object& progress,
+                                 const Query& query) {
   if (!py::isinstance<TileSet>(b)) {
-    return answer_poses(a, b, poses, threads, progress, query);
+    return answer_poses(a, b, poses, allowed, progress, query);
   }
-  const BodyArgument mover(a, "a", threads);
+  const BodyArgument mover(a, "a", allowed.threads);
   const TiledBody fixed{b.cast<TileSet>()};
   if (poses.is_none()) {
-    return made(run(Work::many, threads, progress, [&](const Parallel& parallel) {
+    return made(run(Work::many, allowed, progress, [&](const Limits& limits) {
       const Body& body = mover.get();
-      return query(parallel, body.shape, std::span<const Pose>(&body.pose, 1), fixed).at(0);
+      return query(limits, body.shape, std::span<const Pose>(&body.pose, 1), fixed).at(0);
     }));
   }
   const Rows<Pose> places = poses_of(poses);
-  return made(run(Work::many, threads, progress, [&](const Parallel& parallel) {
-    return query(parallel, mover.get().shape, places.get(), fixed);
+  return made(run(Work::many, allowed, progress, [&](const Limits& limits) {
+    return query(limits, mover.get().shape, places.get(), fixed);
   }));
 }
 

@@ -47,26 +47,22 @@ RayArguments rays_of(const py::object& origins, const py::object& directions,
   if (!ends.is_none()) {
     const std::vector<Vec3> to = rows_of(ends, "ends", is_one);
     check_same(from.size(), arguments.is_one, to.size(), is_one, "ends");
-    std::vector<Segment> segments(from.size());
     for (std::size_t i = 0; i < from.size(); ++i) {
-      segments[i] = {from[i], to[i]};
+      arguments.rays.push_back(Ray::between(from[i], to[i]));
     }
-    arguments.lines = std::move(segments);
     return arguments;
   }
   const std::vector<Vec3> along = rows_of(directions, "directions", is_one);
   check_same(from.size(), arguments.is_one, along.size(), is_one, "directions");
   const std::vector<double> length = lengths_of(lengths, from.size());
-  std::vector<Ray> rays(from.size());
   for (std::size_t i = 0; i < from.size(); ++i) {
-    rays[i] = {from[i], along[i], length[i]};
+    arguments.rays.push_back({from[i], along[i], length[i]});
   }
-  arguments.lines = std::move(rays);
   return arguments;
 }
 
-RayOptions ray_options(const py::object& skip, std::optional<double> seconds) {
-  RayOptions options{.deadline = deadline_in(seconds)};
+RayOptions ray_options(const py::object& skip) {
+  RayOptions options;
   if (!skip.is_none()) {
     Extents shape;
     const std::vector<TriangleId> ids = ids_of(skip, "skip", shape);

@@ -12,15 +12,13 @@
 
 #include <optional>
 #include <span>
-#include <type_traits>
-#include <variant>
 #include <vector>
 
 namespace soms::python {
 
-/// Rays by origins, directions and lengths, or segments by origins and ends.
+/// Rays by origins, directions and lengths, or by origins and ends.
 struct RayArguments {
-  std::variant<std::vector<Ray>, std::vector<Segment>> lines;
+  std::vector<Ray> rays;
   bool is_one = false;  ///< three numbers were given, not rows of them
 };
 
@@ -31,35 +29,28 @@ struct RayArguments {
                                    const py::object& ends, const py::object& lengths);
 
 /// The options of a query of rays. \errors ErrorKind::usage.
-[[nodiscard]] RayOptions ray_options(const py::object& skip, std::optional<double> seconds);
+[[nodiscard]] RayOptions ray_options(const py::object& skip);
 
-/// One line as a batch of one: the answer of `all_hits` has rows either way.
-template <class Line>
-std::span<const Line> lines_of(const Line& line) {
-  return {&line, 1};
+/// One ray as a batch of one: the answer of `all_hits` has rows either way.
+[[nodiscard]] inline std::span<const Ray> rays_in(const Ray& ray) {
+  return {&ray, 1};
 }
 
-template <class Line>
-std::span<const Line> lines_of(const std::span<const Line>& lines) {
-  return lines;
+[[nodiscard]] inline std::span<const Ray> rays_in(std::span<const Ray> rays) {
+  return rays;
 }
 
-/// `query(line)` for one ray or segment, which takes one thread, else `query(lines, parallel)`.
+/// `query(ray, limits)` for one ray, `query(rays, limits)` for more.
 template <class Query>
-py::object answer_rays(const RayArguments& arguments, int threads, const py::object& progress,
-                       const Query& query) {
-  return std::visit(
-      [&](const auto& lines) -> py::object {
-        using Line = typename std::decay_t<decltype(lines)>::value_type;
-        if (arguments.is_one) {
-          return made(run(Work::one, threads, progress,
-                          [&](const Parallel&) { return query(lines.front()); }));
-        }
-        return made(run(Work::many, threads, progress, [&](const Parallel& parallel) {
-          return query(std::span<const Line>(lines), parallel);
-        }));
-      },
-      arguments.lines);
+py::object answer_rays(const RayArguments& arguments, const CallLimits& allowed,
+                       const py::object& progress, const Query& query) {
+  const std::span<const Ray> rays = arguments.rays;
+  if (arguments.is_one) {
+    return made(run(Work::one, allowed, progress,
+                    [&](const Limits& limits) { return query(rays.front(), limits); }));
+  }
+  return made(run(Work::many, allowed, progress,
+                  [&](const Limits& limits) { return query(rays, limits); }));
 }
 
 }  // namespace soms::python

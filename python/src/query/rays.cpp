@@ -21,7 +21,7 @@ constexpr const char* kRaysDoc = R"(
 body: a Body, Shape or Mesh. origins: (3,) or (n, 3). directions: the same; they need not have unit
 length, t counts in units of them. Or ends: the same, for segments, where t is from 0 to 1. lengths:
 of the rays, in units of the directions: a number, or (n,). skip: a triangle that takes no part.
-seconds: ends the call, with coverage 'cut', after that time. threads: 0 for all processors.
+timeout: seconds after which the call ends, with coverage 'cut'. threads: 0 for all processors.
 progress: called with the share done.
 
 Raises Error of kind not_finite, out_of_range, usage.
@@ -33,17 +33,17 @@ bool sees_between(const py::object& body, const py::object& a, const py::object&
   const Vec3 from = point_of(doubles_of(a, "a"), "a");
   const Vec3 to = point_of(doubles_of(b, "b"), "b");
   return run(Work::one, 1, py::none(),
-             [&](const Parallel&) { return sees(surface.get(), from, to); });
+             [&](const Limits&) { return sees(surface.get(), from, to); });
 }
 
 /// Answers of tiles, of one line or of many.
 template <class Batch, class Line>
 auto of_tiles(const Batch& query, const TiledBody& tiles, const Line& line,
-              const RayOptions& options, const Parallel& parallel = {}) {
-  if constexpr (std::is_same_v<Line, Ray> || std::is_same_v<Line, Segment>) {
-    return query(tiles, lines_of(line), options, parallel).at(0);
+              const RayOptions& options, const Limits& limits = {}) {
+  if constexpr (std::is_same_v<Line, Ray>) {
+    return query(tiles, rays_in(line), options, limits).at(0);
   } else {
-    return query(tiles, line, options, parallel);
+    return query(tiles, line, options, limits);
   }
 }
 
@@ -52,26 +52,26 @@ template <bool takes_tiles, class Query>
 void def_rays(py::module_& module, const char* name, const Query& query, const char* what) {
   const std::string doc = std::string(name) +
                           "(body, origins, directions=None, *, ends=None, lengths=inf, skip=None, "
-                          "seconds=None, threads=1, progress=None)\n\n" +
+                          "timeout=None, threads=1, progress=None)\n\n" +
                           what + kRaysDoc;
   const auto ask = [query](const py::object& body, const py::object& origins,
                            const py::object& directions, const py::object& ends,
                            const py::object& lengths, const py::object& skip,
-                           std::optional<double> seconds, int threads, const py::object& progress) {
-    const RayOptions options = ray_options(skip, seconds);
+                           std::optional<double> timeout, int threads, const py::object& progress) {
+    const RayOptions options = ray_options(skip);
     if constexpr (takes_tiles) {
       if (py::isinstance<TileSet>(body)) {
         const TiledBody tiles{body.cast<TileSet>()};
-        return answer_rays(rays_of(origins, directions, ends, lengths), threads, progress,
-                           [&](const auto& lines, const auto&... parallel) {
-                             return of_tiles(query, tiles, lines, options, parallel...);
+        return answer_rays(rays_of(origins, directions, ends, lengths), {threads, timeout},
+                           progress, [&](const auto& lines, const Limits& limits) {
+                             return of_tiles(query, tiles, lines, options, limits);
                            });
       }
     }
     const BodyArgument surface(body, "body", threads);
-    return answer_rays(rays_of(origins, directions, ends, lengths), threads, progress,
-                       [&](const auto& lines, const auto&... parallel) {
-                         return query(surface.get(), lines, options, parallel...);
+    return answer_rays(rays_of(origins, directions, ends, lengths), {threads, timeout}, progress,
+                       [&](const auto& lines, const Limits& limits) {
+                         return query(surface.get(), lines, options, limits);
                        });
   };
   def_function(module, name, ask, doc,
@@ -99,7 +99,7 @@ void bind_rays(py::module_& module) {
   def_rays<false>(
       module, "all_hits",
       [](const Body& body, const auto& lines, const auto&... others) {
-        return all_hits(body, lines_of(lines), others...);
+        return all_hits(body, rays_in(lines), others...);
       },
       "All places where rays or segments meet a surface, in the order of t; triangles that meet "
       "there are\none crossing. Returns AllHits.");

@@ -19,7 +19,7 @@ namespace soms::python {
 namespace {
 
 constexpr const char* kSignedDistanceDoc =
-    R"(signed_distance(model, points, *, at_most=inf, seconds=None, threads=1, progress=None)
+    R"(signed_distance(model, points, *, at_most=inf, timeout=None, threads=1, progress=None)
 
 How far is a surface from a point? Below 0 inside.
 
@@ -27,7 +27,7 @@ The side is exact where the model is closed. An open model has the side that its
 (1/2 is the border), so its triangles must face outward.
 
 model: a Body, Shape or Mesh; or a ClosedBody or WindingIndex, which saves the preparation of a further
-call. points: (3,) or (n, 3). at_most: beyond this the answer is an infinity, and sooner. seconds,
+call. points: (3,) or (n, 3). at_most: beyond this the answer is an infinity, and sooner. timeout,
 threads, progress: as for contains.
 
 Returns a float for one point, an array (n,) of float64 for n: the least double that is not below the
@@ -37,22 +37,21 @@ Raises Error of kind not_finite, out_of_range, usage.
 Cost: of closest, and contains or winding; O(n) or O(n log n) for n triangles to prepare a model.)";
 
 std::vector<double> distances(const ClosedBody& body, std::span<const Vec3> points,
-                              const ClosestOptions& options, const Parallel& parallel) {
-  const SignedClosestBatch found = closest(body, points, options, parallel);
+                              const ClosestOptions& options, const Limits& limits) {
+  const SignedClosestBatch found = closest(body, points, options, limits);
   return signed_distances(found.closest, found.side);
 }
 
 std::vector<double> distances(const WindingIndex& index, std::span<const Vec3> points,
-                              const ClosestOptions& options, const Parallel& parallel) {
-  const ClosestBatch found = closest(index.body(), points, options, parallel);
-  return signed_distances(found,
-                          winding(index, points, {.deadline = options.deadline}, parallel).side);
+                              const ClosestOptions& options, const Limits& limits) {
+  const ClosestBatch found = closest(index.body(), points, options, limits);
+  return signed_distances(found, winding(index, points, {}, limits).side);
 }
 
 /// The body, if it is closed.
-std::optional<ClosedBody> closed_body(const Body& body, const Parallel& parallel) {
+std::optional<ClosedBody> closed_body(const Body& body, const Limits& limits) {
   try {
-    return ClosedBody(body, parallel);
+    return ClosedBody(body, limits.without_deadline());
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::not_closed) {
       throw;
@@ -62,21 +61,20 @@ std::optional<ClosedBody> closed_body(const Body& body, const Parallel& parallel
 }
 
 std::vector<double> distances(const Body& body, std::span<const Vec3> points,
-                              const ClosestOptions& options, const Parallel& parallel) {
-  if (const std::optional<ClosedBody> closed = closed_body(body, parallel)) {
-    return distances(*closed, points, options, parallel);
+                              const ClosestOptions& options, const Limits& limits) {
+  if (const std::optional<ClosedBody> closed = closed_body(body, limits)) {
+    return distances(*closed, points, options, limits);
   }
-  return distances(WindingIndex(body, parallel), points, options, parallel);
+  return distances(WindingIndex(body, limits.without_deadline()), points, options, limits);
 }
 
 template <class Model>
 py::object ask(const Model& model, const py::object& points, const ClosestOptions& options,
-               int threads, const py::object& progress) {
+               const CallLimits& allowed, const py::object& progress) {
   Doubles numbers = doubles_of(points, "points");
   const auto found = [&](std::span<const Vec3> places) {
-    return run(Work::many, threads, progress, [&](const Parallel& parallel) {
-      return distances(model, places, options, parallel);
-    });
+    return run(Work::many, allowed, progress,
+               [&](const Limits& limits) { return distances(model, places, options, limits); });
   };
   if (is_point(numbers)) {
     const Vec3 point = point_of(numbers, "points");
@@ -88,17 +86,18 @@ py::object ask(const Model& model, const py::object& points, const ClosestOption
 }
 
 py::object query_signed_distance(const py::object& model, const py::object& points, double at_most,
-                                 std::optional<double> seconds, int threads,
+                                 std::optional<double> timeout, int threads,
                                  const py::object& progress) {
-  const ClosestOptions options{.at_most = at_most, .deadline = deadline_in(seconds)};
+  const ClosestOptions options{.at_most = at_most};
   check(options);
   if (const auto* const closed = inside<ClosedBody>(model)) {
-    return ask(*closed, points, options, threads, progress);
+    return ask(*closed, points, options, {threads, timeout}, progress);
   }
   if (const auto* const index = inside<WindingIndex>(model)) {
-    return ask(*index, points, options, threads, progress);
+    return ask(*index, points, options, {threads, timeout}, progress);
   }
-  return ask(BodyArgument(model, "model", threads).get(), points, options, threads, progress);
+  return ask(BodyArgument(model, "model", threads).get(), points, options, {threads, timeout},
+             progress);
 }
 
 }  // namespace

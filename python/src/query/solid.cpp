@@ -15,12 +15,12 @@ namespace soms::python {
 namespace {
 
 constexpr const char* kSolidDoc =
-    R"(solid(a, b, poses=None, *, seconds=None, threads=1, progress=None)
+    R"(solid(a, b, poses=None, *, timeout=None, threads=1, progress=None)
 
 How do two closed bodies stand to each other: clear, touching, crossing, one in the other, the same?
 Decided exactly.
 
-a, b: ClosedBody, or Body, Shape or Mesh, which are checked first each time. poses, seconds, threads,
+a, b: ClosedBody, or Body, Shape or Mesh, which are checked first each time. poses, timeout, threads,
 progress: as for overlap.
 
 Returns Solid, or with poses SolidBatch, where a pose at which a is not closed is undecided. Raises
@@ -35,9 +35,8 @@ class ClosedArgument {
       : body_(inside<ClosedBody>(given)) {
     if (body_ == nullptr) {
       const BodyArgument body(given, what, threads);
-      made_.emplace(run(Work::many, threads, py::none(), [&](const Parallel& parallel) {
-        return ClosedBody(body.get(), parallel);
-      }));
+      made_.emplace(run(Work::many, threads, py::none(),
+                        [&](const Limits& limits) { return ClosedBody(body.get(), limits); }));
       body_ = &*made_;
     }
   }
@@ -54,34 +53,32 @@ class ClosedArgument {
 
 /// With poses the mover is checked where it was built, as its own pose plays no part.
 py::object at_poses(const py::object& a, const py::object& b, const py::object& poses,
-                    const SolidOptions& options, int threads, const py::object& progress) {
+                    const CallLimits& allowed, const py::object& progress) {
   const Rows<Pose> places = poses_of(poses);
-  const ClosedArgument fixed(b, "b", threads);
+  const ClosedArgument fixed(b, "b", allowed.threads);
   const auto answer = [&](const ClosedBody& mover) {
-    return made(run(Work::many, threads, progress, [&](const Parallel& parallel) {
-      return solid(mover, places.get(), fixed.get(), options, parallel);
+    return made(run(Work::many, allowed, progress, [&](const Limits& limits) {
+      return solid(mover, places.get(), fixed.get(), limits);
     }));
   };
   if (const auto* const closed = inside<ClosedBody>(a)) {
     return answer(*closed);
   }
-  const BodyArgument body(a, "a", threads);
-  return answer(run(Work::many, threads, py::none(), [&](const Parallel& parallel) {
-    return ClosedBody(Body(body.get().shape), parallel);
+  const BodyArgument body(a, "a", allowed.threads);
+  return answer(run(Work::many, allowed.threads, py::none(), [&](const Limits& limits) {
+    return ClosedBody(Body(body.get().shape), limits);
   }));
 }
 
 py::object query_solid(const py::object& a, const py::object& b, const py::object& poses,
-                       std::optional<double> seconds, int threads, const py::object& progress) {
-  const SolidOptions options{.deadline = deadline_in(seconds)};
+                       std::optional<double> timeout, int threads, const py::object& progress) {
   if (!poses.is_none()) {
-    return at_poses(a, b, poses, options, threads, progress);
+    return at_poses(a, b, poses, {threads, timeout}, progress);
   }
   const ClosedArgument first(a, "a", threads);
   const ClosedArgument second(b, "b", threads);
-  return made(run(Work::one, threads, progress, [&](const Parallel& parallel) {
-    return solid(first.get(), second.get(), options, parallel);
-  }));
+  return made(run(Work::one, {threads, timeout}, progress,
+                  [&](const Limits& limits) { return solid(first.get(), second.get(), limits); }));
 }
 
 }  // namespace

@@ -15,13 +15,13 @@ namespace soms::python {
 namespace {
 
 constexpr const char* kWindingDoc =
-    R"(winding(index, points, *, width=1e-9, seconds=None, threads=1, progress=None)
+    R"(winding(index, points, *, width=1e-9, timeout=None, threads=1, progress=None)
 
 The generalized winding number of points, as a proved bracket: about any triangles that face the same
 way, open or closed.
 
 index: a WindingIndex, or a Body, Shape or Mesh, of which one is made each time. points: (3,) or
-(n, 3). width: by how much triangles that are far may widen the bracket. seconds, threads, progress:
+(n, 3). width: by how much triangles that are far may widen the bracket. timeout, threads, progress:
 as for contains.
 
 Returns Winding for one point, WindingBatch for n. Raises Error of kind not_finite, out_of_range,
@@ -30,20 +30,16 @@ Source: Jacobson, Kavan and Sorkine-Hornung 2013; Barill et al. 2018.)";
 
 WindingIndex index_of(const Body& body, int threads, const py::object& progress) {
   return run(Work::many, threads, progress,
-             [&](const Parallel& parallel) { return WindingIndex(body, parallel); });
+             [&](const Limits& limits) { return WindingIndex(body, limits); });
 }
 
 py::object query_winding(const py::object& index, const py::object& points, double width,
-                         std::optional<double> seconds, int threads, const py::object& progress) {
-  const WindingOptions options{.width = width, .deadline = deadline_in(seconds)};
+                         std::optional<double> timeout, int threads, const py::object& progress) {
+  const WindingOptions options{.width = width};
   const auto ask = [&](const WindingIndex& of) {
-    return answer_points(points, threads, progress,
-                         [&](const Parallel& parallel, const auto& places) {
-                           if constexpr (std::is_same_v<std::decay_t<decltype(places)>, Vec3>) {
-                             return winding(of, places, options);
-                           } else {
-                             return winding(of, places, options, parallel);
-                           }
+    return answer_points(points, {threads, timeout}, progress,
+                         [&](const Limits& limits, const auto& places) {
+                           return winding(of, places, options, limits);
                          });
   };
   if (const auto* const made = inside<WindingIndex>(index)) {

@@ -14,23 +14,22 @@ namespace soms::python {
 namespace {
 
 constexpr const char* kWithinDoc =
-    R"(within(a, b, clearance, poses=None, *, seconds=None, threads=1, progress=None)
+    R"(within(a, b, clearance, poses=None, *, timeout=None, threads=1, progress=None)
 
 Are two surfaces at most a clearance apart? Decided exactly, and sooner than their distance is known.
 
-a, b, poses, seconds, threads, progress: as for overlap. clearance: a number from 0 on; 0 asks for
+a, b, poses, timeout, threads, progress: as for overlap. clearance: a number from 0 on; 0 asks for
 overlap.
 
 Returns Within, or with poses WithinBatch. Raises Error as overlap does.
 Cost: at most that of distance.)";
 
 py::object query_within(const py::object& a, const py::object& b, double clearance,
-                        const py::object& poses, std::optional<double> seconds, int threads,
+                        const py::object& poses, std::optional<double> timeout, int threads,
                         const py::object& progress) {
-  const WithinOptions options{.deadline = deadline_in(seconds)};
-  return answer_poses_or_tiles(a, b, poses, threads, progress,
-                               [&](const Parallel& parallel, const auto&... bodies) {
-                                 return within(bodies..., clearance, options, parallel);
+  return answer_poses_or_tiles(a, b, poses, {threads, timeout}, progress,
+                               [&](const Limits& limits, const auto&... bodies) {
+                                 return within(bodies..., clearance, limits);
                                });
 }
 

@@ -11,7 +11,7 @@ std::shared_ptr<Mesh> mesh_of_arrays(py::handle vertices, py::handle triangles) 
   auto mesh = std::make_shared<Mesh>();
   mesh->vertices = points_of(vertices, "vertices").copied();
   mesh->triangles = triangles_of(triangles);
-  return run(Work::many, 1, py::none(), [&](const Parallel&) {
+  return run(Work::many, 1, py::none(), [&](const Limits&) {
     check(*mesh);
     return mesh;
   });
@@ -36,7 +36,7 @@ Shape shape_of(py::handle given, const char* what, int threads) {
   }
   auto mesh = mesh_of(given, what);
   return run(Work::many, threads, py::none(),
-             [&](const Parallel& parallel) { return Shape(std::move(mesh), {}, parallel); });
+             [&](const Limits& limits) { return Shape(std::move(mesh), {}, limits); });
 }
 
 BodyArgument::BodyArgument(py::handle given, const char* what, int threads)

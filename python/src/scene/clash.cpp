@@ -25,15 +25,15 @@ namespace soms::python {
 namespace {
 
 constexpr const char* kClashDoc =
-    R"(clash(a, b=None, *, within=None, pairs=None, seconds=None, threads=1, progress=None)
+    R"(clash(a, b=None, *, within=None, pairs=None, timeout=None, threads=1, progress=None)
 
 Which parts of a clash with which of b, or with each other? Each pair is decided exactly: crossing,
 inside, same, touching, near or undecided (ClashKind).
 
 a, b: PartBodies; or a Mesh, Shape, Body, or a list of them, whose parts are compared. Without b each
 pair of parts of a, once. within: parts that share nothing and are at most so far apart are near; None:
-none is. pairs: (k, 2), numbers of parts; only these are compared. seconds, threads, progress: as for
-overlap; with seconds, pairs that are not decided then are left out, and coverage is cut.
+none is. pairs: (k, 2), numbers of parts; only these are compared. timeout, threads, progress: as for
+overlap; with timeout, pairs that are not decided then are left out, and coverage is cut.
 
 Models are taken as they are: turn one that is y up by Mesh.transformed(1, 'y') first.
 
@@ -139,9 +139,9 @@ std::vector<PartNumbers> pairs_of(const py::object& given, const PartSet& a, con
 }
 
 py::object query_clash(const py::object& a, const py::object& b, std::optional<double> within,
-                       const py::object& pairs, std::optional<double> seconds, int threads,
+                       const py::object& pairs, std::optional<double> timeout, int threads,
                        const py::object& progress) {
-  ClashOptions options{.within = within, .deadline = deadline_in(seconds)};
+  ClashOptions options{.within = within};
   check(options);
   if (b.is(a)) {
     throw usage("a, b: the same object", "leave b out to compare the parts of a with each other");
@@ -157,20 +157,20 @@ py::object query_clash(const py::object& a, const py::object& b, std::optional<d
       return std::binary_search(wanted.begin(), wanted.end(), PartNumbers(x, y));
     };
   }
-  return made(run(Work::many, threads, progress, [&](const Parallel& parallel) {
-    held.list = one_set ? clashes(held.a->parts, options, parallel)
-                        : clashes(held.a->parts, held.b->parts, options, parallel);
+  return made(run(Work::many, {threads, timeout}, progress, [&](const Limits& limits) {
+    held.list = one_set ? clashes(held.a->parts, options, limits)
+                        : clashes(held.a->parts, held.b->parts, options, limits);
     held.keys = keys_of(held);
     return std::move(held);
   }));
 }
 
 /// A whole body as one part, prepared.
-ConvexPart convex_of(const PosedMesh& model, const char* what, const Parallel& parallel) {
+ConvexPart convex_of(const PosedMesh& model, const char* what, const Limits& limits) {
   Mesh plain;
   plain.vertices = model.mesh->vertices;
   plain.triangles = model.mesh->triangles;
-  const std::vector<PartBody> parts = part_bodies(plain, model.pose, parallel);
+  const std::vector<PartBody> parts = part_bodies(plain, model.pose, limits);
   if (parts.empty() || !parts.front().closed) {
     throw Error(ErrorKind::not_closed, std::string(what) + ": is not closed",
                 "give a closed body; Mesh.closedness says what is open");
@@ -189,9 +189,9 @@ py::object query_penetration(const py::object& a, const py::object& b, int threa
     throw usage("a, b: a list of bodies", "give one body each");
   }
   std::optional<Penetration> found =
-      run(Work::many, threads, py::none(), [&](const Parallel& parallel) {
-        const ConvexPart fixed = convex_of(first.front(), "a", parallel);
-        return penetration(fixed, convex_of(second.front(), "b", parallel));
+      run(Work::many, threads, py::none(), [&](const Limits& limits) {
+        const ConvexPart fixed = convex_of(first.front(), "a", limits);
+        return penetration(fixed, convex_of(second.front(), "b", limits));
       });
   return found ? made(*std::move(found)) : py::none();
 }

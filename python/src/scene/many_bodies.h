@@ -63,14 +63,14 @@ class ManyBodies {
     bind_rays(
         "all_hits",
         [](const auto& many, const auto& lines, const auto&... given) {
-          return many.all_hits(lines_of(lines), given...);
+          return many.all_hits(rays_in(lines), given...);
         },
         "All places where rays meet bodies. Returns " + all + ".");
   }
 
  private:
   [[nodiscard]] std::string signature(const std::string& begin) const {
-    return begin + text_.arguments + "seconds=None, threads=1, progress=None)\n\n";
+    return begin + text_.arguments + "timeout=None, threads=1, progress=None)\n\n";
   }
 
   template <std::size_t... I>
@@ -78,18 +78,19 @@ class ManyBodies {
     bound_.def(
         "closest",
         [filter_of = filter_of_](Bound& held, const py::object& points, double at_most,
-                                 Types... filtering, std::optional<double> seconds, int threads,
-                                 const py::object& progress) {
+                                 Types... filtering, const std::optional<double>& timeout,
+                                 int threads, const py::object& progress,
+                                 const py::kwargs& old_names) {
           const auto& in_use = use(held);
-          const ClosestOptions options{.at_most = at_most, .deadline = deadline_in(seconds)};
+          const ClosestOptions options{.at_most = at_most};
           const Filter filter = filter_of(filtering...);
-          return answer_points(points, threads, progress,
-                               [&](const Parallel& parallel, const auto& places) {
-                                 return in_use.queried().closest(places, options, filter, parallel);
+          return answer_points(points, {threads, timeout_of(timeout, old_names)}, progress,
+                               [&](const Limits& limits, const auto& places) {
+                                 return in_use.queried().closest(places, options, filter, limits);
                                });
         },
         py::arg("points"), py::kw_only(), py::arg("at_most") = ClosestOptions{}.at_most,
-        names_[I]..., py::arg("seconds") = py::none(), py::arg("threads") = 1,
+        names_[I]..., py::arg("timeout") = py::none(), py::arg("threads") = 1,
         py::arg("progress") = py::none(), doc.c_str());
   }
 
@@ -98,22 +99,23 @@ class ManyBodies {
                 std::index_sequence<I...>) {
     bound_.def(
         name,
-        [query, filter_of = filter_of_](Bound& held, const py::object& origins,
-                                        const py::object& directions, const py::object& ends,
-                                        const py::object& lengths, const py::object& skip,
-                                        Types... filtering, std::optional<double> seconds,
-                                        int threads, const py::object& progress) {
+        [query, filter_of = filter_of_](
+            Bound& held, const py::object& origins, const py::object& directions,
+            const py::object& ends, const py::object& lengths, const py::object& skip,
+            Types... filtering, const std::optional<double>& timeout, int threads,
+            const py::object& progress, const py::kwargs& old_names) {
           const auto& in_use = use(held);
-          const RayOptions options = ray_options(skip, seconds);
+          const RayOptions options = ray_options(skip);
           const Filter filter = filter_of(filtering...);
-          return answer_rays(rays_of(origins, directions, ends, lengths), threads, progress,
-                             [&](const auto& lines, const auto&... parallel) {
-                               return query(in_use.queried(), lines, options, filter, parallel...);
+          return answer_rays(rays_of(origins, directions, ends, lengths),
+                             {threads, timeout_of(timeout, old_names)}, progress,
+                             [&](const auto& lines, const Limits& limits) {
+                               return query(in_use.queried(), lines, options, filter, limits);
                              });
         },
         py::arg("origins"), py::arg("directions") = py::none(), py::kw_only(),
         py::arg("ends") = py::none(), py::arg("lengths") = Ray{}.length,
-        py::arg("skip") = py::none(), names_[I]..., py::arg("seconds") = py::none(),
+        py::arg("skip") = py::none(), names_[I]..., py::arg("timeout") = py::none(),
         py::arg("threads") = 1, py::arg("progress") = py::none(), doc.c_str());
   }
 

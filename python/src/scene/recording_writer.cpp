@@ -77,7 +77,7 @@ std::optional<RecordedMesh> recorded_mover(const MeshView& mesh, std::uint64_t h
 
 /// How to come by the mesh of a body again.
 /// \errors ErrorKind::usage where it cannot be had again; those of `read_mesh`.
-RecordedMesh recorded_mesh(const Body& body, const Parallel& parallel) {
+RecordedMesh recorded_mesh(const Body& body, const Limits& limits) {
   const MeshView& mesh = body.shape.mesh();
   const std::uint64_t hash = corner_hash(mesh);
   RecordedMesh recorded;
@@ -89,7 +89,7 @@ RecordedMesh recorded_mesh(const Body& body, const Parallel& parallel) {
       throw usage("recording: a mesh whose source \"" + mesh.source + "\" is not a file",
                   "write it with write_mesh, and add what read_mesh reads");
     }
-    const Mesh again = read_mesh(mesh.source, {.allow_empty = true}, parallel);
+    const Mesh again = read_mesh(mesh.source, {.allow_empty = true}, limits);
     if (corner_hash(again) != hash) {
       throw usage("recording: a mesh that is not the one in the file " + mesh.source,
                   "write it with write_mesh, and add what read_mesh reads");
@@ -104,13 +104,13 @@ RecordedMesh recorded_mesh(const Body& body, const Parallel& parallel) {
 }
 
 /// Adds the bodies of a scene. Movers that share a mesh share a model.
-void add_bodies(RecordingHead& head, const Scene& scene, const Parallel& parallel) {
+void add_bodies(RecordingHead& head, const Scene& scene, const Limits& limits) {
   std::map<const MeshView*, RecordedMesh> known;
   const auto recorded = [&](const Body& body) {
     const MeshView* const mesh = &body.shape.mesh();
     const auto found = known.find(mesh);
     if (found == known.end()) {
-      return known.emplace(mesh, recorded_mesh(body, parallel)).first->second;
+      return known.emplace(mesh, recorded_mesh(body, limits)).first->second;
     }
     RecordedMesh another = found->second;
     another.name = !body.name.empty() ? body.name : another.source;
@@ -154,8 +154,8 @@ std::unique_ptr<HeldWriter> begin_recording(const py::object& path, const py::ob
   head.frames_a_second = frames_a_second;
   head.frames_requested = frames;
   head.clearance = clearance;
-  run(Work::many, 1, py::none(), [&](const Parallel& parallel) {
-    add_bodies(head, in_use.queried(), parallel);
+  run(Work::many, 1, py::none(), [&](const Limits& limits) {
+    add_bodies(head, in_use.queried(), limits);
     writer->parts = head.environment.size();
     writer->movers = head.movers.size();
     writer->file.open(where, std::ios::binary | std::ios::trunc);
@@ -175,7 +175,7 @@ void write(HeldWriter& held, const Write& write_to) {
   if (held.is_finished) {
     throw usage("recording: " + held.path + " is finished", "begin another");
   }
-  run(Work::one, 1, py::none(), [&](const Parallel&) {
+  run(Work::one, 1, py::none(), [&](const Limits&) {
     try {
       write_to(*held.writer);
     } catch (const Error& error) {

@@ -42,14 +42,14 @@ std::unique_ptr<HeldReplay> open_replay(const py::object& file, const std::strin
     const std::vector<std::byte> bytes = bytes_of(file);
     auto stream = std::make_unique<std::istringstream>(
         std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
-    return run(Work::many, 1, progress, [&](const Parallel& parallel) {
+    return run(Work::many, 1, progress, [&](const Limits& limits) {
       return std::make_unique<HeldReplay>(
-          Replay(std::move(stream), name.empty() ? "bytes" : name, parallel));
+          Replay(std::move(stream), name.empty() ? "bytes" : name, limits));
     });
   }
   const std::filesystem::path path = path_of(file);
-  return run(Work::many, 1, progress, [&](const Parallel& parallel) {
-    return std::make_unique<HeldReplay>(Replay(path, parallel));
+  return run(Work::many, 1, progress, [&](const Limits& limits) {
+    return std::make_unique<HeldReplay>(Replay(path, limits));
   });
 }
 
@@ -60,9 +60,8 @@ RecordedFrame frame_of(HeldReplay& held, py::ssize_t number) {
   if (from_0 < 0 || from_0 >= count) {
     throw py::index_error("frame " + std::to_string(number) + " of " + std::to_string(count));
   }
-  return run(Work::one, 1, py::none(), [&](const Parallel&) {
-    return held.replay.frame(static_cast<std::uint64_t>(from_0));
-  });
+  return run(Work::one, 1, py::none(),
+             [&](const Limits&) { return held.replay.frame(static_cast<std::uint64_t>(from_0)); });
 }
 
 void bind_head(py::class_<HeldReplay>& replay) {

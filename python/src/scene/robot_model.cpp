@@ -59,14 +59,14 @@ Raises Error of kind usage, out_of_range (a link that is not there, more than 4,
 not_rigid. Cost: the trees of all meshes, and whether they are closed.)";
 
 constexpr const char* kContactsDoc =
-    R"(robot_contacts(model, states, *, first_contact=False, distance=False, at_most=inf, seconds=None, threads=1, progress=None)
+    R"(robot_contacts(model, states, *, first_contact=False, distance=False, at_most=inf, timeout=None, threads=1, progress=None)
 
 Which links touch each other or the cell in given states, and how near are they? Decided exactly for
 the poses of Robot.link_poses: surfaces that share a point touch, and so does what is inside of a closed
 body. Between two states nothing is checked.
 
 model: RobotModel. states: (k,) for one, (n, k) for n, radians and meters. first_contact: stop a state
-at its first pair. distance: also measure the least distance; at_most: only up to it. seconds, threads,
+at its first pair. distance: also measure the least distance; at_most: only up to it. timeout, threads,
 progress: as for overlap.
 
 Returns RobotAnswer, or RobotAnswerBatch for n states. Raises Error of kind usage, not_finite,
@@ -173,10 +173,10 @@ RobotModelOptions model_options(const Robot& robot, const py::object& base,
 
 SharedModel model_of(const SharedRobot& robot, std::vector<PosedMesh> cell,
                      const RobotModelOptions& options, int threads, const py::object& progress) {
-  return run(Work::many, threads, progress, [&](const Parallel& parallel) {
+  return run(Work::many, threads, progress, [&](const Limits& limits) {
     const std::vector<Mesh> meshes = placed(cell);
     auto held = std::make_shared<HeldRobotModel>(HeldRobotModel{
-        robot, RobotModel(robot->robot, meshes, options, parallel), {}, std::move(cell), options});
+        robot, RobotModel(robot->robot, meshes, options, limits), {}, std::move(cell), options});
     for (const RobotBody& body : held->model.cell_bodies()) {
       std::string name = part_text(meshes[body.mesh], body.part.part);
       for (const RobotMeshPart& other : body.joined) {
@@ -378,23 +378,21 @@ void bind_robot_answers(py::module_& module) {
 }
 
 py::object query_robot(const SharedModel& held, const py::object& given, bool first_contact,
-                       bool distance, double at_most, std::optional<double> seconds, int threads,
+                       bool distance, double at_most, std::optional<double> timeout, int threads,
                        const py::object& progress) {
-  const RobotOptions options{.first_contact = first_contact,
-                             .distance = distance,
-                             .at_most = at_most,
-                             .deadline = deadline_in(seconds)};
+  const RobotOptions options{
+      .first_contact = first_contact, .distance = distance, .at_most = at_most};
   check(options);
   const States states = states_of(given, held->model.kinematics());
-  const auto answers = [&](const Parallel& parallel) {
-    return robot_contacts(held->model, states.numbers.get(), options, parallel);
+  const auto answers = [&](const Limits& limits) {
+    return robot_contacts(held->model, states.numbers.get(), options, limits);
   };
   if (states.is_one) {
-    return made(run(Work::one, threads, progress,
-                    [&](const Parallel& parallel) { return std::move(answers(parallel).at(0)); }));
+    return made(run(Work::one, {threads, timeout}, progress,
+                    [&](const Limits& limits) { return std::move(answers(limits).at(0)); }));
   }
-  return made(run(Work::many, threads, progress, [&](const Parallel& parallel) {
-    std::vector<RobotAnswer> all = answers(parallel);
+  return made(run(Work::many, {threads, timeout}, progress, [&](const Limits& limits) {
+    std::vector<RobotAnswer> all = answers(limits);
     if (all.size() != states.rows) {  // no joint moves: the library has one state then
       all = std::vector<RobotAnswer>(states.rows, all.front());
     }

@@ -62,14 +62,14 @@ SharedRobot read_any_robot(const py::object& urdf, const py::object& srdf, const
   }
   if (PyObject_CheckBuffer(urdf.ptr()) != 0) {
     const std::vector<std::byte> bytes = bytes_of(urdf);
-    return run(Work::many, 1, progress, [&](const Parallel& parallel) {
+    return run(Work::many, 1, progress, [&](const Limits& limits) {
       return std::make_shared<HeldRobot>(
-          read_robot(bytes, name.empty() ? "bytes" : name, options, parallel));
+          read_robot(bytes, name.empty() ? "bytes" : name, options, limits));
     });
   }
   const std::filesystem::path path = path_of(urdf);
-  return run(Work::many, 1, progress, [&](const Parallel& parallel) {
-    return std::make_shared<HeldRobot>(read_robot(path, options, parallel));
+  return run(Work::many, 1, progress, [&](const Limits& limits) {
+    return std::make_shared<HeldRobot>(read_robot(path, options, limits));
   });
 }
 
@@ -137,14 +137,14 @@ py::array each_state(const HeldRobot& held, const py::object& given, Extents tai
   py::array_t<double> numbers(tail);
   double* const to = numbers.mutable_data();
   const std::size_t size = held.kinematics.size();
-  run(Work::many, threads, py::none(), [&](const Parallel& parallel) {
+  run(Work::many, threads, py::none(), [&](const Limits& limits) {
     const auto chunk = [&](std::size_t begin, std::size_t end) {
       for (std::size_t row = begin; row < end; ++row) {
         for_state(row, states.is_one,
                   [&] { each(states.numbers.get().subspan(row * size, size), to + row * width); });
       }
     };
-    for_each_chunk(states.rows, kStatesOfAPoseChunk, parallel, chunk);
+    for_each_chunk(states.rows, kStatesOfAPoseChunk, limits, chunk);
     return true;
   });
   return numbers;

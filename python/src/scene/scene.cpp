@@ -72,7 +72,7 @@ StepReport step(HeldScene& held, const py::object& mode, const py::object& scope
                             .mover_mover = mover_mover,
                             .clearance = clearance};
   return run(Work::many, threads, progress,
-             [&](const Parallel& parallel) { return use.scene().step(options, parallel); });
+             [&](const Limits& limits) { return use.scene().step(options, limits); });
 }
 
 /// A method that calls a member of Scene.

@@ -150,17 +150,17 @@ bool surfaces_cross(std::span<const TrianglePair> pairs,
   std::map<TriangleId, std::vector<std::size_t>> of_first;
   std::map<TriangleId, std::vector<std::size_t>> of_second;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    of_first[pairs[k].first].push_back(k);
-    of_second[pairs[k].second].push_back(k);
+    of_first[pairs[k].a].push_back(k);
+    of_second[pairs[k].b].push_back(k);
   }
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const TriangleLoop firsts = [&](const auto& body) {
-      const auto& places = of_second[pairs[k].second];
+      const auto& places = of_second[pairs[k].b];
       return std::all_of(places.begin(), places.end(),
                          [&](std::size_t i) { return i == k || body(triangles[i].first); });
     };
     const TriangleLoop seconds = [&](const auto& body) {
-      const auto& places = of_first[pairs[k].first];
+      const auto& places = of_first[pairs[k].a];
       return std::all_of(places.begin(), places.end(),
                          [&](std::size_t i) { return i == k || body(triangles[i].second); });
     };

@@ -30,7 +30,7 @@ std::vector<std::pair<Triangle, Triangle>> moved_pairs(const Body& a, const Body
   std::vector<std::pair<Triangle, Triangle>> triangles;
   triangles.reserve(pairs.size());
   for (const TrianglePair& pair : pairs) {
-    triangles.emplace_back(moved_triangle(a, pair.first), moved_triangle(b, pair.second));
+    triangles.emplace_back(moved_triangle(a, pair.a), moved_triangle(b, pair.b));
   }
   return triangles;
 }
@@ -72,7 +72,7 @@ std::optional<Penetration> penetration_of(const PartBody& a, const PartBody& b) 
 }  // namespace
 
 bool PairOfParts::meet(const Body& a, const Body& b, bool open, Clash& clash) {
-  const Overlap met = counted(overlap(a, b, {.deadline = options_.deadline}, alone_));
+  const Overlap met = counted(overlap(a, b, {}, alone_));
   if (!met.any || cut_) {
     return false;
   }
@@ -82,8 +82,7 @@ bool PairOfParts::meet(const Body& a, const Body& b, bool open, Clash& clash) {
 }
 
 bool PairOfParts::measure(const Body& a, const Body& b, double at_most, Clash& clash) {
-  const Distance gap =
-      counted(distance(a, b, {.at_most = at_most, .deadline = options_.deadline}, alone_));
+  const Distance gap = counted(distance(a, b, {.at_most = at_most}, alone_));
   if (gap.farther || cut_) {
     return false;
   }
@@ -151,16 +150,14 @@ std::optional<Clash> PairOfParts::of_led_bodies(const PartBody& a, const PartBod
 }
 
 bool PairOfParts::meet_anywhere(const Body& a, const Body& b) {
-  const OverlapOptions any{.mode = OverlapMode::any, .deadline = options_.deadline};
-  return counted(overlap(a, b, any, alone_)).any;
+  return counted(overlap(a, b, {.mode = OverlapMode::any}, alone_)).any;
 }
 
 Relation PairOfParts::relation_to_closed(const PartBody& part, const ClosedBody& closed,
                                          Relation all_inside) {
   std::size_t inside = 0;
   for (const PartComponent& component : part.components) {
-    const Contains answer =
-        counted(contains(closed, component.corner, {.deadline = options_.deadline}));
+    const Contains answer = counted(contains(closed, component.corner, alone_));
     inside += answer.side == Side::inside ? 1 : 0;
   }
   return inside == 0                        ? Relation::clear
@@ -217,8 +214,7 @@ std::optional<Clash> PairOfParts::decide_in_order(const PartBody& a, const PartB
     return of_open(a, b);
   }
   Clash clash;
-  const Solid answer =
-      counted(solid(*a.closed, *b.closed, {.deadline = options_.deadline}, alone_));
+  const Solid answer = counted(solid(*a.closed, *b.closed, alone_));
   if (cut_) {
     return std::nullopt;
   }

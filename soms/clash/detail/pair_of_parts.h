@@ -15,8 +15,8 @@ namespace soms::detail {
 /// Decides one pair of parts after the other, and adds up the cost.
 class PairOfParts {
  public:
-  PairOfParts(const ClashOptions& options, const Parallel& parallel)
-      : options_(options), alone_{.threads = 1, .stop = parallel.stop} {}
+  PairOfParts(const ClashOptions& options, const Limits& limits)
+      : options_(options), alone_(limits.alone()) {}
 
   /// The clash of two parts, if they are not clear. Nothing is known of it where `cut` says so
   /// afterwards. Which one is named first changes nothing else.
@@ -70,7 +70,7 @@ class PairOfParts {
   [[nodiscard]] bool may_be_inside(const PartBody& inner, const PartBody& outer);
 
   const ClashOptions& options_;
-  Parallel alone_;
+  Limits alone_;
   bool cut_ = false;
   Cost cost_;
 };

@@ -94,10 +94,10 @@ bool cross_each_other(const Body& a, const Body& b, const std::vector<TrianglePa
     });
   };
   return std::any_of(met.begin(), met.end(), [&](const TrianglePair& pair) {
-    const Triangle s = detail::moved_triangle(a, pair.first);
-    const Triangle t = detail::moved_triangle(b, pair.second);
-    const detail::TriangleLoop of_a = all_but(a, pair.first);
-    const detail::TriangleLoop of_b = all_but(b, pair.second);
+    const Triangle s = detail::moved_triangle(a, pair.a);
+    const Triangle t = detail::moved_triangle(b, pair.b);
+    const detail::TriangleLoop of_a = all_but(a, pair.a);
+    const detail::TriangleLoop of_b = all_but(b, pair.b);
     return detail::edge_crosses(s, t, of_a, of_b) || detail::edge_crosses(t, s, of_b, of_a);
   });
 }
@@ -215,24 +215,24 @@ Relation relation_of_open(const PartBody& a, const PartBody& b,
 
 /// The clash of two parts, whatever they are together with others.
 std::optional<Clash> clash_of_parts(const PartBody& a, const PartBody& b,
-                                    std::optional<double> within, const Parallel& parallel) {
+                                    std::optional<double> within, const Limits& limits) {
   Clash clash;
   const Overlap met = overlap(a.body.shape.mesh(), a.body.pose, b.body.shape.mesh(), b.body.pose,
-                              {.stop = parallel.stop});
+                              {.stop = limits.stop});
   clash.triangle_pairs = met.pairs.size();
   clash.relation = a.closed && b.closed
-                       ? solid_by_brute_force(a.body, b.body, {.stop = parallel.stop}).relation
+                       ? solid_by_brute_force(a.body, b.body, {.stop = limits.stop}).relation
                        : relation_of_open(a, b, met.pairs);
   clash.kind = detail::kind_of(clash.relation);
   if (clash.relation == Relation::clear &&
-      (!within || !within_by_brute_force(a.body, b.body, *within, {.stop = parallel.stop}))) {
+      (!within || !within_by_brute_force(a.body, b.body, *within, {.stop = limits.stop}))) {
     return std::nullopt;
   }
   if (clash.kind == ClashKind::undecided) {
     clash.why = Undecided::open;
   }
   if (!met.any) {
-    clash.gap = distance_by_brute_force(a.body, b.body, {.stop = parallel.stop}).distance;
+    clash.gap = distance_by_brute_force(a.body, b.body, {.stop = limits.stop}).distance;
   }
   return clash;
 }
@@ -273,23 +273,23 @@ bool group_may_hold(const PartBody& a, const PartBody& b) {
 }  // namespace
 
 std::optional<Clash> clash_by_brute_force(const PartBody& a, const PartBody& b,
-                                          std::optional<double> within, const Parallel& parallel) {
-  std::optional<Clash> clash = clash_of_parts(a, b, within, parallel);
+                                          std::optional<double> within, const Limits& limits) {
+  std::optional<Clash> clash = clash_of_parts(a, b, within, limits);
   if ((clash && clash->kind != ClashKind::near) || !group_may_hold(a, b)) {
     return clash;
   }
   return Clash{
       .why = Undecided::open,
-      .gap = distance_by_brute_force(led_by(a)->body, led_by(b)->body, {.stop = parallel.stop})
+      .gap = distance_by_brute_force(led_by(a)->body, led_by(b)->body, {.stop = limits.stop})
                  .distance};
 }
 
 std::vector<Clash> clashes_by_brute_force(std::span<const PartBody> a, std::span<const PartBody> b,
-                                          std::optional<double> within, const Parallel& parallel) {
+                                          std::optional<double> within, const Limits& limits) {
   std::vector<Clash> found;
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (std::size_t j = 0; j < b.size(); ++j) {
-      if (std::optional<Clash> clash = clash_by_brute_force(a[i], b[j], within, parallel)) {
+      if (std::optional<Clash> clash = clash_by_brute_force(a[i], b[j], within, limits)) {
         clash->a = static_cast<std::uint32_t>(i);
         clash->b = static_cast<std::uint32_t>(j);
         found.push_back(*clash);
@@ -300,9 +300,9 @@ std::vector<Clash> clashes_by_brute_force(std::span<const PartBody> a, std::span
 }
 
 std::vector<Clash> clashes_by_brute_force(std::span<const PartBody> parts,
-                                          std::optional<double> within, const Parallel& parallel) {
+                                          std::optional<double> within, const Limits& limits) {
   std::vector<Clash> found;
-  for (Clash& clash : clashes_by_brute_force(parts, parts, within, parallel)) {
+  for (Clash& clash : clashes_by_brute_force(parts, parts, within, limits)) {
     if (clash.a < clash.b) {
       found.push_back(clash);
     }

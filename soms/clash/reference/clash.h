@@ -23,17 +23,17 @@ namespace soms::reference {
 /// good deal more for each pair of triangles.
 [[nodiscard]] std::optional<Clash> clash_by_brute_force(const PartBody& a, const PartBody& b,
                                                         std::optional<double> within,
-                                                        const Parallel& parallel = {});
+                                                        const Limits& limits = {});
 
 /// The same of all pairs of a part of `a` and a part of `b`, by a, then b.
 [[nodiscard]] std::vector<Clash> clashes_by_brute_force(std::span<const PartBody> a,
                                                         std::span<const PartBody> b,
                                                         std::optional<double> within,
-                                                        const Parallel& parallel = {});
+                                                        const Limits& limits = {});
 
 /// The same of all pairs of one set.
 [[nodiscard]] std::vector<Clash> clashes_by_brute_force(std::span<const PartBody> parts,
                                                         std::optional<double> within,
-                                                        const Parallel& parallel = {});
+                                                        const Limits& limits = {});
 
 }  // namespace soms::reference

@@ -316,11 +316,11 @@ std::vector<Building> plan_buildings(const City& city, std::uint64_t budget) {
 }
 
 void add_buildings(City& city, const std::vector<Building>& buildings, std::uint64_t budget,
-                   const Parallel& parallel) {
+                   const Limits& limits) {
   Mesh& mesh = city.mesh;
   const std::uint32_t all = open_part(mesh, "buildings");
   for (std::size_t i = 0; i < buildings.size(); ++i) {
-    check_stop(parallel);
+    check(limits);
     const Building& b = buildings[i];
     const std::uint32_t part =
         open_part(mesh, std::string(kind_name(b.kind)) + ' ' + std::to_string(i), all);

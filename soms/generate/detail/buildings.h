@@ -33,6 +33,6 @@ struct Building {
 /// Appends the part `buildings`, one part a building, and single triangles (pennants on the roof of
 /// the last one) until the part has `budget` triangles.
 void add_buildings(City& city, const std::vector<Building>& buildings, std::uint64_t budget,
-                   const Parallel& parallel);
+                   const Limits& limits);
 
 }  // namespace soms::detail

@@ -223,10 +223,10 @@ std::vector<Furniture> plan_furniture(const City& city, std::uint64_t budget) {
   return pieces;
 }
 
-void add_furniture(City& city, const std::vector<Furniture>& pieces, const Parallel& parallel) {
+void add_furniture(City& city, const std::vector<Furniture>& pieces, const Limits& limits) {
   const std::uint32_t all = open_part(city.mesh, "furniture");
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    check_stop(parallel);
+    check(limits);
     const std::uint32_t part =
         open_part(city.mesh, std::string(kind_name(pieces[i].kind)) + ' ' + std::to_string(i), all);
     Rng rng = rng_for(city, kShapeKind, pieces[i].index);

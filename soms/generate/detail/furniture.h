@@ -28,6 +28,6 @@ struct Furniture {
 [[nodiscard]] std::vector<Furniture> plan_furniture(const City& city, std::uint64_t budget);
 
 /// Appends the part `furniture`, one part a piece.
-void add_furniture(City& city, const std::vector<Furniture>& pieces, const Parallel& parallel);
+void add_furniture(City& city, const std::vector<Furniture>& pieces, const Limits& limits);
 
 }  // namespace soms::detail

@@ -1,7 +1,7 @@
 #include "soms/geometry/detail/pair_distance.h"
 
 #include "soms/base/arithmetic.h"
-#include "soms/base/limits.h"
+#include "soms/base/double_limits.h"
 #include "soms/geometry/detail/axis_gap.h"
 #include "soms/geometry/detail/feature_proof.h"
 #include "soms/geometry/detail/nearest_guess.h"

@@ -22,8 +22,7 @@ constexpr std::array<std::uint8_t, 256> kValues = [] {
 
 }  // namespace
 
-std::optional<std::size_t> decode_base64(std::string_view text, char* to,
-                                         const Parallel& parallel) {
+std::optional<std::size_t> decode_base64(std::string_view text, char* to, const Limits& limits) {
   if (text.size() % 4 == 0) {
     for (int i = 0; i < 2 && text.ends_with('='); ++i) {
       text.remove_suffix(1);
@@ -34,7 +33,7 @@ std::optional<std::size_t> decode_base64(std::string_view text, char* to,
   std::size_t size = 0;
   for (std::size_t at = 0; at < text.size(); at += kGroup) {
     if (at % kLettersPerTick == 0) {
-      check_stop(parallel);
+      check(limits);
     }
     const std::string_view group = text.substr(at, kGroup);
     std::uint32_t bits = 0;

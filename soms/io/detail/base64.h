@@ -20,6 +20,6 @@ namespace soms::detail {
 /// Returns the number of bytes; nothing where another letter stands or the last group is cut.
 /// \errors ErrorKind::cancelled.
 [[nodiscard]] std::optional<std::size_t> decode_base64(std::string_view text, char* to,
-                                                       const Parallel& parallel);
+                                                       const Limits& limits);
 
 }  // namespace soms::detail

@@ -43,11 +43,11 @@ constexpr std::uint64_t kMostOfPipe = std::uint64_t{1} << 32;
 
 /// Reads up to `wanted` bytes; fewer only at the end.
 std::size_t read_up_to(const std::filesystem::path& path, int fd, char* to, std::size_t wanted,
-                       const Parallel& parallel) {
+                       const Limits& limits) {
   std::size_t done = 0;
   while (done < wanted) {
-    check_stop(parallel);
-    const std::size_t got = read_some(path, fd, to + done, wanted - done, parallel);
+    check(limits);
+    const std::size_t got = read_some(path, fd, to + done, wanted - done, limits);
     if (got == 0) {
       break;
     }
@@ -58,7 +58,7 @@ std::size_t read_up_to(const std::filesystem::path& path, int fd, char* to, std:
 
 /// A pipe has no size: the memory doubles until its end.
 FileBytes read_pipe(const std::filesystem::path& path, int fd, std::uint64_t most,
-                    const Parallel& parallel) {
+                    const Limits& limits) {
   FileBytes bytes;
   std::size_t capacity = 0;
   most = most > 0 ? most : kMostOfPipe;
@@ -73,7 +73,7 @@ FileBytes read_pipe(const std::filesystem::path& path, int fd, std::uint64_t mos
     }
     bytes.data = std::move(larger);
     bytes.size +=
-        read_up_to(path, fd, bytes.data.get() + bytes.size, capacity - bytes.size, parallel);
+        read_up_to(path, fd, bytes.data.get() + bytes.size, capacity - bytes.size, limits);
   }
   return bytes;
 }
@@ -103,7 +103,7 @@ struct stat status_of(const std::filesystem::path& path, int fd) {
 
 /// A regular file whole; `most` is the most bytes to read, 0 means any.
 FileBytes read_regular(const std::filesystem::path& path, int fd, std::uint64_t most,
-                       const Parallel& parallel) {
+                       const Limits& limits) {
   const struct stat status = status_of(path, fd);
   const auto size = static_cast<std::uint64_t>(status.st_size);
   if (most > 0 && size > most) {
@@ -111,7 +111,7 @@ FileBytes read_regular(const std::filesystem::path& path, int fd, std::uint64_t 
   }
   FileBytes bytes;
   bytes.data = make_array_for_overwrite<char>(static_cast<std::size_t>(size));
-  bytes.size = read_up_to(path, fd, bytes.data.get(), static_cast<std::size_t>(size), parallel);
+  bytes.size = read_up_to(path, fd, bytes.data.get(), static_cast<std::size_t>(size), limits);
   // A read beside a truncation may see zeros.
   const struct stat after = status_of(path, fd);
   if (after.st_size != status.st_size || after.st_mtim.tv_sec != status.st_mtim.tv_sec ||
@@ -123,9 +123,9 @@ FileBytes read_regular(const std::filesystem::path& path, int fd, std::uint64_t 
 }
 
 /// Waits for bytes or the end: a pipe into which nobody writes must not hold up a stop.
-void wait_for_bytes(const std::filesystem::path& path, int fd, const Parallel& parallel) {
+void wait_for_bytes(const std::filesystem::path& path, int fd, const Limits& limits) {
   constexpr int kMilliseconds = 50;
-  const int most = parallel.stop.stop_possible() ? kMilliseconds : -1;
+  const int most = limits.stop.stop_possible() ? kMilliseconds : -1;
   pollfd ready{fd, POLLIN, 0};
   for (int found = 0; found <= 0;) {
     found = poll(&ready, 1, most);
@@ -133,7 +133,7 @@ void wait_for_bytes(const std::filesystem::path& path, int fd, const Parallel& p
       fail_system(path, errno);
     }
     if (found <= 0) {
-      check_stop(parallel);
+      check(limits);
     }
   }
 }
@@ -162,10 +162,10 @@ int open_for_reading(const std::filesystem::path& path) {
 }
 
 std::size_t read_some(const std::filesystem::path& path, int fd, char* to, std::size_t wanted,
-                      const Parallel& parallel) {
+                      const Limits& limits) {
   constexpr std::size_t kAtOnce = std::size_t{1} << 26;
   while (true) {
-    wait_for_bytes(path, fd, parallel);
+    wait_for_bytes(path, fd, limits);
     const ssize_t got = read(fd, to, std::min(wanted, kAtOnce));
     if (got >= 0) {
       return static_cast<std::size_t>(got);
@@ -182,17 +182,16 @@ bool is_readable(int fd) {
   return poll(&ready, 1, 0) > 0;
 }
 
-FileBytes read_file(const std::filesystem::path& path, std::uint64_t most,
-                    const Parallel& parallel) {
+FileBytes read_file(const std::filesystem::path& path, std::uint64_t most, const Limits& limits) {
   const Descriptor file(open_for_reading(path));
   const mode_t mode = status_of(path, file.get()).st_mode;
   if (S_ISFIFO(mode) || S_ISSOCK(mode)) {
-    return read_pipe(path, file.get(), most, parallel);
+    return read_pipe(path, file.get(), most, limits);
   }
   if (!S_ISREG(mode)) {
     fail(path, "a device, not a file", "name a file");
   }
-  return read_regular(path, file.get(), most, parallel);
+  return read_regular(path, file.get(), most, limits);
 }
 
 RegularFile::RegularFile(std::filesystem::path path)

@@ -37,7 +37,7 @@ class Descriptor {
 /// Reads between 1 and `wanted` bytes; 0 only at the end. Waits for them as long as no stop is
 /// requested. \errors ErrorKind::cannot_open, cancelled.
 [[nodiscard]] std::size_t read_some(const std::filesystem::path& path, int fd, char* to,
-                                    std::size_t wanted, const Parallel& parallel);
+                                    std::size_t wanted, const Limits& limits);
 
 /// True if `read_some` would answer at once: by bytes, by the end, or by an error.
 [[nodiscard]] bool is_readable(int fd);
@@ -55,7 +55,7 @@ struct FileBytes {
 /// file and 4 GiB of a pipe, which may never end. \errors ErrorKind::cannot_open (missing,
 /// unreadable, a directory or device), out_of_memory, cancelled.
 [[nodiscard]] FileBytes read_file(const std::filesystem::path& path, std::uint64_t most,
-                                  const Parallel& parallel = {});
+                                  const Limits& limits = {});
 
 /// A regular file that was opened by its own name and no link's: a link or a pipe that was put
 /// there after the name was looked at is refused, and not waited for.

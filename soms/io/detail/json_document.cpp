@@ -96,7 +96,7 @@ class DocumentBuilder {
   json* put(json&& value) {
     constexpr std::uint64_t kEventsPerTick = 1 << 16;
     if (events_++ % kEventsPerTick == 0) {
-      check_stop(source_.parallel);
+      check(source_.limits);
     }
     charge(kBytesPerValue);
     if (open_.empty()) {

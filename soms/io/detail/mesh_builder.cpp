@@ -48,7 +48,7 @@ void MeshBuilder::add_face(std::span<const std::uint32_t> corners) {
   for (const std::uint32_t v : corners) {
     corners_.push_back(mesh_.vertices[v]);
   }
-  for (const auto& [a, b, c] : triangulator_.triangulate(corners_, source_.parallel)) {
+  for (const auto& [a, b, c] : triangulator_.triangulate(corners_, source_.limits)) {
     push(mesh_.triangles, {corners[a], corners[b], corners[c]});
     push(mesh_.faces, face_);
   }
@@ -69,7 +69,7 @@ void MeshBuilder::add_face(std::span<const std::uint32_t> corners,
     corners_.push_back(mesh_.vertices[v]);
   }
   joined_.clear();
-  for (const std::uint32_t i : hole_joiner_.join(corners_, ends, source_.parallel)) {
+  for (const std::uint32_t i : hole_joiner_.join(corners_, ends, source_.limits)) {
     joined_.push_back(corners[i]);
   }
   lost_holes_.add([&] { return "at face " + std::to_string(face_); }, hole_joiner_.left_out());

@@ -20,9 +20,8 @@ namespace {
 
 class MeshWriter {
  public:
-  MeshWriter(Output& output, const std::string& name, const MeshView& mesh,
-             const Parallel& parallel)
-      : output_(output), name_(name), mesh_(mesh), parallel_(parallel) {}
+  MeshWriter(Output& output, const std::string& name, const MeshView& mesh, const Limits& limits)
+      : output_(output), name_(name), mesh_(mesh), limits_(limits) {}
 
   void ply_binary();
   void ply_text();
@@ -46,7 +45,7 @@ class MeshWriter {
   Output& output_;
   const std::string& name_;
   MeshView mesh_;
-  const Parallel& parallel_;
+  const Limits& limits_;
 };
 
 template <class Use>
@@ -54,10 +53,9 @@ void MeshWriter::each(std::size_t count, double from, double to, const Use& use)
   constexpr std::size_t kPiecesPerTick = 1 << 16;
   for (std::size_t i = 0; i < count; ++i) {
     if (i % kPiecesPerTick == 0) {
-      check_stop(parallel_);
-      if (parallel_.progress) {
-        parallel_.progress(from +
-                           (to - from) * static_cast<double>(i) / static_cast<double>(count));
+      check(limits_);
+      if (limits_.progress) {
+        limits_.progress(from + (to - from) * static_cast<double>(i) / static_cast<double>(count));
       }
     }
     use(i);
@@ -256,9 +254,9 @@ void MeshWriter::stl_text() {
 }  // namespace
 
 void write_mesh(Output& output, const std::string& name, const MeshView& mesh, MeshFormat format,
-                const Parallel& parallel) {
+                const Limits& limits) {
   check(mesh);
-  MeshWriter writer(output, name, mesh, parallel);
+  MeshWriter writer(output, name, mesh, limits);
   switch (format) {
     case MeshFormat::ply:
       writer.ply_binary();
@@ -279,15 +277,15 @@ void write_mesh(Output& output, const std::string& name, const MeshView& mesh, M
       writer.off();
       break;
     case MeshFormat::three_ds:
-      write_three_ds(output, name, mesh, parallel);
+      write_three_ds(output, name, mesh, limits);
       break;
     case MeshFormat::glb:
-      write_glb(output, name, mesh, parallel);
+      write_glb(output, name, mesh, limits);
       break;
   }
   output.flush();
-  if (parallel.progress) {
-    parallel.progress(1);
+  if (limits.progress) {
+    limits.progress(1);
   }
 }
 

@@ -14,6 +14,6 @@ namespace soms::detail {
 /// Writes a mesh and flushes; the same bytes for the same mesh. `name` is used in messages.
 /// \errors What `check` says of the mesh; ErrorKind::not_finite, out_of_range, cancelled.
 void write_mesh(Output& output, const std::string& name, const MeshView& mesh, MeshFormat format,
-                const Parallel& parallel);
+                const Limits& limits);
 
 }  // namespace soms::detail

@@ -104,7 +104,7 @@ NamedFile open_named(const Source& source, const JsonValue& uri) {
         in_quotes(uri.text()) + " is another file, which cannot be found for a model from memory",
         "read the model from its path, or embed the data");
   }
-  check_stop(source.parallel);
+  check(source.limits);
   std::filesystem::path path = file_within(*source.folder, uri);
   return at_place(uri, [&] { return NamedFile{path, RegularFile(path)}; });
 }

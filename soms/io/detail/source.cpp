@@ -11,9 +11,9 @@
 namespace soms::detail {
 
 void Source::tick(std::size_t position) const {
-  check_stop(parallel);
-  if (parallel.progress && !bytes.empty()) {
-    parallel.progress(static_cast<double>(position) / static_cast<double>(bytes.size()));
+  check(limits);
+  if (limits.progress && !bytes.empty()) {
+    limits.progress(static_cast<double>(position) / static_cast<double>(bytes.size()));
   }
 }
 

@@ -52,7 +52,7 @@ struct Source {
   Budget budget{0};
   /// Bytes of memory that each byte of such a file adds; 0 where a limit was stated.
   std::uint64_t memory_per_byte = 0;
-  const Parallel& parallel;
+  const Limits& limits;
   /// `bytes` is memory of our own, and each reader may lose what it has passed for good.
   bool forgettable = false;
   std::size_t kept = 0;                 ///< bytes at the front that are not lost: a header

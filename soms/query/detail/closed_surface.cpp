@@ -64,9 +64,9 @@ bool ClosedSurface::is_closed(const MeshView& mesh, const Pose& pose) const {
   return cover_evenly(mesh, odd, pose);
 }
 
-ClosedSurface closed_surface(const MeshView& mesh, const Parallel& parallel) {
-  Work work(parallel, joining_work(mesh) + mesh.triangles.size() + odd_edges_work(mesh) +
-                          connected_parts_work(mesh) + 1);
+ClosedSurface closed_surface(const MeshView& mesh, const Limits& limits) {
+  Work work(limits, joining_work(mesh) + mesh.triangles.size() + odd_edges_work(mesh) +
+                        connected_parts_work(mesh) + 1);
   const std::vector<std::uint32_t> joined = joined_by_position(mesh, work);
   ClosedSurface surface;
   surface.odd = odd_edges(mesh, joined, degenerate_triangles(mesh, work), work);

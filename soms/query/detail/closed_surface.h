@@ -41,7 +41,7 @@ struct ClosedSurface {
 };
 
 /// \errors ErrorKind::cancelled.
-[[nodiscard]] ClosedSurface closed_surface(const MeshView& mesh, const Parallel& parallel);
+[[nodiscard]] ClosedSurface closed_surface(const MeshView& mesh, const Limits& limits);
 
 /// A body of whose mesh this is the surface. \errors As the constructor of ClosedBody.
 [[nodiscard]] ClosedBody closed_body(Body body, std::shared_ptr<const ClosedSurface> surface);

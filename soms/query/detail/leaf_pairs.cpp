@@ -109,8 +109,8 @@ bool LeafPairs::decide(std::span<const BlockTask> tasks, bool last, Collector& c
     }
     if (const TrianglePair* const least = collector.least()) {
       BlockTask less = task;
-      frame_->swapped() ? keep_up_to(least->first, *task.y, less.lanes_y)
-                        : keep_up_to(least->first, *task.x, less.lanes_x);
+      frame_->swapped() ? keep_up_to(least->a, *task.y, less.lanes_y)
+                        : keep_up_to(least->a, *task.x, less.lanes_x);
       if (less.lanes_x != 0 && less.lanes_y != 0) {
         queue_->add(*kernels_, less);
       }
@@ -159,7 +159,7 @@ bool LeafPairs::take_open(std::size_t begin, Collector& collector, Cost& cost) c
   for (std::uint32_t left = queue_->in_float(begin).open; left != 0; left &= left - 1) {
     const auto lane = static_cast<std::size_t>(std::countr_zero(left));
     const TrianglePair ids = queue_->ids(begin + lane);
-    const TrianglePair pair = frame_->in_callers_order(ids.first, ids.second);
+    const TrianglePair pair = frame_->in_callers_order(ids.a, ids.b);
     if (!collector.wants(pair)) {
       continue;
     }
@@ -174,8 +174,8 @@ bool LeafPairs::take_open(std::size_t begin, Collector& collector, Cost& cost) c
 }
 
 bool LeafPairs::overlap(const TrianglePair& ids, Cost& cost) const {
-  const Triangle s = moved(frame_->x(), ids.first);
-  const Triangle t = moved(frame_->y(), ids.second);
+  const Triangle s = moved(frame_->x(), ids.a);
+  const Triangle t = moved(frame_->y(), ids.b);
   return overlaps(bounds(s), bounds(t)) && triangles_overlap(s, t, &cost.exact_tests);
 }
 

@@ -37,10 +37,8 @@ LeastOverlap search(PairFrame& frame, const TrianglePair& known, Limit& limit) {
 
 }  // namespace
 
-LeastOverlap least_overlap(PairFrame& frame, const TrianglePair& known,
-                           std::optional<std::chrono::steady_clock::time_point> deadline,
-                           const Parallel& parallel) {
-  Limit limit(deadline, parallel);
+LeastOverlap least_overlap(PairFrame& frame, const TrianglePair& known, const Limits& limits) {
+  Limit limit(limits);
   return any_compact(*frame.x().shape, *frame.y().shape)
              ? search<CompactSource>(frame, known, limit)
              : search<WideSource>(frame, known, limit);

@@ -6,9 +6,6 @@
 #include "soms/query/detail/engine/pair_frame.h"
 #include "soms/query/overlap.h"
 
-#include <chrono>
-#include <optional>
-
 namespace soms::detail {
 
 /// Coverage of a traversal that ended with `collector`; `late` if a deadline ended it.
@@ -23,8 +20,7 @@ struct LeastOverlap {
 
 /// The least pair of a and b, given one that overlaps.
 /// \errors ErrorKind::cancelled.
-[[nodiscard]] LeastOverlap least_overlap(
-    PairFrame& frame, const TrianglePair& known,
-    std::optional<std::chrono::steady_clock::time_point> deadline, const Parallel& parallel);
+[[nodiscard]] LeastOverlap least_overlap(PairFrame& frame, const TrianglePair& known,
+                                         const Limits& limits);
 
 }  // namespace soms::detail

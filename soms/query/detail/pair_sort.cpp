@@ -64,7 +64,7 @@ void sort_pairs(std::span<TrianglePair> pairs) {
   // Both numbers side by side, as short as they are.
   const auto bits = static_cast<unsigned>(std::bit_width(second));
   const auto key_of = [bits](const TrianglePair& pair) {
-    return std::uint64_t{pair.first} << bits | pair.second;
+    return std::uint64_t{pair.a} << bits | pair.b;
   };
   const auto write = [&](Keys keys) {
     const std::uint64_t low = (std::uint64_t{1} << bits) - 1;

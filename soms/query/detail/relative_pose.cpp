@@ -1,6 +1,6 @@
 #include "soms/query/detail/relative_pose.h"
 
-#include "soms/base/limits.h"
+#include "soms/base/double_limits.h"
 #include "soms/query/detail/engine/rounded.h"
 #include "soms/query/detail/query_lanes.h"
 

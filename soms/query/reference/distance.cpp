@@ -105,10 +105,10 @@ struct Scan {
     return nearest;
   }
 
-  [[nodiscard]] Nearest nearest(const Parallel& parallel, Cost& cost) const {
+  [[nodiscard]] Nearest nearest(const Limits& limits, Cost& cost) const {
     const std::size_t parts = (a.size() + kRows - 1) / kRows;
     std::vector<double> upper(parts, kInfinity);
-    for_each_chunk(a.size(), kRows, parallel, [&](std::size_t begin, std::size_t end) {
+    for_each_chunk(a.size(), kRows, limits, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         upper[begin / kRows] = std::min(upper[begin / kRows], upper_bound(i));
       }
@@ -116,7 +116,7 @@ struct Scan {
     const double bound = upper.empty() ? 0 : *std::min_element(upper.begin(), upper.end());
     std::vector<Nearest> found(parts);
     std::vector<Cost> costs(parts);
-    for_each_chunk(a.size(), kRows, parallel, [&](std::size_t begin, std::size_t end) {
+    for_each_chunk(a.size(), kRows, limits, [&](std::size_t begin, std::size_t end) {
       found[begin / kRows] = scan(begin, end, bound, costs[begin / kRows]);
     });
     Nearest best;
@@ -132,12 +132,12 @@ struct Scan {
 
 }  // namespace
 
-Distance distance_by_brute_force(const Body& a, const Body& b, const Parallel& parallel) {
+Distance distance_by_brute_force(const Body& a, const Body& b, const Limits& limits) {
   const PlainArithmetic plain;
   const Scan scan(a, b);
   Distance answer;
   answer.distance = {kInfinity, kInfinity};
-  const Nearest nearest = scan.nearest(parallel, answer.cost);
+  const Nearest nearest = scan.nearest(limits, answer.cost);
   if (nearest.found) {
     const auto [i, j] = nearest.pair;
     answer.distance = bracket(nearest.distance.squared);
@@ -149,14 +149,13 @@ Distance distance_by_brute_force(const Body& a, const Body& b, const Parallel& p
   return answer;
 }
 
-bool within_by_brute_force(const Body& a, const Body& b, double clearance,
-                           const Parallel& parallel) {
+bool within_by_brute_force(const Body& a, const Body& b, double clearance, const Limits& limits) {
   if (!(clearance >= 0)) {
     throw Error(ErrorKind::usage, "within: the clearance is negative or not a number", "");
   }
   const PlainArithmetic plain;
   Cost cost;
-  const Nearest nearest = Scan(a, b).nearest(parallel, cost);
+  const Nearest nearest = Scan(a, b).nearest(limits, cost);
   return nearest.found && compare(nearest.distance.squared, clearance) <= 0;
 }
 

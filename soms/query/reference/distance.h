@@ -16,12 +16,12 @@ namespace soms::reference {
 /// \errors  As `soms::distance`.
 /// \cost    O(n m) box gaps, and some 50 us for each pair that is left.
 [[nodiscard]] Distance distance_by_brute_force(const Body& a, const Body& b,
-                                               const Parallel& parallel = {});
+                                               const Limits& limits = {});
 
 /// Whether the bodies are within `clearance`, as `soms::within` decides it.
 /// \errors  As `soms::within`.
 /// \cost    As `distance_by_brute_force` at worst.
 [[nodiscard]] bool within_by_brute_force(const Body& a, const Body& b, double clearance,
-                                         const Parallel& parallel = {});
+                                         const Limits& limits = {});
 
 }  // namespace soms::reference

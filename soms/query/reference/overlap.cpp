@@ -59,7 +59,7 @@ Overlap scan(const std::vector<Triangle>& a, std::size_t begin, std::size_t end,
         }
         ++part.cost.triangle_tests;
         if (triangles_overlap(a[i], b[first + k], &part.cost.exact_tests)) {
-          part.pairs.emplace_back(static_cast<TriangleId>(i), static_cast<TriangleId>(first + k));
+          part.pairs.push_back({static_cast<TriangleId>(i), static_cast<TriangleId>(first + k)});
         }
       }
     }
@@ -71,13 +71,13 @@ Overlap scan(const std::vector<Triangle>& a, std::size_t begin, std::size_t end,
 }  // namespace
 
 Overlap overlap(const MeshView& a, const Pose& pose_a, const MeshView& b, const Pose& pose_b,
-                const Parallel& parallel) {
+                const Limits& limits) {
   const PlainArithmetic plain;
   const std::vector<Triangle> first = moved_triangles(a, pose_a);
   const std::vector<Triangle> second = moved_triangles(b, pose_b);
   const BoxArrays boxes(second);
   std::vector<Overlap> parts((first.size() + kChunk - 1) / kChunk);
-  for_each_chunk(first.size(), kChunk, parallel, [&](std::size_t begin, std::size_t end) {
+  for_each_chunk(first.size(), kChunk, limits, [&](std::size_t begin, std::size_t end) {
     parts[begin / kChunk] = scan(first, begin, end, second, boxes);
   });
   Overlap answer;

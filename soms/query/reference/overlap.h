@@ -17,6 +17,6 @@ namespace soms::reference {
 /// `soms::overlap`, sorted; `cost.node_tests` counts box rejects tried.
 /// \cost    O(n m) box tests at worst; the boxes of `b` are swept once for each triangle of `a`.
 [[nodiscard]] Overlap overlap(const MeshView& a, const Pose& pose_a, const MeshView& b,
-                              const Pose& pose_b, const Parallel& parallel = {});
+                              const Pose& pose_b, const Limits& limits = {});
 
 }  // namespace soms::reference

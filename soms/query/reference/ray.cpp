@@ -138,18 +138,8 @@ ClosestHit closest_hit_by_brute_force(const Body& body, const Ray& ray,
   return closest(body, line_of(ray), skip);
 }
 
-ClosestHit closest_hit_by_brute_force(const Body& body, const Segment& segment,
-                                      std::optional<TriangleId> skip) {
-  return closest(body, line_of(segment), skip);
-}
-
 AllHits all_hits_by_brute_force(const Body& body, const Ray& ray, std::optional<TriangleId> skip) {
   return all(body, line_of(ray), skip);
-}
-
-AllHits all_hits_by_brute_force(const Body& body, const Segment& segment,
-                                std::optional<TriangleId> skip) {
-  return all(body, line_of(segment), skip);
 }
 
 }  // namespace soms::reference

@@ -15,14 +15,10 @@ namespace soms::reference {
 /// \cost    Some microseconds a triangle.
 [[nodiscard]] ClosestHit closest_hit_by_brute_force(const Body& body, const Ray& ray,
                                                     std::optional<TriangleId> skip = std::nullopt);
-[[nodiscard]] ClosestHit closest_hit_by_brute_force(const Body& body, const Segment& segment,
-                                                    std::optional<TriangleId> skip = std::nullopt);
 
 /// Same meaning as `soms::all_hits` of one ray, without a deadline.
 /// \cost    Some microseconds a triangle, and O(k^2) comparisons for k triangles met.
 [[nodiscard]] AllHits all_hits_by_brute_force(const Body& body, const Ray& ray,
-                                              std::optional<TriangleId> skip = std::nullopt);
-[[nodiscard]] AllHits all_hits_by_brute_force(const Body& body, const Segment& segment,
                                               std::optional<TriangleId> skip = std::nullopt);
 
 }  // namespace soms::reference

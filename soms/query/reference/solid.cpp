@@ -26,10 +26,10 @@ class SolidScan {
       : triangles_{detail::moved_triangles(a.shape.mesh(), a.pose),
                    detail::moved_triangles(b.shape.mesh(), b.pose)} {}
 
-  [[nodiscard]] Relation relation(bool surfaces_meet, const Parallel& parallel) {
+  [[nodiscard]] Relation relation(bool surfaces_meet, const Limits& limits) {
     for (const auto& triangles : triangles_) {
       for (const Triangle& t : triangles) {
-        check_stop(parallel);
+        check(limits);
         if (const auto plane = CellPlane::of(t, CellPlane::View::shallow)) {
           scan(*plane, t);
         }
@@ -90,13 +90,13 @@ class SolidScan {
 
 }  // namespace
 
-Solid solid_by_brute_force(const Body& a, const Body& b, const Parallel& parallel) {
+Solid solid_by_brute_force(const Body& a, const Body& b, const Limits& limits) {
   const PlainArithmetic plain;
   SolidScan scan(a, b);
   Solid answer;
   answer.surfaces_meet =
-      overlap(a.shape.mesh(), a.pose, b.shape.mesh(), b.pose, {.stop = parallel.stop}).any;
-  answer.relation = scan.relation(answer.surfaces_meet, parallel);
+      overlap(a.shape.mesh(), a.pose, b.shape.mesh(), b.pose, {.stop = limits.stop}).any;
+  answer.relation = scan.relation(answer.surfaces_meet, limits);
   return answer;
 }
 

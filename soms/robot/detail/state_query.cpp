@@ -49,10 +49,10 @@ const std::optional<ClosedBody>& solid_of(const RobotBody& body) {
 
 }  // namespace
 
-StateQuery::StateQuery(const RobotModel& model, const RobotOptions& options, StopToken stop)
+StateQuery::StateQuery(const RobotModel& model, const RobotOptions& options, const Limits& limits)
     : model_(model),
       options_(options),
-      alone_{.threads = 1, .stop = std::move(stop)},
+      alone_(limits.alone()),
       boxes_(model.bodies()),
       closed_(model.bodies()),
       was_closed_(model.bodies(), 0),
@@ -75,7 +75,7 @@ RobotAnswer StateQuery::answer(std::span<const double> state) {
   RobotAnswer answer;
   answer.beyond_limits = model_.kinematics().beyond_limits(state);
   place_bodies(state);
-  cut_ = options_.deadline && std::chrono::steady_clock::now() >= *options_.deadline;
+  cut_ = alone_.late();
   if (cut_) {
     return answer;
   }
@@ -141,9 +141,7 @@ void StateQuery::decide(const Candidate& candidate, RobotAnswer& answer) {
     return;
   }
   const Overlap met =
-      counted(overlap(bodies_[i], bodies_[j],
-                      {.mode = OverlapMode::any, .deadline = options_.deadline}, alone_),
-              answer);
+      counted(overlap(bodies_[i], bodies_[j], {.mode = OverlapMode::any}, alone_), answer);
   if (met.any) {
     if (is_known) {
       answer.contacts.back().surfaces_meet = true;
@@ -182,8 +180,7 @@ bool StateQuery::is_inside(std::size_t inner, std::size_t outer, RobotAnswer& an
     if (!has_solid || !holds(boxes_[outer], point) || closed(outer) == nullptr) {
       continue;
     }
-    const Contains found =
-        counted(contains(*closed(outer), point, {.deadline = options_.deadline}), answer);
+    const Contains found = counted(contains(*closed(outer), point, alone_), answer);
     if (found.side == Side::inside) {
       return true;
     }
@@ -210,10 +207,7 @@ bool StateQuery::may_be_inside(std::size_t inner, std::size_t outer, RobotAnswer
     return true;
   }
   const Body caps(model_.body(outer).part.caps.shape, bodies_[outer].pose);
-  return counted(overlap(bodies_[inner], caps,
-                         {.mode = OverlapMode::any, .deadline = options_.deadline}, alone_),
-                 answer)
-             .any ||
+  return counted(overlap(bodies_[inner], caps, {.mode = OverlapMode::any}, alone_), answer).any ||
          cut_;
 }
 
@@ -284,10 +278,8 @@ void StateQuery::measure(RobotAnswer& answer) {
     if (candidate.bound > most) {
       break;
     }
-    const Distance found =
-        counted(distance(bodies_[candidate.i], bodies_[candidate.j],
-                         {.at_most = most, .deadline = options_.deadline}, alone_),
-                answer);
+    const Distance found = counted(
+        distance(bodies_[candidate.i], bodies_[candidate.j], {.at_most = most}, alone_), answer);
     if (cut_) {
       return;
     }

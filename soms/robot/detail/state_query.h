@@ -19,7 +19,7 @@ namespace soms::detail {
 /// One thread's share of `robot_contacts`.
 class StateQuery {
  public:
-  StateQuery(const RobotModel& model, const RobotOptions& options, StopToken stop);
+  StateQuery(const RobotModel& model, const RobotOptions& options, const Limits& limits);
 
   /// \errors As `robot_contacts`.
   [[nodiscard]] RobotAnswer answer(std::span<const double> state);
@@ -54,7 +54,7 @@ class StateQuery {
 
   const RobotModel& model_;
   const RobotOptions& options_;
-  Parallel alone_;
+  Limits alone_;
   BroadPhase broad_phase_;
   std::vector<Body> bodies_;                       ///< at the poses of the state
   std::vector<Box> boxes_;                         ///< that hold them

@@ -93,14 +93,14 @@ struct PairFound {
 };
 
 PairFound look_at(const RobotModel& model, const PlacedBodies& placed, std::size_t i, std::size_t j,
-                  const Parallel& parallel) {
+                  const Limits& limits) {
   const Body& a = placed.bodies[i];
   const Body& b = placed.bodies[j];
   PairFound found;
   if (!overlaps(placed.boxes[i], placed.boxes[j])) {
     return found;
   }
-  found.meet = overlap(a.shape.mesh(), a.pose, b.shape.mesh(), b.pose, {.stop = parallel.stop}).any;
+  found.meet = overlap(a.shape.mesh(), a.pose, b.shape.mesh(), b.pose, {.stop = limits.stop}).any;
   if (found.meet) {
     return found;
   }
@@ -135,7 +135,7 @@ double gap_along_axis(const Box& a, const Box& b) {
   return gap > 0 ? std::nextafter(gap, 0.0) : 0;
 }
 
-RobotGap least_gap(const RobotModel& model, const PlacedBodies& placed, const Parallel& parallel) {
+RobotGap least_gap(const RobotModel& model, const PlacedBodies& placed, const Limits& limits) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::vector<std::tuple<double, std::size_t, std::size_t>> order;
   for (std::size_t i = 0; i < model.link_bodies().size(); ++i) {
@@ -152,8 +152,7 @@ RobotGap least_gap(const RobotModel& model, const PlacedBodies& placed, const Pa
       break;
     }
     const Bracket found =
-        distance_by_brute_force(placed.bodies[i], placed.bodies[j], {.stop = parallel.stop})
-            .distance;
+        distance_by_brute_force(placed.bodies[i], placed.bodies[j], {.stop = limits.stop}).distance;
     const RobotPair pair = model.pair_of(i, j);
     if (!gap.pair || std::tuple(found.lower, found.upper, pair) <
                          std::tuple(gap.distance.lower, gap.distance.upper, *gap.pair)) {
@@ -166,18 +165,18 @@ RobotGap least_gap(const RobotModel& model, const PlacedBodies& placed, const Pa
 }  // namespace
 
 RobotAnswer robot_contacts_by_brute_force(const RobotModel& model, std::span<const double> state,
-                                          bool measure, const Parallel& parallel) {
+                                          bool measure, const Limits& limits) {
   const PlainArithmetic plain;
   const PlacedBodies bodies = placed(model, state);
   RobotAnswer answer{.coverage = Coverage::complete};
   answer.beyond_limits = model.kinematics().beyond_limits(state);
   for (std::size_t i = 0; i < model.link_bodies().size(); ++i) {
-    check_stop(parallel);
+    check(limits);
     for (std::size_t j = i + 1; j < model.bodies(); ++j) {
       if (!model.compares(i, j)) {
         continue;
       }
-      const PairFound found = look_at(model, bodies, i, j, parallel);
+      const PairFound found = look_at(model, bodies, i, j, limits);
       answer.undecided += found.undecided ? 1U : 0U;
       if (!found.meet && !found.inside) {
         continue;
@@ -200,7 +199,7 @@ RobotAnswer robot_contacts_by_brute_force(const RobotModel& model, std::span<con
                                             : RobotVerdict::free;
   if (measure) {
     answer.gap = answer.contacts.empty()
-                     ? least_gap(model, bodies, parallel)
+                     ? least_gap(model, bodies, limits)
                      : RobotGap{.distance = {0, 0}, .pair = answer.contacts.front().pair};
   }
   return answer;

@@ -22,7 +22,7 @@ namespace soms::reference {
 [[nodiscard]] RobotAnswer robot_contacts_by_brute_force(const RobotModel& model,
                                                         std::span<const double> state,
                                                         bool measure = false,
-                                                        const Parallel& parallel = {});
+                                                        const Limits& limits = {});
 
 /// Whether an answer of `robot_contacts` is what the twin says: its verdict, its contacts (with
 /// `first_contact`, the first of them), its limits, and its gap with its pair. What was cut, or is

@@ -15,14 +15,14 @@ std::size_t chunk_of(std::size_t questions) {
   return std::clamp<std::size_t>(questions / 16, 1, 64);
 }
 
-Overlap ask_pair(const BodyPair& question, const PairQuery& query, const Parallel& parallel) {
+Overlap ask_pair(const BodyPair& question, const PairQuery& query, const Limits& limits) {
   const auto& [mover, other] = question;
   if (query.method == nullptr) {
-    return overlap(*mover, *other, query.options, parallel);
+    return overlap(*mover, *other, query.options, limits);
   }
   const Pose* const pose = &mover->pose;
   OverlapBatch batch =
-      query.method->ask(mover->shape, std::span(&pose, 1), *other, query.options, parallel);
+      query.method->ask(mover->shape, std::span(&pose, 1), *other, query.options, limits);
   return {batch.any[0] != 0, std::move(batch.pairs), batch.coverage[0], batch.costs[0]};
 }
 
@@ -86,10 +86,10 @@ std::span<NarrowPhase::Batch> NarrowPhase::gather(std::span<const BodyPair> ques
 }
 
 void NarrowPhase::ask_one_by_one(std::span<const BodyPair> questions, const PairQuery& query,
-                                 const Parallel& parallel, Chunk& chunk) {
+                                 const Limits& limits, Chunk& chunk) {
   chunk.alone.clear();
   for (const BodyPair& question : questions) {
-    chunk.alone.push_back(ask_pair(question, query, parallel));
+    chunk.alone.push_back(ask_pair(question, query, limits));
     chunk.cost += chunk.alone.back().cost;
   }
   for (const Overlap& answer : chunk.alone) {
@@ -99,23 +99,23 @@ void NarrowPhase::ask_one_by_one(std::span<const BodyPair> questions, const Pair
 
 /// By batches, which is faster where movers share shapes.
 void NarrowPhase::ask_together(std::span<const BodyPair> questions, const PairQuery& query,
-                               const Parallel& parallel, Chunk& chunk) {
+                               const Limits& limits, Chunk& chunk) {
   chunk.alone.clear();
   chunk.answers.resize(questions.size());
   OverlapRun run;
   for (Batch& batch : gather(questions, chunk.batches)) {
     if (batch.questions.size() == 1) {
       const std::uint32_t k = batch.questions[0];
-      chunk.alone.push_back(ask_pair(questions[k], query, parallel));
+      chunk.alone.push_back(ask_pair(questions[k], query, limits));
       chunk.answers[k] = chunk.alone.back().pairs;  // stays where it is when `alone` grows
       chunk.cost += chunk.alone.back().cost;
       continue;
     }
     const Shape& shape = questions[batch.questions[0]].mover->shape;
     if (query.method != nullptr) {
-      batch.answers = query.method->ask(shape, batch.poses, *batch.other, query.options, parallel);
+      batch.answers = query.method->ask(shape, batch.poses, *batch.other, query.options, limits);
     } else {
-      run.ask(shape, batch.poses, *batch.other, query.options, parallel, batch.answers);
+      run.ask(shape, batch.poses, *batch.other, query.options, limits, batch.answers);
     }
     for (std::size_t p = 0; p < batch.questions.size(); ++p) {
       chunk.answers[batch.questions[p]] = batch.answers.pairs_of(p);
@@ -125,7 +125,7 @@ void NarrowPhase::ask_together(std::span<const BodyPair> questions, const PairQu
 }
 
 Cost NarrowPhase::ask(std::span<const BodyPair> questions, const PairQuery& query,
-                      const Parallel& parallel) {
+                      const Limits& limits) {
   order_by_shape(questions);
   chunk_ = chunk_of(questions.size());
   const std::size_t count = (questions.size() + chunk_ - 1) / chunk_;
@@ -136,8 +136,9 @@ Cost NarrowPhase::ask(std::span<const BodyPair> questions, const PairQuery& quer
   // do, which one would depend on the threads inside.
   const bool few = questions.size() < kFewQuestions;
   const bool split = few && query.options.mode == OverlapMode::all;
-  const Parallel shared{split ? 1 : parallel.threads, parallel.stop, {}};
-  const Parallel inside{split ? parallel.threads : 1, parallel.stop, {}};
+  const Limits whole = limits.silent();
+  const Limits shared = split ? whole.alone() : whole;
+  const Limits inside = (split ? whole : whole.alone()).without_deadline();  // no pair is cut
   for_each_chunk(questions.size(), chunk_, shared, [&](std::size_t begin, std::size_t end) {
     Chunk& chunk = chunks_[begin / chunk_];
     chunk.answers.clear();

@@ -43,7 +43,7 @@ class NarrowPhase {
   NarrowPhase& operator=(NarrowPhase&&) noexcept;
 
   /// Answers depend on each question alone. \errors As `overlap`.
-  Cost ask(std::span<const BodyPair> questions, const PairQuery& query, const Parallel& parallel);
+  Cost ask(std::span<const BodyPair> questions, const PairQuery& query, const Limits& limits);
 
   /// Pairs of question `k` of the last call.
   [[nodiscard]] std::span<const TrianglePair> pairs_of(std::size_t k) const;
@@ -72,9 +72,9 @@ class NarrowPhase {
   [[nodiscard]] static std::span<Batch> gather(std::span<const BodyPair> questions,
                                                std::vector<Batch>& memory);
   static void ask_one_by_one(std::span<const BodyPair> questions, const PairQuery& query,
-                             const Parallel& parallel, Chunk& chunk);
+                             const Limits& limits, Chunk& chunk);
   static void ask_together(std::span<const BodyPair> questions, const PairQuery& query,
-                           const Parallel& parallel, Chunk& chunk);
+                           const Limits& limits, Chunk& chunk);
 
   std::unordered_map<const WideTree*, std::uint32_t> numbers_;  ///< of shapes, as they come
   std::vector<std::uint32_t> shapes_;                           ///< of each question

@@ -5,10 +5,11 @@
 namespace soms::detail {
 
 Cost NearPhase::ask(std::span<const BodyPair> questions, const DistanceOptions& options,
-                    const Parallel& parallel) {
+                    const Limits& limits) {
   const bool few = questions.size() < kFewQuestions;
-  const Parallel shared{few ? 1 : parallel.threads, parallel.stop, {}};
-  const Parallel inside{few ? parallel.threads : 1, parallel.stop, {}};
+  const Limits whole = limits.silent();
+  const Limits shared = few ? whole.alone() : whole;
+  const Limits inside = (few ? whole : whole.alone()).without_deadline();  // no pair is cut
   answers_.assign(questions.size(), {});
   for_each_chunk(questions.size(), 1, shared, [&](std::size_t k, std::size_t) {
     answers_[k] = distance(*questions[k].mover, *questions[k].other, options, inside);

@@ -17,7 +17,7 @@ class NearPhase {
  public:
   /// Answers depend on each question alone. \errors As `distance`.
   Cost ask(std::span<const BodyPair> questions, const DistanceOptions& options,
-           const Parallel& parallel);
+           const Limits& limits);
 
   /// Of the questions of the last call, in their order.
   [[nodiscard]] std::span<const Distance> answers() const { return answers_; }

@@ -42,7 +42,7 @@ struct Scene::State {
   detail::NarrowPhase mutual;
   detail::NearPhase near_phase;
 
-  [[nodiscard]] StepReport step(const StepOptions& options, const Parallel& parallel);
+  [[nodiscard]] StepReport step(const StepOptions& options, const Limits& limits);
 
   /// Builds the set of the bodies that were changed since it was built.
   void refresh_parts();
@@ -54,22 +54,22 @@ struct Scene::State {
   void find_mover_candidates(double clearance, StepReport& report);
   template <typename Contact, typename Gap>
   void compare(detail::NarrowPhase& narrow_phase, const detail::Residents& others,
-               const StepOptions& options, const Parallel& parallel, std::vector<Contact>& contacts,
+               const StepOptions& options, const Limits& limits, std::vector<Contact>& contacts,
                std::vector<Gap>& gaps, StepReport& report);
   template <typename Contact>
   void ask(detail::NarrowPhase& narrow_phase, const detail::Residents& others,
-           const detail::PairQuery& query, const Parallel& parallel, std::vector<Contact>& contacts,
+           const detail::PairQuery& query, const Limits& limits, std::vector<Contact>& contacts,
            StepReport& report);
   template <typename Contact>
   void ask_until_first(detail::NarrowPhase& narrow_phase, const detail::Residents& others,
-                       const detail::PairQuery& query, const Parallel& parallel,
+                       const detail::PairQuery& query, const Limits& limits,
                        std::vector<Contact>& contacts, StepReport& report);
   template <typename Contact>
   void append(const detail::Candidate& candidate, const detail::Residents& others,
               std::span<const TrianglePair> pairs, std::vector<Contact>& contacts) const;
   void keep_apart(const detail::NarrowPhase& narrow_phase);
   template <typename Gap>
-  void measure(const detail::Residents& others, double clearance, const Parallel& parallel,
+  void measure(const detail::Residents& others, double clearance, const Limits& limits,
                std::vector<Gap>& gaps, StepReport& report);
 
   [[nodiscard]] detail::BodyPair question(const detail::Candidate& candidate,

@@ -4,6 +4,7 @@
 #include "soms/geometry/detail/exact/exact_point.h"
 #include "soms/geometry/detail/exact/exact_ray.h"
 #include "soms/query/detail/moved_triangle.h"
+#include "soms/query/detail/ray/ray_line.h"
 #include "soms/query/reference/closest.h"
 #include "soms/query/reference/ray.h"
 #include "soms/scene/detail/search/body_search.h"
@@ -24,8 +25,7 @@ using soms::detail::ExactRay;
 using soms::detail::moved_triangle;
 using soms::detail::RayLine;
 
-template <class Line>
-BodyHit first_hit(std::span<const Body> bodies, const Line& line, const RayLine& exact_line) {
+BodyHit first_hit(std::span<const Body> bodies, const Ray& line, const RayLine& exact_line) {
   const PlainArithmetic plain;
   BodyHit first;
   std::optional<soms::detail::RayTime> least;
@@ -70,8 +70,7 @@ std::vector<TimedCrossing> in_order(std::span<const Body> bodies, const std::vec
   return crossings;
 }
 
-template <class Line>
-BodyAllHits every_hit(std::span<const Body> bodies, const Line& line, const RayLine& exact_line) {
+BodyAllHits every_hit(std::span<const Body> bodies, const Ray& line, const RayLine& exact_line) {
   const PlainArithmetic plain;
   std::vector<AllHits> rows;
   BodyAllHits all;
@@ -125,19 +124,11 @@ BodyClosest closest_by_brute_force(std::span<const Body> bodies, const Vec3& poi
 }
 
 BodyHit closest_hit_by_brute_force(std::span<const Body> bodies, const Ray& ray) {
-  return first_hit(bodies, ray, {ray.origin, ray.direction, ray.length, false});
-}
-
-BodyHit closest_hit_by_brute_force(std::span<const Body> bodies, const Segment& segment) {
-  return first_hit(bodies, segment, {segment.from, segment.to, 1, true});
+  return first_hit(bodies, ray, soms::detail::line_of(ray));
 }
 
 BodyAllHits all_hits_by_brute_force(std::span<const Body> bodies, const Ray& ray) {
-  return every_hit(bodies, ray, {ray.origin, ray.direction, ray.length, false});
-}
-
-BodyAllHits all_hits_by_brute_force(std::span<const Body> bodies, const Segment& segment) {
-  return every_hit(bodies, segment, {segment.from, segment.to, 1, true});
+  return every_hit(bodies, ray, soms::detail::line_of(ray));
 }
 
 }  // namespace soms::reference

@@ -17,13 +17,9 @@ namespace soms::reference {
 /// The same for `BodyIndex::closest_hit`.
 /// \errors  As `closest_hit_by_brute_force`.
 [[nodiscard]] BodyHit closest_hit_by_brute_force(std::span<const Body> bodies, const Ray& ray);
-[[nodiscard]] BodyHit closest_hit_by_brute_force(std::span<const Body> bodies,
-                                                 const Segment& segment);
 
 /// The same for `BodyIndex::all_hits`, of one ray.
 /// \errors  As `all_hits_by_brute_force`.
 [[nodiscard]] BodyAllHits all_hits_by_brute_force(std::span<const Body> bodies, const Ray& ray);
-[[nodiscard]] BodyAllHits all_hits_by_brute_force(std::span<const Body> bodies,
-                                                  const Segment& segment);
 
 }  // namespace soms::reference

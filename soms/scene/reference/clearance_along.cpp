@@ -51,13 +51,13 @@ Turn turn_between(const Pose& from, const Pose& to) {
 class Checker {
  public:
   Checker(const Clearance& answer, const Shape& mover, const MotionPath& path,
-          std::span<const Body> fixed, const ClearanceOptions& options, const Parallel& parallel)
+          std::span<const Body> fixed, const ClearanceOptions& options, const Limits& limits)
       : answer_(answer),
         mover_(mover),
         path_(path),
         fixed_(fixed),
         options_(options),
-        parallel_(parallel) {}
+        limits_(limits) {}
 
   void check_same(const ClearanceStation& station) {
     const Pose pose =
@@ -98,7 +98,7 @@ class Checker {
  private:
   ClearanceStation query(const Pose& pose) {
     ++result.places;
-    return clearance_by_brute_force(mover_, pose, fixed_, parallel_);
+    return clearance_by_brute_force(mover_, pose, fixed_, limits_);
   }
 
   void note(bool right, double chainage, const std::string& fault) {
@@ -115,7 +115,7 @@ class Checker {
   const MotionPath& path_;
   std::span<const Body> fixed_;
   const ClearanceOptions& options_;
-  const Parallel& parallel_;
+  const Limits& limits_;
 };
 
 }  // namespace
@@ -143,10 +143,10 @@ Pose pose_by_angle(const MotionPath& path, std::size_t segment, double t) {
 }
 
 ClearanceStation clearance_by_brute_force(const Shape& mover, const Pose& pose,
-                                          std::span<const Body> fixed, const Parallel& parallel) {
+                                          std::span<const Body> fixed, const Limits& limits) {
   ClearanceStation station{.pose = pose};
   for (std::size_t k = 0; k < fixed.size(); ++k) {
-    const Distance found = distance_by_brute_force(Body(mover, pose), fixed[k], parallel);
+    const Distance found = distance_by_brute_force(Body(mover, pose), fixed[k], limits);
     if (std::tie(found.distance.upper, found.distance.lower) <
         std::tie(station.gap.upper, station.gap.lower)) {
       station.gap = found.distance;
@@ -161,11 +161,11 @@ ClearanceStation clearance_by_brute_force(const Shape& mover, const Pose& pose,
 
 ClearanceCheck check_clearance(const Clearance& answer, const Shape& mover, const MotionPath& path,
                                std::span<const Body> fixed, const ClearanceOptions& options,
-                               std::size_t samples, const Parallel& parallel) {
-  Checker checker(answer, mover, path, fixed, options, parallel);
+                               std::size_t samples, const Limits& limits) {
+  Checker checker(answer, mover, path, fixed, options, limits);
   const std::size_t all = answer.stations.size() + answer.stretches.size();
   for (std::size_t k = 0; k < all; ++k) {
-    check_stop(parallel);
+    check(limits);
     if (k < answer.stations.size()) {
       checker.check_same(answer.stations[k]);
     } else {
@@ -173,8 +173,8 @@ ClearanceCheck check_clearance(const Clearance& answer, const Shape& mover, cons
       checker.check_same(answer.stretches[stretch].least);
       checker.check_between(stretch, samples);
     }
-    if (parallel.progress) {
-      parallel.progress(static_cast<double>(k + 1) / static_cast<double>(all));
+    if (limits.progress) {
+      limits.progress(static_cast<double>(k + 1) / static_cast<double>(all));
     }
   }
   if (answer.first_contact) {

@@ -19,7 +19,7 @@ namespace soms::reference {
 /// How near `mover` is at a pose to the nearest of `fixed`, as a station has it.
 [[nodiscard]] ClearanceStation clearance_by_brute_force(const Shape& mover, const Pose& pose,
                                                         std::span<const Body> fixed,
-                                                        const Parallel& parallel = {});
+                                                        const Limits& limits = {});
 
 /// What brute force says of an answer.
 struct ClearanceCheck {
@@ -36,6 +36,6 @@ struct ClearanceCheck {
 [[nodiscard]] ClearanceCheck check_clearance(const Clearance& answer, const Shape& mover,
                                              const MotionPath& path, std::span<const Body> fixed,
                                              const ClearanceOptions& options, std::size_t samples,
-                                             const Parallel& parallel = {});
+                                             const Limits& limits = {});
 
 }  // namespace soms::reference

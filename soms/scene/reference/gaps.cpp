@@ -13,8 +13,8 @@ void add(std::vector<Gap>& gaps, std::uint32_t a, const Body& first, std::uint32
   // The ends of the bracket are the doubles next to the distance, so it is at most another double
   // exactly where its upper end is.
   if (answer.triangles && answer.distance.upper > 0 && answer.distance.upper <= clearance) {
-    gaps.push_back({a, b, answer.triangles->first, answer.triangles->second, answer.distance,
-                    answer.point_a, answer.point_b});
+    gaps.push_back({a, b, answer.triangles->a, answer.triangles->b, answer.distance, answer.point_a,
+                    answer.point_b});
   }
 }
 

@@ -158,11 +158,11 @@ std::string manifest_text(const TileManifest& manifest) {
 }
 
 TileManifest parse_manifest(std::string_view text, const std::string& name) {
-  const Parallel alone;
+  const Limits alone;
   Source source{.bytes = text,
                 .name = name,
                 .budget = Budget(64 * text.size() + (std::uint64_t{64} << 20)),
-                .parallel = alone};
+                .limits = alone};
   const JsonDocument document(source, text, 0, false);
   const JsonValue root = document.root();
   const std::string_view schema = root.at("schema").text();

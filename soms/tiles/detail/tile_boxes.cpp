@@ -24,7 +24,7 @@ TileBoxes::TileBoxes(const TiledBody& body) : body_(&body) {
   boxes_.build(boxes);
 }
 
-void for_each_row(const TileSet& tiles, std::size_t count, const Parallel& parallel,
+void for_each_row(const TileSet& tiles, std::size_t count, const Limits& limits,
                   const std::function<std::uint32_t(std::size_t)>& first_tile,
                   const std::function<void(std::size_t)>& ask) {
   std::vector<std::size_t> order(count);
@@ -35,11 +35,12 @@ void for_each_row(const TileSet& tiles, std::size_t count, const Parallel& paral
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return tile[a] < tile[b]; });
   }
-  for_each_chunk(count, kRowsOfChunk, parallel, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      ask(order[k]);
-    }
-  });
+  for_each_chunk(count, kRowsOfChunk, limits.without_deadline(),
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t k = begin; k < end; ++k) {
+                     ask(order[k]);
+                   }
+                 });
 }
 
 }  // namespace soms::detail

@@ -5,12 +5,10 @@
 #include "soms/scene/detail/box_index.h"
 #include "soms/tiles/tile_set.h"
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,16 +34,10 @@ class TileBoxes {
   BoxIndex boxes_;
 };
 
-/// A deadline passed.
-[[nodiscard]] inline bool is_late(
-    const std::optional<std::chrono::steady_clock::time_point>& deadline) {
-  return deadline && std::chrono::steady_clock::now() >= *deadline;
-}
-
 /// Calls `ask(row)` for rows 0 to `count`, shared by threads. Where not all tiles can stay open,
 /// rows come tile by tile: `first_tile(row)` says where one begins.
 /// \errors Those of `ask`; ErrorKind::cancelled.
-void for_each_row(const TileSet& tiles, std::size_t count, const Parallel& parallel,
+void for_each_row(const TileSet& tiles, std::size_t count, const Limits& limits,
                   const std::function<std::uint32_t(std::size_t)>& first_tile,
                   const std::function<void(std::size_t)>& ask);
 

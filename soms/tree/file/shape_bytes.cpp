@@ -124,12 +124,12 @@ LayoutArrays arrays_of(std::span<const std::byte> bytes, const TreeFileHead& hea
 }
 
 void check_hashes(std::span<const std::byte> bytes, const TreeFileHead& head,
-                  const std::string& name, const Parallel& parallel) {
+                  const std::string& name, const Limits& limits) {
   for (std::size_t k = 0; k < detail::kSections; ++k) {
     const auto section = static_cast<Section>(k);
     const detail::SectionPlace& place = head.of(section);
     const auto size = static_cast<std::size_t>(place.count * detail::record_size(section));
-    if (lanes_hash(bytes.subspan(static_cast<std::size_t>(place.offset), size), parallel) !=
+    if (lanes_hash(bytes.subspan(static_cast<std::size_t>(place.offset), size), limits) !=
         place.hash) {
       detail::fail_tree_file(
           name, "section " + detail::name(section) + ": it does not have the hash that is stated");
@@ -192,14 +192,14 @@ void write_tree_file(const Shape& shape, const Put& put) {
 }
 
 Shape open_shape(std::shared_ptr<const void> owner, std::span<const std::byte> bytes,
-                 const std::string& name, const OpenOptions& options, const Parallel& parallel) {
+                 const std::string& name, const OpenOptions& options, const Limits& limits) {
   if constexpr (std::endian::native == std::endian::big) {
     throw Error(ErrorKind::unsupported, name + ": tree files on a machine of this byte order",
                 "build the shape from the model");
   }
   const TreeFileHead head = detail::read_head(bytes, name);
   if (options.check >= TreeCheck::sound) {
-    check_hashes(bytes, head, name, parallel);
+    check_hashes(bytes, head, name, limits);
   }
   const auto statements = records_of<char>(bytes, head, Section::statements);
   auto held = std::make_shared<Owner>(Owner{
@@ -211,10 +211,10 @@ Shape open_shape(std::shared_ptr<const void> owner, std::span<const std::byte> b
   const LayoutArrays arrays = arrays_of(bytes, head);
   if (options.check >= TreeCheck::safe) {
     check(mesh);
-    detail::check_arrays(arrays, mesh, name, options.check >= TreeCheck::sound, parallel);
+    detail::check_arrays(arrays, mesh, name, options.check >= TreeCheck::sound, limits);
   }
   auto layout = std::make_shared<const WideTree>(arrays, held);
-  if (options.check == TreeCheck::full && !(WideTree(*layout, mesh, parallel) == *layout)) {
+  if (options.check == TreeCheck::full && !(WideTree(*layout, mesh, limits) == *layout)) {
     detail::fail_tree_file(name, "section nodes: boxes are not those of the triangles");
   }
   auto held_mesh = std::make_shared<detail::HeldMesh>(mesh, held);
@@ -227,11 +227,11 @@ Shape open_shape(std::shared_ptr<const void> owner, std::span<const std::byte> b
 }
 
 Shape open_shape(std::span<const std::byte> bytes, const std::string& name,
-                 const OpenOptions& options, const Parallel& parallel) {
+                 const OpenOptions& options, const Limits& limits) {
   auto copy = std::make_shared<layout::Pages<std::byte>>();
   copy->assign(bytes.begin(), bytes.end());
   const std::span<const std::byte> held(*copy);
-  return open_shape(std::move(copy), held, name, options, parallel);
+  return open_shape(std::move(copy), held, name, options, limits);
 }
 
 std::uint64_t tree_file_hash(std::span<const std::byte> bytes, const std::string& name) {

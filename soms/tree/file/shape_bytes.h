@@ -72,13 +72,13 @@ void write_tree_file(const Shape& shape,
 ///          cancelled.
 /// \cost    O(n); docs/scale.md has figures of each check.
 [[nodiscard]] Shape open_shape(std::span<const std::byte> bytes, const std::string& name,
-                               const OpenOptions& options = {}, const Parallel& parallel = {});
+                               const OpenOptions& options = {}, const Limits& limits = {});
 
 /// The same without a copy: the shape and its copies keep `owner`, and the bytes must not change as
 /// long as it lives. They must begin at a multiple of 64.
 [[nodiscard]] Shape open_shape(std::shared_ptr<const void> owner, std::span<const std::byte> bytes,
                                const std::string& name, const OpenOptions& options = {},
-                               const Parallel& parallel = {});
+                               const Limits& limits = {});
 
 /// A number that stands for the content of a tree file: it is in the head, and covers all sections.
 /// \errors  ErrorKind::bad_file.

@@ -14,8 +14,8 @@ namespace {
 constexpr std::uint32_t kLast = CompactParts::kLast;
 constexpr std::size_t kChunk = 4096;
 
-Parallel silent(const Parallel& parallel) {
-  return {parallel.threads, parallel.stop, {}};
+Limits silent(const Limits& limits) {
+  return {.threads = limits.threads, .stop = limits.stop};
 }
 
 bool is_leaf(std::uint8_t leaves, std::size_t k) {
@@ -79,7 +79,7 @@ bool WideTree::operator==(const WideTree& other) const {
                                 compact_->ids == other.compact_->ids));
 }
 
-WideTree WideTree::compacted(const Parallel& parallel) const {
+WideTree WideTree::compacted(const Limits& limits) const {
   const PlainArithmetic plain;
   WideTree result;
   result.origin_ = origin_;
@@ -99,7 +99,7 @@ WideTree WideTree::compacted(const Parallel& parallel) const {
   auto parts = std::make_shared<CompactParts>();
   parts->ids.resize(first.back());
   const std::span<std::uint32_t> ids = parts->ids.own();
-  for_each_chunk(blocks_.size(), kChunk, silent(parallel), [&](std::size_t begin, std::size_t end) {
+  for_each_chunk(blocks_.size(), kChunk, silent(limits), [&](std::size_t begin, std::size_t end) {
     for (std::size_t b = begin; b < end; ++b) {
       std::copy_n(blocks_[b].id.begin(), blocks_[b].count, ids.begin() + first[b]);
       if (blocks_[b].following == 0) {
@@ -108,7 +108,7 @@ WideTree WideTree::compacted(const Parallel& parallel) const {
     }
   });
   parts->nodes.resize(nodes_.size());
-  for_each_chunk(nodes_.size(), kChunk, silent(parallel), [&](std::size_t begin, std::size_t end) {
+  for_each_chunk(nodes_.size(), kChunk, silent(limits), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       CompactNode node(nodes_[i]);
       for (std::size_t k = 0; k < node.count; ++k) {
@@ -123,7 +123,7 @@ WideTree WideTree::compacted(const Parallel& parallel) const {
   return result;
 }
 
-WideTree WideTree::expanded(const MeshView& mesh, const Parallel& parallel) const {
+WideTree WideTree::expanded(const MeshView& mesh, const Limits& limits) const {
   const PlainArithmetic plain;
   if (!compact_) {
     return *this;
@@ -137,7 +137,7 @@ WideTree WideTree::expanded(const MeshView& mesh, const Parallel& parallel) cons
   result.least_ids_ = least_ids_;
   const Runs runs(compact_->ids);
   result.blocks_.resize(runs.first.size());
-  for_each_chunk(runs.first.size(), kChunk, silent(parallel),
+  for_each_chunk(runs.first.size(), kChunk, silent(limits),
                  [&](std::size_t begin, std::size_t end) {
                    for (std::size_t b = begin; b < end; ++b) {
                      TriangleBlock& block = result.blocks_.own()[b];
@@ -147,7 +147,7 @@ WideTree WideTree::expanded(const MeshView& mesh, const Parallel& parallel) cons
                  });
   result.nodes_.resize(compact_->nodes.size());
   for_each_chunk(
-      result.nodes_.size(), kChunk, silent(parallel), [&](std::size_t begin, std::size_t end) {
+      result.nodes_.size(), kChunk, silent(limits), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
           WideNode node;
           compact_->nodes[i].read(node);
@@ -162,7 +162,7 @@ WideTree WideTree::expanded(const MeshView& mesh, const Parallel& parallel) cons
           result.nodes_.own()[i] = node;
         }
       });
-  result.make_plan(parallel);
+  result.make_plan(limits);
   return result;
 }
 

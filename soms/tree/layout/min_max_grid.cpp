@@ -123,7 +123,7 @@ std::uint32_t grid_for(const ColumnBand& bounds) {
 }  // namespace
 
 MinMaxGrid::MinMaxGrid(std::span<const TriangleBlock> blocks, const Box& bounds, double scale,
-                       const Parallel& parallel) {
+                       const Limits& limits) {
   const Vec3 extent = bounds.extent();
   std::array<std::uint8_t, 3> order = {0, 1, 2};
   std::stable_sort(order.begin(), order.end(),
@@ -135,8 +135,8 @@ MinMaxGrid::MinMaxGrid(std::span<const TriangleBlock> blocks, const Box& bounds,
   lay_plan(bounds, scale, blocks.size());
   cells_.resize(lay_grids());
   std::fill(cells_.own().begin(), cells_.own().end(), Cell{kInfinity, -kInfinity, 0});
-  const Parallel silent{parallel.threads, parallel.stop, {}};
-  parallel.threads == 1 ? fill<false>(blocks, scale, silent) : fill<true>(blocks, scale, silent);
+  const Limits silent = limits.silent();
+  limits.threads == 1 ? fill<false>(blocks, scale, silent) : fill<true>(blocks, scale, silent);
 }
 
 MinMaxGrid::MinMaxGrid(const GroundPlan& plan, std::span<const Cell> cells)
@@ -195,14 +195,13 @@ std::size_t MinMaxGrid::lay_grids() {
 }
 
 template <bool kShared>
-void MinMaxGrid::fill(std::span<const TriangleBlock> blocks, double scale,
-                      const Parallel& parallel) {
+void MinMaxGrid::fill(std::span<const TriangleBlock> blocks, double scale, const Limits& limits) {
   // Of equal heights the first one stays: none is -0, so that the order of threads does not show.
   const auto put_range = [](Cell& cell, std::uint32_t, std::uint32_t, const ColumnBand& band) {
     change<kShared>(cell.lower, [&](float now) { return std::min(now, band.lower + 0.0F); });
     change<kShared>(cell.upper, [&](float now) { return std::max(now, band.upper + 0.0F); });
   };
-  for_each_block(blocks, scale, parallel, [&](const BlockPlace& place, std::size_t count) {
+  for_each_block(blocks, scale, limits, [&](const BlockPlace& place, std::size_t count) {
     // Where a block is small, its triangles have about one range: slices tell them apart.
     const ColumnBand whole = place.whole();
     if (cells_of(whole, 0) <= kCellsOfSmall) {
@@ -230,7 +229,7 @@ void MinMaxGrid::fill(std::span<const TriangleBlock> blocks, double scale,
                  slice_of(static_cast<double>(band.upper), ends)});
     change<kShared>(cell.taken, [=](std::uint64_t now) { return now | taken; });
   };
-  for_each_block(blocks, scale, parallel, [&](const BlockPlace& place, std::size_t count) {
+  for_each_block(blocks, scale, limits, [&](const BlockPlace& place, std::size_t count) {
     const BlockBands bands(place);
     for (std::size_t lane = 0; lane < count; ++lane) {
       put_triangle(bands, lane, take_up);
@@ -258,8 +257,8 @@ void MinMaxGrid::fill(std::span<const TriangleBlock> blocks, double scale,
 
 template <class Put>
 void MinMaxGrid::for_each_block(std::span<const TriangleBlock> blocks, double scale,
-                                const Parallel& parallel, const Put& put) {
-  for_each_chunk(blocks.size(), kChunk, parallel, [&](std::size_t begin, std::size_t end) {
+                                const Limits& limits, const Put& put) {
+  for_each_chunk(blocks.size(), kChunk, limits, [&](std::size_t begin, std::size_t end) {
     for (const TriangleBlock& block : blocks.subspan(begin, end - begin)) {
       put(BlockPlace(block, scale, plan_), block.count);
     }

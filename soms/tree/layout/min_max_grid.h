@@ -65,7 +65,7 @@ class MinMaxGrid {
   /// flat: its least side is more than a quarter of the next. The same bytes for any number of
   /// threads. \errors cancelled. \cost O(n) time; 4 bytes a triangle.
   MinMaxGrid(std::span<const TriangleBlock> blocks, const Box& bounds, double scale,
-             const Parallel& parallel);
+             const Limits& limits);
 
   [[nodiscard]] bool empty() const { return cells_.empty(); }
 
@@ -101,11 +101,11 @@ class MinMaxGrid {
 
   /// \tparam kShared several threads fill
   template <bool kShared>
-  void fill(std::span<const TriangleBlock> blocks, double scale, const Parallel& parallel);
+  void fill(std::span<const TriangleBlock> blocks, double scale, const Limits& limits);
 
   /// Calls `put` with the place of each block and the number of its triangles.
   template <class Put>
-  void for_each_block(std::span<const TriangleBlock> blocks, double scale, const Parallel& parallel,
+  void for_each_block(std::span<const TriangleBlock> blocks, double scale, const Limits& limits,
                       const Put& put);
 
   /// Calls `put` with each cell of a triangle's bands, or of one band.

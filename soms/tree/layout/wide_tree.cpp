@@ -64,11 +64,10 @@ double area_of_triangles(const TriangleBlock& block) {
 
 /// Sum over all places, in chunks whose sums are added in order.
 template <class Place>
-double sum_of(std::span<const Place> places, double (*area)(const Place&),
-              const Parallel& parallel) {
+double sum_of(std::span<const Place> places, double (*area)(const Place&), const Limits& limits) {
   constexpr std::size_t kPlacesPerChunk = 4096;
   std::vector<double> sums((places.size() + kPlacesPerChunk - 1) / kPlacesPerChunk, 0.0);
-  for_each_chunk(places.size(), kPlacesPerChunk, parallel, [&](std::size_t begin, std::size_t end) {
+  for_each_chunk(places.size(), kPlacesPerChunk, limits, [&](std::size_t begin, std::size_t end) {
     double sum = 0;
     for (const Place& place : places.subspan(begin, end - begin)) {
       sum += area(place);
@@ -80,37 +79,36 @@ double sum_of(std::span<const Place> places, double (*area)(const Place&),
 
 }  // namespace
 
-WideTree::WideTree(const Tree& tree, const MeshView& mesh, const Parallel& parallel) {
+WideTree::WideTree(const Tree& tree, const MeshView& mesh, const Limits& limits) {
   if (!tree.nodes.empty()) {
-    *this = WideTree(layout::parts_of(tree), mesh, parallel);
+    *this = WideTree(layout::parts_of(tree), mesh, limits);
   }
 }
 
-WideTree::WideTree(const layout::Parts& tree, const MeshView& mesh, const Parallel& parallel)
+WideTree::WideTree(const layout::Parts& tree, const MeshView& mesh, const Limits& limits)
     : bounds_(tree.bounds) {
   const PlainArithmetic plain;
   const double size = settle();
-  layout::Laid laid = layout::widen(tree, mesh, {origin_, scale_, size}, parallel);
+  layout::Laid laid = layout::widen(tree, mesh, {origin_, scale_, size}, limits);
   nodes_ = std::move(laid.nodes);
   blocks_ = std::move(laid.blocks);
   least_ids_ = std::move(laid.least_ids);
-  make_plan(parallel);
+  make_plan(limits);
 }
 
-WideTree::WideTree(const WideTree& tree, const MeshView& mesh, const Parallel& parallel) {
+WideTree::WideTree(const WideTree& tree, const MeshView& mesh, const Limits& limits) {
   const PlainArithmetic plain;
   if (tree.compact_) {
-    *this = WideTree(tree.expanded(mesh, parallel), mesh, parallel).compacted(parallel);
+    *this = WideTree(tree.expanded(mesh, limits), mesh, limits).compacted(limits);
   } else if (!tree.nodes_.empty()) {
-    bounds_ = layout::bounds_of(mesh, parallel);
+    bounds_ = layout::bounds_of(mesh, limits);
     const double size = settle();
     nodes_.resize(tree.nodes_.size());
     blocks_.resize(tree.blocks_.size());
     owner_ = tree.owner_;
     least_ids_ = tree.least_ids_;
-    layout::refit_layout(tree, mesh, {origin_, scale_, size}, parallel, nodes_.own(),
-                         blocks_.own());
-    make_plan(parallel);
+    layout::refit_layout(tree, mesh, {origin_, scale_, size}, limits, nodes_.own(), blocks_.own());
+    make_plan(limits);
   }
 }
 
@@ -154,8 +152,8 @@ LayoutArrays WideTree::arrays() const {
   return arrays;
 }
 
-void WideTree::make_plan(const Parallel& parallel) {
-  min_max_grid_ = layout::MinMaxGrid(blocks_, bounds_, scale_, parallel);
+void WideTree::make_plan(const Limits& limits) {
+  min_max_grid_ = layout::MinMaxGrid(blocks_, bounds_, scale_, limits);
   if (!min_max_grid_.empty()) {
     start_nodes_ = layout::StartNodes(nodes_, min_max_grid_.plan(), scale_);
   }
@@ -170,12 +168,12 @@ double WideTree::settle() {
   return size * scale_;
 }
 
-double WideTree::sah_area_ratio(const MeshView& mesh, const Parallel& parallel) const {
+double WideTree::sah_area_ratio(const MeshView& mesh, const Limits& limits) const {
   const PlainArithmetic plain;
   if (compact_) {
-    return expanded(mesh, parallel).sah_area_ratio(mesh, parallel);
+    return expanded(mesh, limits).sah_area_ratio(mesh, limits);
   }
-  const Parallel silent{parallel.threads, parallel.stop, {}};
+  const Limits silent = limits.silent();
   const double boxes = sum_of<WideNode>(nodes_, &area_of_boxes, silent);
   const double triangles = sum_of<TriangleBlock>(blocks_, &area_of_triangles, silent);
   return settled(triangles > 0 ? boxes / triangles : 0);

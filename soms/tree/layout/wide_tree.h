@@ -120,17 +120,17 @@ class WideTree {
   /// a tenth smaller by it. The same bytes for any number of threads.
   /// \errors ErrorKind::out_of_range beyond 2^28 nodes or blocks; cancelled.
   /// \cost   O(n) time; about 80 bytes a triangle with leaves of 8.
-  WideTree(const Tree& tree, const MeshView& mesh, const Parallel& parallel = {});
+  WideTree(const Tree& tree, const MeshView& mesh, const Limits& limits = {});
 
   /// The same from a tree that was never put together; it must not be empty.
-  WideTree(const layout::Parts& tree, const MeshView& mesh, const Parallel& parallel = {});
+  WideTree(const layout::Parts& tree, const MeshView& mesh, const Limits& limits = {});
 
   /// The same nodes and leaves over a mesh whose vertices were moved; its triangles must be the
   /// same. Boxes, places and frames are made as for a new tree: where no vertex moved, the bytes
   /// are those of `tree`. The same for any number of threads.
   /// \errors cancelled.
   /// \cost   O(n) time.
-  WideTree(const WideTree& tree, const MeshView& mesh, const Parallel& parallel = {});
+  WideTree(const WideTree& tree, const MeshView& mesh, const Limits& limits = {});
 
   /// A layout over arrays that something else holds, which it keeps by `owner`.
   /// \pre They are safe to traverse: `soms/tree/file/` says what that takes, and checks it.
@@ -143,11 +143,11 @@ class WideTree {
   /// 127th of their node, and blocks are made again whenever they are read.
   /// \errors ErrorKind::out_of_range beyond 2^28 triangles; cancelled.
   /// \cost   O(n) time
-  [[nodiscard]] WideTree compacted(const Parallel& parallel = {}) const;
+  [[nodiscard]] WideTree compacted(const Limits& limits = {}) const;
 
   /// A compact tree with its nodes and blocks written out: the tree that was compacted, but for its
   /// boxes' sizes. `mesh` is the tree's.
-  [[nodiscard]] WideTree expanded(const MeshView& mesh, const Parallel& parallel = {}) const;
+  [[nodiscard]] WideTree expanded(const MeshView& mesh, const Limits& limits = {}) const;
 
   [[nodiscard]] bool empty() const { return nodes_.empty() && !compact_; }
 
@@ -191,7 +191,7 @@ class WideTree {
   /// Area of all boxes over the area of the triangles: how much room a query finds to enter in
   /// vain. It grows when vertices move away from those beside them. 0 where triangles have no area.
   /// `mesh` is the tree's. \cost O(n)
-  [[nodiscard]] double sah_area_ratio(const MeshView& mesh, const Parallel& parallel = {}) const;
+  [[nodiscard]] double sah_area_ratio(const MeshView& mesh, const Limits& limits = {}) const;
 
   [[nodiscard]] bool operator==(const WideTree& other) const;
 
@@ -200,7 +200,7 @@ class WideTree {
   [[nodiscard]] double settle();
 
   /// Makes what flat meshes have beside nodes and blocks.
-  void make_plan(const Parallel& parallel);
+  void make_plan(const Limits& limits);
 
   std::shared_ptr<const void> owner_;  ///< of arrays that are borrowed
   layout::Stored<WideNode> nodes_;

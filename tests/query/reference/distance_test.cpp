@@ -151,9 +151,9 @@ TEST(ReferenceDistance, IsTheTruthOfPosedMeshes) {
     const Body second(*b, pose_of(line, 16));
     const Distance found = reference::distance_by_brute_force(first, second);
     ASSERT_EQ(found.distance, (Bracket{number(28), number(29)}));
-    ASSERT_EQ(found.triangles, TrianglePair(id(31), id(32)));
+    ASSERT_EQ(found.triangles, (TrianglePair{id(31), id(32)}));
     const Distance exchanged = reference::distance_by_brute_force(second, first);
-    ASSERT_EQ(exchanged.triangles, TrianglePair(id(37), id(36)));
+    ASSERT_EQ(exchanged.triangles, (TrianglePair{id(37), id(36)}));
     ASSERT_EQ(reference::within_by_brute_force(first, second, number(28)), line.at(33) == "1");
     ASSERT_TRUE(reference::within_by_brute_force(first, second, number(29)));
     if (!line.at(35).empty()) {

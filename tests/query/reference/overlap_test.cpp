@@ -105,9 +105,9 @@ TEST(ReferenceOverlap, SwapsColumnsWhenTheMeshesAreSwapped) {
   EXPECT_EQ(reference::overlap(a, turn, b, {}).pairs, swapped);
 }
 
-ErrorKind kind_thrown(const Mesh& a, const Pose& pose, const Parallel& parallel = {}) {
+ErrorKind kind_thrown(const Mesh& a, const Pose& pose, const Limits& limits = {}) {
   try {
-    static_cast<void>(reference::overlap(a, pose, square(0), {}, parallel));
+    static_cast<void>(reference::overlap(a, pose, square(0), {}, limits));
   } catch (const Error& error) {
     return error.kind();
   }

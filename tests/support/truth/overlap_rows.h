@@ -16,16 +16,15 @@
 namespace soms::test::detail {
 
 template <OverlapMode mode>
-Answer ask_overlap(const Body& a, const Body& b, const RowOptions& options,
-                   const Parallel& parallel) {
-  return overlap(a, b, {.mode = mode, .deadline = deadline_of(options)}, parallel);
+Answer ask_overlap(const Body& a, const Body& b, const RowOptions& options, const Limits& limits) {
+  return overlap(a, b, {.mode = mode}, limits_of(options, limits));
 }
 
 template <OverlapMode mode>
 BatchAnswer ask_overlap_batch(const Shape& mover, std::span<const Pose> poses, const Body& fixed,
-                              const RowOptions& options, const Parallel& parallel) {
+                              const RowOptions& options, const Limits& limits) {
   const OverlapBatch batch =
-      overlap(mover, poses, fixed, {.mode = mode, .deadline = deadline_of(options)}, parallel);
+      overlap(mover, poses, fixed, {.mode = mode}, limits_of(options, limits));
   BatchAnswer result;
   for (std::size_t k = 0; k < batch.size(); ++k) {
     const auto pairs = batch.pairs_of(k);
@@ -91,7 +90,7 @@ Answer overlap_symmetric(const Answer& answer, bool exchanged) {
   }
   if (exchanged) {
     for (TrianglePair& pair : copy.pairs) {
-      std::swap(pair.first, pair.second);
+      std::swap(pair.a, pair.b);
     }
     std::sort(copy.pairs.begin(), copy.pairs.end());
   }

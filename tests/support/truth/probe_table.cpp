@@ -21,8 +21,8 @@ namespace {
 
 using detail::add;
 using detail::answers_of;
-using detail::deadline_of;
 using detail::kInfinity;
+using detail::limits_of;
 
 void clear_cost(Closest& answer) {
   answer.cost = {};
@@ -133,7 +133,7 @@ bool holds(const Bracket& outer, const Bracket& inner) {
 // closest
 
 ClosestOptions closest_options(const RowOptions& options) {
-  return {.at_most = options.length, .deadline = deadline_of(options)};
+  return {.at_most = options.length};
 }
 
 /// What `closest` says where a limit is given.
@@ -147,11 +147,12 @@ Closest limited(Closest truth, double at_most) {
 constexpr ProbeRow<Vec3> kClosest{
     row_of<Closest>("closest", true, false),
     [](const Body& body, const Vec3& point, const RowOptions& options) -> Answer {
-      return closest(body, point, closest_options(options));
+      return closest(body, point, closest_options(options), limits_of(options));
     },
     [](const Body& body, std::span<const Vec3> points, const RowOptions& options,
-       const Parallel& parallel) {
-      return answers_of(closest(body, points, closest_options(options), parallel));
+       const Limits& limits) {
+      return answers_of(
+          closest(body, points, closest_options(options), limits_of(options, limits)));
     },
     [](const Body& body, const Vec3& point, const RowOptions& options) -> Answer {
       return limited(reference::closest_by_brute_force(body, point), options.length);
@@ -163,12 +164,12 @@ constexpr ProbeRow<Vec3> kClosest{
 constexpr ProbeRow<Vec3> kSignedClosest{
     row_of<SignedClosest>("signed closest", true, true),
     [](const Body& body, const Vec3& point, const RowOptions& options) -> Answer {
-      return closest(ClosedBody(body), point, closest_options(options));
+      return closest(ClosedBody(body), point, closest_options(options), limits_of(options));
     },
     [](const Body& body, std::span<const Vec3> points, const RowOptions& options,
-       const Parallel& parallel) {
+       const Limits& limits) {
       const SignedClosestBatch batch =
-          closest(ClosedBody(body), points, closest_options(options), parallel);
+          closest(ClosedBody(body), points, closest_options(options), limits_of(options, limits));
       BatchAnswer result;
       result.cost = batch.closest.cost;
       for (std::size_t k = 0; k < batch.size(); ++k) {
@@ -192,11 +193,11 @@ constexpr ProbeRow<Vec3> kSignedClosest{
 constexpr ProbeRow<Vec3> kContains{
     row_of<Contains>("contains", false, true),
     [](const Body& body, const Vec3& point, const RowOptions& options) -> Answer {
-      return contains(body, point, {.deadline = deadline_of(options)});
+      return contains(ClosedBody(body), point, limits_of(options));
     },
     [](const Body& body, std::span<const Vec3> points, const RowOptions& options,
-       const Parallel& parallel) {
-      return answers_of(contains(body, points, {.deadline = deadline_of(options)}, parallel));
+       const Limits& limits) {
+      return answers_of(contains(body, points, limits_of(options, limits)));
     },
     [](const Body& body, const Vec3& point, const RowOptions&) -> Answer {
       return Contains{.side = reference::contains_by_brute_force(body, point)};
@@ -207,18 +208,14 @@ constexpr ProbeRow<Vec3> kContains{
 
 // closest_hit, any_hit, all_hits
 
-RayOptions ray_options(const RowOptions& options) {
-  return {.deadline = deadline_of(options)};
-}
-
 constexpr ProbeRow<Ray> kClosestHit{
     row_of<ClosestHit>("closest_hit", false, false),
     [](const Body& body, const Ray& ray, const RowOptions& options) -> Answer {
-      return closest_hit(body, ray, ray_options(options));
+      return closest_hit(body, ray, {}, limits_of(options));
     },
     [](const Body& body, std::span<const Ray> rays, const RowOptions& options,
-       const Parallel& parallel) {
-      return answers_of(closest_hit(body, rays, ray_options(options), parallel));
+       const Limits& limits) {
+      return answers_of(closest_hit(body, rays, {}, limits_of(options, limits)));
     },
     [](const Body& body, const Ray& ray, const RowOptions&) -> Answer {
       ClosestHit truth = reference::closest_hit_by_brute_force(body, ray);
@@ -232,11 +229,11 @@ constexpr ProbeRow<Ray> kClosestHit{
 constexpr ProbeRow<Ray> kAnyHit{
     row_of<AnyHit>("any_hit", false, false),
     [](const Body& body, const Ray& ray, const RowOptions& options) -> Answer {
-      return any_hit(body, ray, ray_options(options));
+      return any_hit(body, ray, {}, limits_of(options));
     },
     [](const Body& body, std::span<const Ray> rays, const RowOptions& options,
-       const Parallel& parallel) {
-      return answers_of(any_hit(body, rays, ray_options(options), parallel));
+       const Limits& limits) {
+      return answers_of(any_hit(body, rays, {}, limits_of(options, limits)));
     },
     [](const Body& body, const Ray& ray, const RowOptions&) -> Answer {
       return AnyHit{.hit = reference::closest_hit_by_brute_force(body, ray).triangle.has_value()};
@@ -267,11 +264,11 @@ AllHits row_at(const AllHits& hits, std::size_t ray) {
 constexpr ProbeRow<Ray> kAllHits{
     row_of<AllHits>("all_hits", false, false),
     [](const Body& body, const Ray& ray, const RowOptions& options) -> Answer {
-      return all_hits(body, std::array{ray}, ray_options(options));
+      return all_hits(body, std::array{ray}, {}, limits_of(options));
     },
     [](const Body& body, std::span<const Ray> rays, const RowOptions& options,
-       const Parallel& parallel) {
-      const AllHits hits = all_hits(body, rays, ray_options(options), parallel);
+       const Limits& limits) {
+      const AllHits hits = all_hits(body, rays, {}, limits_of(options, limits));
       BatchAnswer result;
       result.cost = hits.cost;
       for (std::size_t k = 0; k < hits.size(); ++k) {

@@ -21,7 +21,7 @@ struct ProbeRow : AnswerRow {
   /// A query takes one thread.
   Answer (*ask)(const Body& body, const Probe& probe, const RowOptions& options) = nullptr;
   BatchAnswer (*ask_batch)(const Body& body, std::span<const Probe> probes,
-                           const RowOptions& options, const Parallel& parallel) = nullptr;
+                           const RowOptions& options, const Limits& limits) = nullptr;
 
   /// What is promised of the answer, by brute force.
   Answer (*twin)(const Body& body, const Probe& probe, const RowOptions& options) = nullptr;

@@ -39,7 +39,7 @@ inline void add(Fnv1a& hash, const Vec3& v) {
 using Line = std::ostringstream;
 
 inline void write(Line& line, const TrianglePair& pair) {
-  line << '[' << pair.first << ',' << pair.second << ']';
+  line << '[' << pair.a << ',' << pair.b << ']';
 }
 
 inline void write(Line& line, const Vec3& v) {
@@ -79,9 +79,12 @@ BatchAnswer answers_of(const Batch& batch) {
   return result;
 }
 
-inline std::optional<std::chrono::steady_clock::time_point> deadline_of(const RowOptions& options) {
-  return options.late ? std::optional(std::chrono::steady_clock::now() - std::chrono::seconds(1))
-                      : std::nullopt;
+/// The limits, with a deadline that has passed where that is wanted.
+inline Limits limits_of(const RowOptions& options, Limits limits = {}) {
+  if (options.late) {
+    limits.deadline = std::chrono::steady_clock::now() - std::chrono::seconds(1);
+  }
+  return limits;
 }
 
 }  // namespace soms::test::detail

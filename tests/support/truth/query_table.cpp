@@ -22,9 +22,9 @@ namespace {
 
 using detail::add;
 using detail::answers_of;
-using detail::deadline_of;
 using detail::finished;
 using detail::kInfinity;
+using detail::limits_of;
 using detail::Line;
 using detail::overlap_row;
 using detail::write_pair;
@@ -40,16 +40,14 @@ bool is_empty(const PairTruth& truth) {
 
 // distance
 
-Answer ask_distance(const Body& a, const Body& b, const RowOptions& options,
-                    const Parallel& parallel) {
-  return distance(a, b, {.at_most = options.length, .deadline = deadline_of(options)}, parallel);
+Answer ask_distance(const Body& a, const Body& b, const RowOptions& options, const Limits& limits) {
+  return distance(a, b, {.at_most = options.length}, limits_of(options, limits));
 }
 
 BatchAnswer ask_distance_batch(const Shape& mover, std::span<const Pose> poses, const Body& fixed,
-                               const RowOptions& options, const Parallel& parallel) {
-  return answers_of(distance(mover, poses, fixed,
-                             {.at_most = options.length, .deadline = deadline_of(options)},
-                             parallel));
+                               const RowOptions& options, const Limits& limits) {
+  return answers_of(
+      distance(mover, poses, fixed, {.at_most = options.length}, limits_of(options, limits)));
 }
 
 /// What was proved before the end came encloses the truth; the pair named is as near as it says.
@@ -111,8 +109,8 @@ void add_distance(Fnv1a& hash, const Answer& any_answer) {
   hash.add(answer.distance.upper);
   add(hash, answer.triangles.has_value());
   const TrianglePair pair = answer.triangles.value_or(TrianglePair{});
-  hash.add(static_cast<std::uint64_t>(pair.first));
-  hash.add(static_cast<std::uint64_t>(pair.second));
+  hash.add(static_cast<std::uint64_t>(pair.a));
+  hash.add(static_cast<std::uint64_t>(pair.b));
   add(hash, answer.point_a);
   add(hash, answer.point_b);
   add(hash, answer.farther);
@@ -131,15 +129,13 @@ std::string distance_text(const Answer& any_answer) {
 
 // within
 
-Answer ask_within(const Body& a, const Body& b, const RowOptions& options,
-                  const Parallel& parallel) {
-  return within(a, b, options.length, {.deadline = deadline_of(options)}, parallel);
+Answer ask_within(const Body& a, const Body& b, const RowOptions& options, const Limits& limits) {
+  return within(a, b, options.length, limits_of(options, limits));
 }
 
 BatchAnswer ask_within_batch(const Shape& mover, std::span<const Pose> poses, const Body& fixed,
-                             const RowOptions& options, const Parallel& parallel) {
-  return answers_of(
-      within(mover, poses, fixed, options.length, {.deadline = deadline_of(options)}, parallel));
+                             const RowOptions& options, const Limits& limits) {
+  return answers_of(within(mover, poses, fixed, options.length, limits_of(options, limits)));
 }
 
 std::string within_fault(const Answer& any_answer, const PairTruth& truth, const Body& a,
@@ -196,14 +192,13 @@ std::string within_text(const Answer& any_answer) {
 
 // solid
 
-Answer ask_solid(const Body& a, const Body& b, const RowOptions& options,
-                 const Parallel& parallel) {
-  return solid(a, b, {.deadline = deadline_of(options)}, parallel);
+Answer ask_solid(const Body& a, const Body& b, const RowOptions& options, const Limits& limits) {
+  return solid(a, b, limits_of(options, limits));
 }
 
 BatchAnswer ask_solid_batch(const Shape& mover, std::span<const Pose> poses, const Body& fixed,
-                            const RowOptions& options, const Parallel& parallel) {
-  return answers_of(solid(mover, poses, fixed, {.deadline = deadline_of(options)}, parallel));
+                            const RowOptions& options, const Limits& limits) {
+  return answers_of(solid(mover, poses, fixed, limits_of(options, limits)));
 }
 
 std::string solid_fault(const Answer& any_answer, const PairTruth&, const Body& a, const Body& b,

@@ -26,9 +26,9 @@ struct PairTruth {
 /// A question about two bodies.
 struct QueryRow : AnswerRow {
   Answer (*ask)(const Body& a, const Body& b, const RowOptions& options,
-                const Parallel& parallel) = nullptr;
+                const Limits& limits) = nullptr;
   BatchAnswer (*ask_batch)(const Shape& mover, std::span<const Pose> poses, const Body& fixed,
-                           const RowOptions& options, const Parallel& parallel) = nullptr;
+                           const RowOptions& options, const Limits& limits) = nullptr;
 
   /// What is wrong with an answer, in words; empty if nothing is. What is not promised (the witness
   /// of `within`, a lower bound) only has to be true. A cut answer must not say more than it knows.

@@ -52,7 +52,7 @@ TEST(BuildWide, GivesTheSameBytesForAnyNumberOfThreads) {
       const Mesh mesh = test::make_input(input, kMany);
       const WideTree one = build_wide(mesh, product(rule));
       for (const int threads : test::kSlowBuild ? std::vector{3} : std::vector{2, 3, 8}) {
-        EXPECT_TRUE(build_wide(mesh, product(rule), Parallel{threads, {}, {}}) == one) << threads;
+        EXPECT_TRUE(build_wide(mesh, product(rule), Limits{.threads = threads}) == one) << threads;
       }
     }
   }
@@ -63,14 +63,15 @@ TEST(BuildWide, StopsOnRequestAndReportsItsWholeWay) {
   for (const RuleEntry& rule : rules()) {
     std::stop_source source;
     source.request_stop();
-    EXPECT_THROW(
-        static_cast<void>(build_wide(mesh, product(rule), Parallel{2, source.get_token(), {}})),
-        Error);
+    EXPECT_THROW(static_cast<void>(build_wide(mesh, product(rule),
+                                              Limits{.threads = 2, .stop = source.get_token()})),
+                 Error);
     double last = 0;
-    const WideTree tree = build_wide(mesh, product(rule), Parallel{2, {}, [&](double share) {
-                                                                     EXPECT_GE(share, last);
-                                                                     last = share;
-                                                                   }});
+    const WideTree tree =
+        build_wide(mesh, product(rule), Limits{.threads = 2, .progress = [&](double share) {
+                                                 EXPECT_GE(share, last);
+                                                 last = share;
+                                               }});
     EXPECT_EQ(last, 1) << rule.name;
   }
 }

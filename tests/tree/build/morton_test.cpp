@@ -53,7 +53,7 @@ TEST(Morton, SortsKeysByTheirCodesForAnyNumberOfThreads) {
         layout::Pages<MortonKey> sorted = keys;
         layout::Pages<MortonKey> spare;
         spare.resize(count);
-        detail::radix_sort(sorted, spare, 64 - bits, 64, Parallel{threads, {}, {}});
+        detail::radix_sort(sorted, spare, 64 - bits, 64, Limits{.threads = threads});
         EXPECT_TRUE(std::equal(sorted.begin(), sorted.end(), expected.begin())) << bits;
       }
     }
@@ -197,7 +197,7 @@ TEST(BuildQuick, DividesWhatLiesInOneCellOfAll) {
     }
   }
   EXPECT_LE(leaves, mesh.triangles.size() / 4);
-  EXPECT_TRUE(build_wide(mesh, options, Parallel{3, {}, {}}) == WideTree(tree, mesh));
+  EXPECT_TRUE(build_wide(mesh, options, Limits{.threads = 3}) == WideTree(tree, mesh));
 }
 
 TEST(BuildQuick, OfUnusedVerticesFarAwayIsTheSame) {

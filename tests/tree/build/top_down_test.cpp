@@ -313,7 +313,7 @@ TEST(Build, OfRulesThatCompareCostsIsTheSameEverywhere) {
 TEST(Build, StopsOnRequestAndReportsProgressInOrder) {
   const Mesh mesh = test::make_input(test::Input::random, 60000);
   std::vector<double> shares;
-  const Parallel watched{.progress = [&](double share) { shares.push_back(share); }};
+  const Limits watched{.progress = [&](double share) { shares.push_back(share); }};
   const Tree tree = build(mesh, {}, watched);
   EXPECT_TRUE(tree == build(mesh));
   ASSERT_GT(shares.size(), 5U);
@@ -322,11 +322,11 @@ TEST(Build, StopsOnRequestAndReportsProgressInOrder) {
   EXPECT_EQ(shares.back(), 1);
 
   std::stop_source source;
-  const Parallel stopped{.stop = source.get_token(), .progress = [&](double share) {
-                           if (share > 0.5) {
-                             source.request_stop();
-                           }
-                         }};
+  const Limits stopped{.stop = source.get_token(), .progress = [&](double share) {
+                         if (share > 0.5) {
+                           source.request_stop();
+                         }
+                       }};
   try {
     static_cast<void>(build(mesh, {}, stopped));
     ADD_FAILURE() << "went on";

@@ -247,7 +247,7 @@ TEST(MinMaxGrid, AreTheSameForAnyNumberOfThreads) {
   Rng rng(2);
   const Mesh mesh = landscape(rng, 40'000, 2, 0.05);
   const Shape one(mesh);
-  const Shape four(mesh, {}, Parallel{4, {}, {}});
+  const Shape four(mesh, {}, Limits{.threads = 4});
   ASSERT_FALSE(one.layout().min_max_grid().empty());
   EXPECT_EQ(one.layout().min_max_grid(), four.layout().min_max_grid());
 }

@@ -102,7 +102,7 @@ TEST(WideTree, InPartsIsWholeAndTheSameForAnyNumberOfThreads) {
     const WideTree one(tree, mesh);
     ASSERT_NO_FATAL_FAILURE(expect_whole(one, mesh));
     for (const int threads : {2, 3, 8}) {
-      EXPECT_EQ(WideTree(tree, mesh, Parallel{threads, {}, {}}), one) << threads;
+      EXPECT_EQ(WideTree(tree, mesh, Limits{.threads = threads}), one) << threads;
     }
   }
 }

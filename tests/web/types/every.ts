@@ -33,7 +33,7 @@ const drawn: soms.MeshContent = opened.read();
 
 const body = new soms.Body(car, new Matrix4());
 const poses = Float64Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0);
-const hits: soms.Overlap = soms.overlap(body, city, { mode: 'first', limit: 10, timeLimit: 5 });
+const hits: soms.Overlap = soms.overlap(body, city, { mode: 'first', limit: 10, timeout: 5 });
 const common: soms.Crossings = soms.crossings(body, city, hits.pairs);
 const many: soms.OverlapBatch = soms.overlapBatch(car, [new Matrix4(), poses], city);
 const row: Uint32Array = many.pairs.subarray(2 * (many.offsets[0] ?? 0), 2 * (many.offsets[1] ?? 0));
@@ -41,7 +41,7 @@ const gap: soms.Distance = soms.distance(body, { shape: city }, { atMost: 1 });
 const triangles: [number, number] | null = gap.triangles;
 const gaps: soms.DistanceBatch = soms.distanceBatch(car, poses, city);
 const near: soms.Within = soms.within(body, city, 0.1);
-const nears: soms.WithinBatch = soms.withinBatch(car, poses, city, 0.1, { timeLimit: 1 });
+const nears: soms.WithinBatch = soms.withinBatch(car, poses, city, 0.1, { timeout: 1 });
 const relation: soms.Relation = soms.solid(body, city).relation;
 const relations: soms.SolidBatch = soms.solidBatch(car, poses, city);
 const named: soms.Relation | undefined = soms.NAMES.relation[relations.relation[0] ?? 0];

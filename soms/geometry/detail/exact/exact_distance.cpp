@@ -1,7 +1,7 @@
 #include "soms/geometry/detail/exact/exact_distance.h"
 
 #include "soms/base/assert.h"
-#include "soms/base/limits.h"
+#include "soms/base/double_limits.h"
 #include "soms/geometry/detail/exact/leading_part.h"
 #include "soms/geometry/detail/parts/odd.h"
 

@@ -1,6 +1,6 @@
 #include "soms/geometry/detail/exact/exact_point.h"
 
-#include "soms/base/limits.h"
+#include "soms/base/double_limits.h"
 #include "soms/base/portable.h"
 #include "soms/geometry/detail/exact/leading_part.h"
 #include "soms/geometry/detail/parts/odd.h"

@@ -2,7 +2,7 @@
 /// The predicates with a filter in front, and a note whether the filter sufficed.
 #pragma once
 
-#include "soms/base/limits.h"
+#include "soms/base/double_limits.h"
 #include "soms/base/vector.h"
 #include "soms/geometry/detail/exact/orientation_exact.h"
 #include "soms/geometry/detail/projection.h"

@@ -19,17 +19,17 @@ namespace soms::detail {
 class Work {
  public:
   /// \pre `total` > 0: the sum of all `count`s to come.
-  Work(const Parallel& parallel, std::uint64_t total)
-      : parallel_(parallel), total_(static_cast<double>(total)) {}
+  Work(const Limits& limits, std::uint64_t total)
+      : limits_(limits), total_(static_cast<double>(total)) {}
 
   /// Calls `body(i)` for 0 to count - 1, in order.
   template <class Body>
   void run(std::size_t count, const Body& body) {
-    Parallel one;
-    one.stop = parallel_.stop;
-    if (parallel_.progress) {
+    Limits one;
+    one.stop = limits_.stop;
+    if (limits_.progress) {
       one.progress = [&](double share) {
-        parallel_.progress((done_ + share * static_cast<double>(count)) / total_);
+        limits_.progress((done_ + share * static_cast<double>(count)) / total_);
       };
     }
     for_each_chunk(count, std::size_t{1} << 16, one, [&](std::size_t begin, std::size_t end) {
@@ -42,15 +42,15 @@ class Work {
 
   /// Counts work as done that ran elsewhere, or that turned out to be needless.
   void skip(std::size_t count) {
-    check_stop(parallel_);
+    check(limits_);
     done_ += static_cast<double>(count);
-    if (parallel_.progress) {
-      parallel_.progress(done_ / total_);
+    if (limits_.progress) {
+      limits_.progress(done_ / total_);
     }
   }
 
  private:
-  const Parallel& parallel_;
+  const Limits& limits_;
   double total_;
   double done_ = 0;
 };

@@ -1,6 +1,6 @@
 #include "soms/geometry/detail/parts/cell_boxes.h"
 
-#include "soms/base/limits.h"
+#include "soms/base/double_limits.h"
 #include "soms/geometry/detail/exact/exact_point.h"
 #include "soms/geometry/detail/parts/odd.h"
 

@@ -262,8 +262,8 @@ std::vector<OddEdge> odd_edges(const MeshView& mesh, const std::vector<std::uint
   return odd;
 }
 
-std::vector<OddEdge> odd_edges(const MeshView& mesh, const Parallel& parallel) {
-  Work work(parallel, joining_work(mesh) + mesh.triangles.size() + odd_edges_work(mesh) + 1);
+std::vector<OddEdge> odd_edges(const MeshView& mesh, const Limits& limits) {
+  Work work(limits, joining_work(mesh) + mesh.triangles.size() + odd_edges_work(mesh) + 1);
   const auto joined = joined_by_position(mesh, work);
   const auto degenerate = degenerate_triangles(mesh, work);
   return odd_edges(mesh, joined, degenerate, work);

@@ -62,7 +62,7 @@ using Segment = std::array<Vec3, 2>;
 
 /// The same of a mesh whose vertices are not joined yet.
 /// \errors ErrorKind::cancelled.
-[[nodiscard]] std::vector<OddEdge> odd_edges(const MeshView& mesh, const Parallel& parallel);
+[[nodiscard]] std::vector<OddEdge> odd_edges(const MeshView& mesh, const Limits& limits);
 
 /// Loops of `odd_edges`.
 [[nodiscard]] std::uint64_t odd_edges_work(const MeshView& mesh);

@@ -141,7 +141,7 @@ CityGeometries::CityGeometries(Source& source, const JsonValue& root,
   builder_.reserve_vertices(count_);
   for (std::size_t i = 0; i < count_; ++i) {
     if (i % kRowsPerTick == 0) {
-      check_stop(source_.parallel);
+      check(source_.limits);
     }
     add_vertex(vertex_at(vertices.at(i), transform), vertices.at(i));
   }
@@ -316,7 +316,7 @@ void CityGeometries::add_surfaces(const JsonValue& list, std::size_t depth) {
 void CityGeometries::add_surface(const JsonValue& rings) {
   constexpr std::uint64_t kSurfacesPerCheck = 1024;
   if (surfaces_++ % kSurfacesPerCheck == 0) {
-    check_stop(source_.parallel);
+    check(source_.limits);
   }
   corners_.clear();
   ends_.clear();

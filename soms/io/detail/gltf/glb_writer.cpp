@@ -83,11 +83,11 @@ bool nests(const std::vector<Part>& parts) {
 
 class GlbWriter {
  public:
-  GlbWriter(Output& output, const std::string& name, const MeshView& mesh, const Parallel& parallel)
+  GlbWriter(Output& output, const std::string& name, const MeshView& mesh, const Limits& limits)
       : output_(output),
         name_(name),
         mesh_(mesh),
-        parallel_(parallel),
+        limits_(limits),
         origin_(glb_origin(mesh)),
         runs_(part_runs(mesh)) {}
 
@@ -131,7 +131,7 @@ class GlbWriter {
   Output& output_;
   const std::string& name_;
   MeshView mesh_;
-  const Parallel& parallel_;
+  const Limits& limits_;
   Vec3 origin_;
   std::vector<PartRun> runs_;
   std::vector<std::uint32_t> order_;    ///< vertices as they are written
@@ -142,9 +142,9 @@ class GlbWriter {
 };
 
 void GlbWriter::tick(double share) const {
-  check_stop(parallel_);
-  if (parallel_.progress) {
-    parallel_.progress(share);
+  check(limits_);
+  if (limits_.progress) {
+    limits_.progress(share);
   }
 }
 
@@ -178,7 +178,7 @@ bool GlbWriter::order_as_stored() {
 /// The vertices that each run uses, in the order of the mesh.
 void GlbWriter::order_as_used() {
   for (std::size_t run = 0; run < runs_.size(); ++run) {
-    check_stop(parallel_);
+    check(limits_);
     const auto begin = static_cast<std::ptrdiff_t>(order_.size());
     for (std::size_t i = runs_[run].first; i < triangles_end(run); ++i) {
       order_.insert(order_.end(), mesh_.triangles[i].begin(), mesh_.triangles[i].end());
@@ -428,8 +428,8 @@ Vec3 glb_read_back(const Vec3& vertex, const Vec3& origin) {
 }
 
 void write_glb(Output& output, const std::string& name, const MeshView& mesh,
-               const Parallel& parallel) {
-  GlbWriter(output, name, mesh, parallel).write();
+               const Limits& limits) {
+  GlbWriter(output, name, mesh, limits).write();
 }
 
 }  // namespace soms::detail

@@ -22,7 +22,6 @@ namespace soms::detail {
 /// the triangles do. Triangles keep their order; parts that share no vertices keep all of theirs,
 /// and others have the vertices that their triangles use. \pre `check` passes the mesh.
 /// \errors ErrorKind::not_finite, out_of_range, cancelled.
-void write_glb(Output& output, const std::string& name, const MeshView& mesh,
-               const Parallel& parallel);
+void write_glb(Output& output, const std::string& name, const MeshView& mesh, const Limits& limits);
 
 }  // namespace soms::detail

@@ -311,7 +311,7 @@ Mesh GltfReader::read() {
   std::vector<bool> is_part;  // of the nodes that are open
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (i % kRowsPerTick == 0) {
-      check_stop(source_.parallel);
+      check(source_.limits);
     }
     for (; is_part.size() > nodes[i].depth; is_part.pop_back()) {
       if (is_part.back()) {

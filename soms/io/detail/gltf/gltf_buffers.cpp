@@ -55,7 +55,7 @@ std::string_view GltfBuffers::decode(const JsonValue& uri) {
   }
   const std::string_view letters = text.substr(comma + 1);
   char* const to = store(base64_size(letters.size()));
-  const auto size = decode_base64(letters, to, source_.parallel);
+  const auto size = decode_base64(letters, to, source_.limits);
   if (!size) {
     uri.fail("the data after \";base64,\" is not base64");
   }

@@ -115,7 +115,7 @@ void GltfFeatures::read(const Place& place, std::uint64_t positions) {
   GltfCursor cursor(accessor);
   for (std::uint64_t i = 0; i < positions; ++i) {
     if (i % kRowsPerTick == 0) {
-      check_stop(source_.parallel);
+      check(source_.limits);
     }
     const std::uint64_t number = feature_number(cursor.next(), accessor, i);
     if (number >= count && number != place.none) {

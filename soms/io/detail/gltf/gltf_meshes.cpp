@@ -88,7 +88,7 @@ const GltfMesh& GltfMeshes::mesh(const JsonValue& reference) {
     const JsonValue primitives = json.at("primitives");
     for (std::size_t i = 0; i < primitives.size(); ++i) {
       if (i % kRowsPerTick == 0) {
-        check_stop(source_.parallel);
+        check(source_.limits);
       }
       add_primitive(known->second, primitives.at(i));
     }

@@ -193,7 +193,7 @@ std::vector<PlacedNode> NodePlacer::place() {
   is_placed_.resize(parents_.size(), 0);
   while (!open_.empty()) {
     if (placed.size() % kRowsPerTick == 0) {
-      check_stop(source_.parallel);
+      check(source_.limits);
     }
     const auto [number, within] = open_.back();
     open_.pop_back();

@@ -217,7 +217,7 @@ Mesh ImportReader::read() {
   at_ = kMagic.size();
   for (std::uint64_t record = 0;; ++record) {
     if (record % kRowsPerTick == 0) {
-      check_stop(source_.parallel);
+      check(source_.limits);
     }
     switch (take(1)[0]) {
       case 'v':

@@ -193,7 +193,7 @@ void ImportRun::grow() {
 }
 
 void ImportRun::wait_a_little(Clock::duration time) const {
-  check_stop(source_.parallel);
+  check(source_.limits);
   if (Clock::now() >= deadline_) {
     source_.fail(ErrorKind::timed_out,
                  fmt::format("{} did not end within {:g} s", program_.name, seconds_),

@@ -16,9 +16,9 @@ constexpr std::size_t kLongestLine = std::size_t{1} << 20;
 
 }  // namespace
 
-LineReader::LineReader(const std::filesystem::path& path, const Parallel& parallel)
+LineReader::LineReader(const std::filesystem::path& path, const Limits& limits)
     : name_(path.string()),
-      parallel_{.stop = parallel.stop},
+      limits_{.stop = limits.stop},
       file_(open_for_reading(path)),
       buffer_(kFirstSize) {
   while (end_ < kByteOrderMark.size() && !at_end_) {
@@ -56,7 +56,7 @@ void LineReader::fill() {
     buffer_.resize(2 * buffer_.size());
   }
   const std::size_t got =
-      read_some(name_, file_.get(), buffer_.data() + end_, buffer_.size() - end_, parallel_);
+      read_some(name_, file_.get(), buffer_.data() + end_, buffer_.size() - end_, limits_);
   end_ += got;
   at_end_ = got == 0;
 }

@@ -19,7 +19,7 @@ namespace soms::detail {
 class LineReader {
  public:
   /// \errors ErrorKind::cannot_open (missing, unreadable, a directory), cancelled.
-  explicit LineReader(const std::filesystem::path& path, const Parallel& parallel = {});
+  explicit LineReader(const std::filesystem::path& path, const Limits& limits = {});
 
   /// The same of bytes in memory; `name` is used in messages.
   LineReader(std::string name, std::vector<char> bytes);
@@ -54,7 +54,7 @@ class LineReader {
   void fill();
 
   std::string name_;
-  Parallel parallel_;
+  Limits limits_;
   Descriptor file_;
   std::vector<char> buffer_;
   std::size_t begin_ = 0;

@@ -34,7 +34,7 @@ void UrdfShapes::note(const std::string& text) {
 }
 
 Mesh UrdfShapes::read(pugi::xml_node collision) {
-  check_stop(document_.source().parallel);
+  check(document_.source().limits);
   const Pose origin = read_origin(document_, collision);
   Mesh mesh = shape_of(required_child(document_, collision, "geometry"));
   for (Vec3& vertex : mesh.vertices) {
@@ -133,7 +133,7 @@ const Mesh& UrdfShapes::stored(const std::filesystem::path& path) {
                 "name a file of a mesh");
   }
   Mesh mesh = read_mesh(path, {.max_memory = options_.max_memory, .strict = options_.strict},
-                        document_.source().parallel);
+                        document_.source().limits);
   for (const std::string& text : mesh.notes) {
     note(mesh.source + ": " + text);
   }

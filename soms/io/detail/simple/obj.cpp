@@ -193,7 +193,7 @@ void ObjReader::check_words() {
   std::uint64_t lines = 0;
   for (; scanner.find_line(); ++lines) {
     if (lines % kRowsPerTick == 0) {
-      check_stop(source_.parallel);
+      check(source_.limits);
     }
     if (obj_line_of(scanner.token_in_line()) != ObjLine::unknown) {
       return;

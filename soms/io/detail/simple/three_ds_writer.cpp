@@ -95,7 +95,7 @@ struct Object {
 class ThreeDsPlan {
  public:
   /// `name` of the file, for messages. \errors ErrorKind::out_of_range, cancelled.
-  ThreeDsPlan(const std::string& name, const MeshView& mesh, const Parallel& parallel);
+  ThreeDsPlan(const std::string& name, const MeshView& mesh, const Limits& limits);
 
   [[nodiscard]] const std::vector<Object>& objects() const { return objects_; }
 
@@ -110,7 +110,7 @@ class ThreeDsPlan {
 
   const std::string& name_;
   MeshView mesh_;
-  const Parallel& parallel_;
+  const Limits& limits_;
   ObjectNames names_;
   std::vector<Object> objects_;
   std::uint64_t editor_ = three_ds::kChunkHeader + 2 * kNumberChunk;
@@ -118,10 +118,10 @@ class ThreeDsPlan {
   std::vector<std::uint32_t> last_use_;  ///< of vertices: the last object that uses it
 };
 
-ThreeDsPlan::ThreeDsPlan(const std::string& name, const MeshView& mesh, const Parallel& parallel)
+ThreeDsPlan::ThreeDsPlan(const std::string& name, const MeshView& mesh, const Limits& limits)
     : name_(name),
       mesh_(mesh),
-      parallel_(parallel),
+      limits_(limits),
       last_use_(mesh.vertices.size(), std::numeric_limits<std::uint32_t>::max()) {
   const std::vector<PartRun> runs = part_runs(mesh_);
   std::vector<bool> seen(mesh.parts.size());
@@ -142,7 +142,7 @@ ThreeDsPlan::ThreeDsPlan(const std::string& name, const MeshView& mesh, const Pa
 /// Cuts triangles `[first, end)`, which are of one part, into objects.
 void ThreeDsPlan::plan_run(std::size_t first, std::size_t end, std::string_view part) {
   while (first < end) {
-    check_stop(parallel_);
+    check(limits_);
     Object object{first, 0, 0, names_.next(part)};
     const auto mark = static_cast<std::uint32_t>(objects_.size());
     for (; first < end && object.count < kMostItems; ++first, ++object.count) {
@@ -170,9 +170,8 @@ void ThreeDsPlan::plan_run(std::size_t first, std::size_t end, std::string_view 
 
 class ThreeDsWriter {
  public:
-  ThreeDsWriter(Output& output, const std::string& name, const MeshView& mesh,
-                const Parallel& parallel)
-      : output_(output), name_(name), mesh_(mesh), parallel_(parallel) {}
+  ThreeDsWriter(Output& output, const std::string& name, const MeshView& mesh, const Limits& limits)
+      : output_(output), name_(name), mesh_(mesh), limits_(limits) {}
 
   void write();
 
@@ -186,14 +185,14 @@ class ThreeDsWriter {
   Output& output_;
   const std::string& name_;
   MeshView mesh_;
-  const Parallel& parallel_;
+  const Limits& limits_;
   std::vector<std::uint32_t> numbers_;  ///< of vertices, in the object that is written
 };
 
 void ThreeDsWriter::tick(double share) const {
-  check_stop(parallel_);
-  if (parallel_.progress) {
-    parallel_.progress(share);
+  check(limits_);
+  if (limits_.progress) {
+    limits_.progress(share);
   }
 }
 
@@ -251,7 +250,7 @@ void ThreeDsWriter::put_object(const Object& object) {
 
 void ThreeDsWriter::write() {
   tick(0);
-  const ThreeDsPlan plan(name_, mesh_, parallel_);
+  const ThreeDsPlan plan(name_, mesh_, limits_);
   numbers_.resize(mesh_.vertices.size());
   put_chunk(three_ds::kMain, kBeforeEditor + plan.editor());
   put_version(three_ds::kVersion);
@@ -268,13 +267,13 @@ void ThreeDsWriter::write() {
 }  // namespace
 
 void write_three_ds(Output& output, const std::string& name, const MeshView& mesh,
-                    const Parallel& parallel) {
-  ThreeDsWriter(output, name, mesh, parallel).write();
+                    const Limits& limits) {
+  ThreeDsWriter(output, name, mesh, limits).write();
 }
 
 std::uint64_t renamed_in_three_ds(const MeshView& mesh) {
   const std::string none;
-  const Parallel alone;
+  const Limits alone;
   return ThreeDsPlan(none, mesh, alone).renamed();
 }
 

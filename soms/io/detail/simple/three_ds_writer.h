@@ -16,7 +16,7 @@ namespace soms::detail {
 /// in the order of the mesh. \pre `check` passes the mesh.
 /// \errors ErrorKind::out_of_range, cancelled.
 void write_three_ds(Output& output, const std::string& name, const MeshView& mesh,
-                    const Parallel& parallel);
+                    const Limits& limits);
 
 /// Named parts whose objects `write_three_ds` names otherwise: names are cut, made ASCII and made
 /// different from one another. \errors ErrorKind::out_of_range.

@@ -77,7 +77,7 @@ Mesh ContentReader::read_composite(std::size_t begin, std::size_t end, int depth
   std::vector<NamedMesh> meshes;
   std::size_t at = begin + kCompositeHeader;
   for (std::uint32_t i = 0; i < number_at(begin + kTileHeader); ++i) {
-    check_stop(source_.parallel);
+    check(source_.limits);
     if (stated_end - at < kTileHeader) {
       fail(at, "tile " + std::to_string(i) + " of the composite is cut off");
     }

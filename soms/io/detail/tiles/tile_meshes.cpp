@@ -66,7 +66,7 @@ void TileJoiner::add_parts(NamedMesh& tile) {
 }
 
 void TileJoiner::add(NamedMesh&& tile) {
-  check_stop(source_.parallel);
+  check(source_.limits);
   for (const std::string& note : tile.mesh.notes) {
     std::string text = tile.name + ": " + note;
     if (!source_.budget.take(3 * sizeof(std::string) + text.capacity())) {

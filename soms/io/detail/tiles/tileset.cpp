@@ -31,8 +31,8 @@ using FileId = std::pair<std::uint64_t, std::uint64_t>;
 class TilesetReader {
  public:
   explicit TilesetReader(Source& source) : source_(source) {
-    quiet_.stop = source.parallel.stop;
-    quiet_.threads = source.parallel.threads;
+    quiet_.stop = source.limits.stop;
+    quiet_.threads = source.limits.threads;
   }
 
   [[nodiscard]] Mesh read();
@@ -55,7 +55,7 @@ class TilesetReader {
   void add_notes(Mesh& mesh) const;
 
   Source& source_;
-  Parallel quiet_;  ///< progress is of tiles, not of the bytes of each
+  Limits quiet_;  ///< progress is of tiles, not of the bytes of each
   std::vector<NamedMesh> meshes_;
   std::set<FileId> files_;  ///< that were read
   std::vector<FileId> open_tilesets_;
@@ -127,7 +127,7 @@ void TilesetReader::read_content(Level& level, const Tile& tile, const TileConte
                .folder = named.path.parent_path(),
                .budget = source.budget,
                .memory_per_byte = source.memory_per_byte,
-               .parallel = quiet_};
+               .limits = quiet_};
   refuse_utf16(inner.bytes, inner.name);
   skip_byte_order_mark(inner);
   if (inner.bytes.empty()) {
@@ -150,7 +150,7 @@ void TilesetReader::read_content(Level& level, const Tile& tile, const TileConte
 
 void TilesetReader::read_tile(Level& level, const JsonValue& json, const Affine& around,
                               Refinement refinement) {
-  check_stop(source_.parallel);
+  check(source_.limits);
   const Tile tile = tile_of(json, around, refinement);
   if (tile.refinement == Refinement::replace && !tile.contents.empty() && has_content_below(json)) {
     coarse_.add([&] { return "at " + json.path(); }, tile.contents.size());

@@ -64,24 +64,25 @@ class MemoryPool {
 /// smaller, on any thread in any order. `make_memory()` makes what a thread's blocks share.
 /// \errors Those of `ask`; ErrorKind::cancelled.
 template <class MakeMemory, class Ask>
-void for_each_block(std::size_t count, const Parallel& parallel, const MakeMemory& make_memory,
+void for_each_block(std::size_t count, const Limits& limits, const MakeMemory& make_memory,
                     const Ask& ask) {
   MemoryPool<decltype(make_memory())> pool;
-  for_each_chunk(count, kPosesOfBlock, parallel, [&](std::size_t begin, std::size_t end) {
-    auto place = pool.take(make_memory);
-    ask(place->memory, begin, end);
-    pool.give_back(std::move(place));
-  });
+  for_each_chunk(count, kPosesOfBlock, limits.without_deadline(),
+                 [&](std::size_t begin, std::size_t end) {
+                   auto place = pool.take(make_memory);
+                   ask(place->memory, begin, end);
+                   pool.give_back(std::move(place));
+                 });
 }
 
 /// Checks all poses of a shape, then calls `ask(memory, pose, i)` for each, as `for_each_block`
 /// does. Answers of a fixed size are written to entry `i` of columns that are large enough already.
 /// \errors As `check_poses`, before any query; then those of `ask`; ErrorKind::cancelled.
 template <class MakeMemory, class Ask>
-void for_each_pose(std::span<const Pose> poses, const Shape& shape, const Parallel& parallel,
+void for_each_pose(std::span<const Pose> poses, const Shape& shape, const Limits& limits,
                    const MakeMemory& make_memory, const Ask& ask) {
   check_poses(poses, shape);
-  for_each_block(poses.size(), parallel, make_memory,
+  for_each_block(poses.size(), limits, make_memory,
                  [&](auto& memory, std::size_t begin, std::size_t end) {
                    for (std::size_t i = begin; i < end; ++i) {
                      ask(memory, poses[i], i);

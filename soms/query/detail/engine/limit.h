@@ -5,9 +5,7 @@
 #include "soms/base/parallel.h"
 
 #include <atomic>
-#include <chrono>
 #include <cstdint>
-#include <optional>
 
 namespace soms::detail {
 
@@ -16,11 +14,8 @@ namespace soms::detail {
 class Limit {
  public:
   /// `done`, if any, ends the work once it is set: another part of the query has the answer.
-  Limit(std::optional<std::chrono::steady_clock::time_point> deadline, const Parallel& parallel,
-        const std::atomic<bool>* done = nullptr)
-      : deadline_(deadline), parallel_(&parallel), done_(done) {
-    late_ = deadline_ && std::chrono::steady_clock::now() >= *deadline_;
-  }
+  explicit Limit(const Limits& limits, const std::atomic<bool>* done = nullptr)
+      : limits_(&limits), done_(done), late_(limits.late()) {}
 
   /// Counts work, in tests of about 25 ns; true when it is time to stop.
   /// \errors ErrorKind::cancelled.
@@ -40,8 +35,7 @@ class Limit {
 
   void look();
 
-  std::optional<std::chrono::steady_clock::time_point> deadline_;
-  const Parallel* parallel_;
+  const Limits* limits_;
   const std::atomic<bool>* done_;
   std::uint64_t spent_ = 0;
   bool late_ = false;

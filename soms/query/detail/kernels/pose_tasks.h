@@ -2,7 +2,7 @@
 /// Relative poses that kernels find several at a time.
 #pragma once
 
-#include "soms/base/limits.h"
+#include "soms/base/double_limits.h"
 #include "soms/base/pose.h"
 #include "soms/base/vector.h"
 #include "soms/tree/layout/ground_plan.h"

@@ -132,8 +132,8 @@ bool FarSearch<Source>::collect(Side& side, double most, Limit& limit, std::vect
 
 template <class Source>
 double FarSearch<Source>::lower_bound(const TrianglePair& ids) const {
-  const Triangle x = moved(*x_.body, ids.first);
-  const Triangle y = moved(*y_.body, ids.second);
+  const Triangle x = moved(*x_.body, ids.a);
+  const Triangle y = moved(*y_.body, ids.b);
   const Vec3 n = direction(middle(x) - middle(y));
   return least_along(n, 1, x) + least_along(n, -1, y) - slack_;
 }

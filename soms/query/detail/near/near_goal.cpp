@@ -9,13 +9,13 @@
 namespace soms::detail {
 
 PairDistance NearGoal::measure(const TrianglePair& ids) const {
-  const Triangle x = moved(frame_->x(), ids.first);
-  const Triangle y = moved(frame_->y(), ids.second);
+  const Triangle x = moved(frame_->x(), ids.a);
+  const Triangle y = moved(frame_->y(), ids.b);
   return frame_->swapped() ? PairDistance(y, x) : PairDistance(x, y);
 }
 
 bool NearestGoal::offer(const TrianglePair& ids, Cost& cost) {
-  const TrianglePair pair = frame().in_callers_order(ids.first, ids.second);
+  const TrianglePair pair = frame().in_callers_order(ids.a, ids.b);
   PairDistance here = measure(ids);
   ++cost.triangle_tests;
   const Bracket bounds = here.bounds();
@@ -50,7 +50,7 @@ bool NearestGoal::offer(const TrianglePair& ids, Cost& cost) {
 }
 
 bool WithinGoal::offer(const TrianglePair& ids, Cost& cost) {
-  const TrianglePair pair = frame().in_callers_order(ids.first, ids.second);
+  const TrianglePair pair = frame().in_callers_order(ids.a, ids.b);
   PairDistance here = measure(ids);
   ++cost.triangle_tests;
   const bool within = here.compare(clearance_) <= 0;

@@ -15,11 +15,9 @@ namespace {
 constexpr std::uint64_t kWholeSteps = 8192;
 
 template <class Source>
-NearEnd traverse(PairFrame& frame, NearGoal& goal,
-                 std::optional<std::chrono::steady_clock::time_point> deadline,
-                 const Parallel& parallel, NearMemory& memory) {
+NearEnd traverse(PairFrame& frame, NearGoal& goal, const Limits& limits, NearMemory& memory) {
   NearPose pose(frame);
-  Limit limit(deadline, parallel);
+  Limit limit(limits);
   Cost cost;
   if (pose.far()) {
     FarSearch<Source> search(frame, goal);
@@ -36,7 +34,7 @@ NearEnd traverse(PairFrame& frame, NearGoal& goal,
     ended = traversal.run(limit, kWholeSteps);
   }
   if (!ended) {
-    NearWaves<Source>(frame, pose, goal).run(traversal, deadline, parallel);
+    NearWaves<Source>(frame, pose, goal).run(traversal, limits);
   }
   cost += traversal.cost();
   return {traversal.complete(), traversal.at_least(), cost};
@@ -44,12 +42,10 @@ NearEnd traverse(PairFrame& frame, NearGoal& goal,
 
 }  // namespace
 
-NearEnd pursue(PairFrame& frame, NearGoal& goal,
-               std::optional<std::chrono::steady_clock::time_point> deadline,
-               const Parallel& parallel, NearMemory& memory) {
+NearEnd pursue(PairFrame& frame, NearGoal& goal, const Limits& limits, NearMemory& memory) {
   return any_compact(*frame.x().shape, *frame.y().shape)
-             ? traverse<CompactSource>(frame, goal, deadline, parallel, memory)
-             : traverse<WideSource>(frame, goal, deadline, parallel, memory);
+             ? traverse<CompactSource>(frame, goal, limits, memory)
+             : traverse<WideSource>(frame, goal, limits, memory);
 }
 
 NearBatch::NearBatch(const Shape& mover, const Body& fixed)

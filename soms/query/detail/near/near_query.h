@@ -8,7 +8,6 @@
 #include "soms/query/detail/near/near_goal.h"
 #include "soms/query/detail/near/near_traversal.h"
 
-#include <chrono>
 #include <memory>
 #include <optional>
 
@@ -23,9 +22,8 @@ struct NearEnd {
 
 /// Traverses for a goal.
 /// \errors ErrorKind::cancelled.
-[[nodiscard]] NearEnd pursue(PairFrame& frame, NearGoal& goal,
-                             std::optional<std::chrono::steady_clock::time_point> deadline,
-                             const Parallel& parallel, NearMemory& memory);
+[[nodiscard]] NearEnd pursue(PairFrame& frame, NearGoal& goal, const Limits& limits,
+                             NearMemory& memory);
 
 /// What the poses of a batch that one thread asks share.
 class NearBatch {

@@ -19,16 +19,16 @@ namespace soms::detail {
 /// \errors Those of a pose; ErrorKind::cancelled.
 template <class Question>
 [[nodiscard]] auto ask_near(const Question& question, const Body& a, const Body& b,
-                            const Parallel& parallel) {
+                            const Limits& limits) {
   check_pose(a.pose, a.shape);
   check_pose(b.pose, b.shape);
-  check_stop(parallel);
+  check_stop(limits);
   if (is_empty(a.shape) || is_empty(b.shape)) {
     return question.of_empty();
   }
   PairFrame frame(a, b);
   NearMemory memory;
-  return question.ask(a, b, frame, parallel, memory);
+  return question.ask(a, b, frame, limits, memory);
 }
 
 /// Answers every pose into a column.
@@ -37,15 +37,15 @@ template <class Question>
 template <Described Answer, class Question>
 [[nodiscard]] BatchOf<Answer> ask_near_batch(const Question& question, const Shape& mover,
                                              std::span<const Pose> poses, const Body& fixed,
-                                             const Parallel& parallel) {
+                                             const Limits& limits) {
   BatchOf<Answer> batch;
   resize_columns<Answer>(batch, poses.size());
   check_pose(fixed.pose, fixed.shape);
-  check_stop(parallel);
+  check_stop(limits);
   const bool empty = is_empty(mover) || is_empty(fixed.shape);
-  const Parallel alone = {.stop = parallel.stop};
+  const Limits alone = limits.alone();
   for_each_pose(
-      poses, mover, parallel, [&] { return NearBatch(mover, fixed); },
+      poses, mover, limits, [&] { return NearBatch(mover, fixed); },
       [&](NearBatch& memory, const Pose& pose, std::size_t i) {
         const Answer answer = empty ? question.of_empty()
                                     : question.ask(Body(mover, pose), fixed, memory.place(pose),

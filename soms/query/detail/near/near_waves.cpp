@@ -36,17 +36,13 @@ template <class Source>
 NearWaves<Source>::~NearWaves() = default;
 
 template <class Source>
-void NearWaves<Source>::run(NearTraversal<Source>& whole,
-                            std::optional<std::chrono::steady_clock::time_point> deadline,
-                            const Parallel& parallel) {
-  while (wave(whole, deadline, parallel)) {
+void NearWaves<Source>::run(NearTraversal<Source>& whole, const Limits& limits) {
+  while (wave(whole, limits)) {
   }
 }
 
 template <class Source>
-bool NearWaves<Source>::wave(NearTraversal<Source>& whole,
-                             std::optional<std::chrono::steady_clock::time_point> deadline,
-                             const Parallel& parallel) {
+bool NearWaves<Source>::wave(NearTraversal<Source>& whole, const Limits& limits) {
   given_.clear();
   whole.give(kParts * kPairs, given_);
   const std::size_t count = std::min(kParts, given_.size());
@@ -65,13 +61,13 @@ bool NearWaves<Source>::wave(NearTraversal<Source>& whole,
   }
   // Parts after the first that ended the query need not be looked at.
   std::atomic<std::size_t> over = count;
-  const Parallel quiet = {.threads = parallel.threads, .stop = parallel.stop};
-  for_each_chunk(count, 1, quiet, [&](std::size_t i, std::size_t) {
+  const Limits quiet = limits.silent();
+  for_each_chunk(count, 1, quiet.without_deadline(), [&](std::size_t i, std::size_t) {
     if (i > over) {
       return;
     }
     Part& part = *parts_[i];
-    Limit limit(deadline, quiet);
+    Limit limit(quiet);
     part.pose.emplace(pose_);
     part.goal = goal_.for_part();
     part.traversal.emplace(frame_, *part.pose, *part.goal, part.memory);

@@ -7,9 +7,7 @@
 #include "soms/query/detail/near/near_pose.h"
 #include "soms/query/detail/near/near_traversal.h"
 
-#include <chrono>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace soms::detail {
@@ -28,16 +26,13 @@ class NearWaves {
 
   /// Until the end, or until the deadline ends it. \pre whole.sorted()
   /// \errors ErrorKind::cancelled.
-  void run(NearTraversal<Source>& whole,
-           std::optional<std::chrono::steady_clock::time_point> deadline, const Parallel& parallel);
+  void run(NearTraversal<Source>& whole, const Limits& limits);
 
  private:
   struct Part;
 
   /// True while there is more to be done.
-  [[nodiscard]] bool wave(NearTraversal<Source>& whole,
-                          std::optional<std::chrono::steady_clock::time_point> deadline,
-                          const Parallel& parallel);
+  [[nodiscard]] bool wave(NearTraversal<Source>& whole, const Limits& limits);
 
   const PairFrame& frame_;
   const NearPose& pose_;

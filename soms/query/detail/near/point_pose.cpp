@@ -1,6 +1,6 @@
 #include "soms/query/detail/near/point_pose.h"
 
-#include "soms/base/limits.h"
+#include "soms/base/double_limits.h"
 #include "soms/query/detail/engine/rounded.h"
 #include "soms/query/detail/near/direction.h"
 #include "soms/query/detail/near/far_support.h"

@@ -69,11 +69,10 @@ void check_points(std::span<const Vec3> points) {
   }
 }
 
-NearEnd pursue(const PointFrame& frame, const Vec3& point, PointGoal& goal,
-               std::optional<std::chrono::steady_clock::time_point> deadline,
-               const Parallel& parallel, PointMemory& memory) {
+NearEnd pursue(const PointFrame& frame, const Vec3& point, PointGoal& goal, const Limits& limits,
+               PointMemory& memory) {
   PointPose pose(frame, point);
-  Limit limit(deadline, parallel);
+  Limit limit(limits);
   return frame.body().layout().compact() != nullptr
              ? traverse<CompactSource>(frame, pose, goal, limit, memory)
              : traverse<WideSource>(frame, pose, goal, limit, memory);

@@ -11,9 +11,7 @@
 #include "soms/query/detail/near/point_pose.h"
 #include "soms/query/detail/near/point_traversal.h"
 
-#include <chrono>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,11 +22,10 @@ namespace soms::detail {
 void check_point(const Vec3& point);
 void check_points(std::span<const Vec3> points);
 
-/// Traverses for a goal. A point takes one thread; `parallel` is for its stop.
+/// Traverses for a goal. A point takes one thread; `limits` is for its stop.
 /// \errors ErrorKind::cancelled.
 [[nodiscard]] NearEnd pursue(const PointFrame& frame, const Vec3& point, PointGoal& goal,
-                             std::optional<std::chrono::steady_clock::time_point> deadline,
-                             const Parallel& parallel, PointMemory& memory);
+                             const Limits& limits, PointMemory& memory);
 
 /// The indices of points in an order in which neighbors are near, along a Morton curve, so that a
 /// large tree is read from caches. Empty, for the order that they have, where that does not pay.

@@ -11,10 +11,8 @@
 #include "soms/query/detail/parity/parity_traversal.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,8 +28,7 @@ inline constexpr std::size_t kPointsOfListing = 256;
 /// \errors Those of `answer`; ErrorKind::cancelled.
 template <class Memory, class Answer>
 void for_each_crossing(const Body& body, const ParityFrame& frame, std::span<const Vec3> points,
-                       std::optional<std::chrono::steady_clock::time_point> deadline,
-                       std::span<Cost> costs, const Parallel& parallel, const Answer& answer) {
+                       std::span<Cost> costs, const Limits& limits, const Answer& answer) {
   struct ThreadMemory {
     std::unique_ptr<CrossingMemory> rays;
     std::vector<PointCrossings> met;
@@ -43,7 +40,7 @@ void for_each_crossing(const Body& body, const ParityFrame& frame, std::span<con
                         std::vector<PointCrossings>(std::min(points.size(), kPointsOfListing))};
   };
   MemoryPool<ThreadMemory> pool;
-  for_each_chunk(points.size(), kPointsOfListing, parallel,
+  for_each_chunk(points.size(), kPointsOfListing, limits.without_deadline(),
                  [&](std::size_t begin, std::size_t end) {
                    auto place = pool.take(make);
                    ThreadMemory& memory = place->memory;
@@ -51,7 +48,7 @@ void for_each_crossing(const Body& body, const ParityFrame& frame, std::span<con
                    for (PointCrossings& row : met) {
                      row.complete = false;
                    }
-                   Limit limit(deadline, parallel);
+                   Limit limit(limits);
                    memory.rays->list(points.subspan(begin, met.size()), met,
                                      costs.subspan(begin, met.size()), limit);
                    for (std::size_t k = 0; k < met.size() && !limit.late(); ++k) {

@@ -1,5 +1,5 @@
 /// \file
-/// Rays and segments as exact arithmetic takes them.
+/// Rays as exact arithmetic takes them.
 #pragma once
 
 #include "soms/geometry/detail/exact/exact_ray.h"
@@ -8,11 +8,8 @@
 namespace soms::detail {
 
 [[nodiscard]] inline RayLine line_of(const Ray& ray) {
-  return {ray.origin, ray.direction, ray.length, false};
-}
-
-[[nodiscard]] inline RayLine line_of(const Segment& segment) {
-  return {segment.from, segment.to, 1, true};
+  return ray.end ? RayLine{ray.origin, *ray.end, 1, true}
+                 : RayLine{ray.origin, ray.direction, ray.length, false};
 }
 
 }  // namespace soms::detail

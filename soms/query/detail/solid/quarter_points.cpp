@@ -1,6 +1,6 @@
 #include "soms/query/detail/solid/quarter_points.h"
 
-#include "soms/base/limits.h"
+#include "soms/base/double_limits.h"
 #include "soms/base/pose.h"
 
 #include <algorithm>

@@ -34,23 +34,21 @@ struct LooseTriangles {
 /// Steps from what is quick to what is not, until all regions are seen or nothing is left.
 class SolidSearch {
  public:
-  SolidSearch(const ClosedBody& a, const ClosedBody& b, const SolidOptions& options,
-              const Parallel& parallel)
+  SolidSearch(const ClosedBody& a, const ClosedBody& b, const Limits& limits)
       : bodies_{&a, &b},
         search_(a.body(), b.body(),
                 [this] {
                   late_ = late_ || limit_.spend(kWorkOfLook);
                   return late_;
                 }),
-        options_(options),
-        parallel_(parallel),
-        limit_(options.deadline, parallel) {}
+        limits_(limits),
+        limit_(limits) {}
 
   /// False where the deadline passed.
   [[nodiscard]] bool run(const std::optional<TrianglePair>& contact) {
     if (contact) {
-      look_at_corners(0, {&contact->first, 1});
-      look_at_corners(1, {&contact->second, 1});
+      look_at_corners(0, {&contact->a, 1});
+      look_at_corners(1, {&contact->b, 1});
       look_at_quarters(*contact);
       if (!regions_.all() && !late_) {
         look_at_contacts();
@@ -79,8 +77,7 @@ class SolidSearch {
 
   /// Sides of the other body on which points of `body` lie.
   std::vector<Side> sides_of(std::size_t body, std::span<const Vec3> points) {
-    ContainsBatch batch = contains(*bodies_[1 - body], points, {.deadline = options_.deadline},
-                                   {.threads = 1, .stop = parallel_.stop});
+    ContainsBatch batch = contains(*bodies_[1 - body], points, limits_.alone());
     cost_ += batch.cost;
     late_ = late_ || detail::coverage_of(batch.coverage) == Coverage::cut;
     return std::move(batch.side);
@@ -118,7 +115,7 @@ class SolidSearch {
     if (regions_.all() || late_) {
       return;
     }
-    const auto points = quarter_points(search_.moved(0, pair.first), search_.moved(1, pair.second));
+    const auto points = quarter_points(search_.moved(0, pair.a), search_.moved(1, pair.b));
     if (!points) {
       return;
     }
@@ -145,8 +142,7 @@ class SolidSearch {
 
   /// The cells of all triangles that overlap one of the other body.
   void look_at_contacts() {
-    const Overlap all =
-        overlap(bodies_[0]->body(), bodies_[1]->body(), {.deadline = options_.deadline}, parallel_);
+    const Overlap all = overlap(bodies_[0]->body(), bodies_[1]->body(), {}, limits_);
     cost_ += all.cost;
     late_ = late_ || all.coverage == Coverage::cut;
     for (const auto& [i, j] : all.pairs) {
@@ -261,8 +257,7 @@ class SolidSearch {
 
   std::array<const ClosedBody*, 2> bodies_;
   RegionSearch search_;
-  const SolidOptions& options_;
-  const Parallel& parallel_;
+  const Limits& limits_;
   Limit limit_;
   SolidRegions regions_;
   std::array<std::vector<TriangleId>, 2> in_contact_;  // sorted
@@ -273,11 +268,11 @@ class SolidSearch {
 }  // namespace
 
 Solid solid_relation(const ClosedBody& a, const ClosedBody& b, const FirstContact& contact,
-                     const SolidOptions& options, const Parallel& parallel) {
+                     const Limits& limits) {
   Solid answer{.surfaces_meet = contact.pair.has_value(), .cost = contact.cost};
   bool decided = !contact.cut;
   if (decided) {
-    SolidSearch search(a, b, options, parallel);
+    SolidSearch search(a, b, limits);
     decided = search.run(contact.pair) || search.regions().all();
     answer.relation = search.regions().relation(answer.surfaces_meet);
     answer.cost += search.cost();

@@ -20,7 +20,6 @@ struct FirstContact {
 /// One query of two bodies, neither of them empty.
 /// \errors ErrorKind::cancelled.
 [[nodiscard]] Solid solid_relation(const ClosedBody& a, const ClosedBody& b,
-                                   const FirstContact& contact, const SolidOptions& options,
-                                   const Parallel& parallel);
+                                   const FirstContact& contact, const Limits& limits);
 
 }  // namespace soms::detail

@@ -1,7 +1,7 @@
 #include "soms/query/detail/winding/far_field.h"
 
 #include "soms/base/box.h"
-#include "soms/base/limits.h"
+#include "soms/base/double_limits.h"
 
 #include <algorithm>
 #include <cmath>

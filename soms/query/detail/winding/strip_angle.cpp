@@ -1,6 +1,6 @@
 #include "soms/query/detail/winding/strip_angle.h"
 
-#include "soms/base/limits.h"
+#include "soms/base/double_limits.h"
 #include "soms/geometry/detail/exact/double_double.h"
 #include "soms/geometry/detail/exact/predicates.h"
 #include "soms/query/detail/parity/triangle_crossing.h"

@@ -1,6 +1,6 @@
 #include "soms/query/detail/winding/winding_tree.h"
 
-#include "soms/base/limits.h"
+#include "soms/base/double_limits.h"
 #include "soms/geometry/detail/exact/double_double.h"
 #include "soms/geometry/detail/parts/joined.h"
 #include "soms/query/detail/moved_triangle.h"
@@ -54,8 +54,8 @@ std::uint64_t uses(const std::vector<BoundaryEdge>& edges) {
 /// Makes nodes from the top down.
 class WindingTree::Builder {
  public:
-  Builder(const Body& body, const Parallel& parallel, WindingTree& made)
-      : body_(body), mesh_(body.shape.mesh()), parallel_(parallel), made_(made) {}
+  Builder(const Body& body, const Limits& limits, WindingTree& made)
+      : body_(body), mesh_(body.shape.mesh()), limits_(limits), made_(made) {}
 
   void build() {
     std::vector<TriangleId> all(mesh_.triangles.size());
@@ -68,7 +68,7 @@ class WindingTree::Builder {
       add_node(0, all, std::move(edges), true);
       return;
     }
-    tree_ = soms::build(moved_mesh(body_), {}, parallel_);
+    tree_ = soms::build(moved_mesh(body_), {}, limits_);
     made_.place_.resize(all.size());
     for (std::size_t k = 0; k < all.size(); ++k) {
       made_.place_[tree_.primitives[k]] = static_cast<std::uint32_t>(k);
@@ -87,7 +87,7 @@ class WindingTree::Builder {
   }
 
   void add_subtree(std::uint32_t root) {
-    check_stop(parallel_);
+    check(limits_);
     const soms::Node& from = tree_.nodes[root];
     const std::span<const TriangleId> triangles = tree_.triangles_of(from);
     std::vector<BoundaryEdge> edges = boundary_of(triangles);
@@ -122,16 +122,16 @@ class WindingTree::Builder {
 
   const Body& body_;
   const MeshView& mesh_;
-  const Parallel& parallel_;
+  const Limits& limits_;
   WindingTree& made_;
   Tree tree_;
 };
 
-WindingTree::WindingTree(const Body& body, const Parallel& parallel) {
+WindingTree::WindingTree(const Body& body, const Limits& limits) {
   const MeshView& mesh = body.shape.mesh();
-  Work work(parallel, joining_work(mesh) + 1);
+  Work work(limits, joining_work(mesh) + 1);
   joined_ = joined_by_position(mesh, work);
-  Builder(body, {.threads = parallel.threads, .stop = parallel.stop}, *this).build();
+  Builder(body, {.threads = limits.threads, .stop = limits.stop}, *this).build();
 }
 
 WindingTree::Border WindingTree::border_of(const Body& body,

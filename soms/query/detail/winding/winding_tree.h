@@ -46,7 +46,7 @@ class WindingTree {
   };
 
   /// \errors ErrorKind::cancelled.
-  WindingTree(const Body& body, const Parallel& parallel);
+  WindingTree(const Body& body, const Limits& limits);
 
   /// A bracket for the winding number of a point, whose ray along `axis`, toward greater
   /// coordinates if `forward`, meets what `met` lists. Far triangles add `width` to it at most.

@@ -38,9 +38,7 @@ struct PlacedCrossing {
 };
 
 /// By exact t, then by body; crossings of one body keep their order, which is right already.
-template <class Line>
-bool is_before(const LineQuestion<Line>& question, const PlacedCrossing& x,
-               const PlacedCrossing& y) {
+bool is_before(const LineQuestion& question, const PlacedCrossing& x, const PlacedCrossing& y) {
   if (x.of == y.of) {
     return x.place < y.place;
   }
@@ -67,8 +65,7 @@ void append_crossing(const PlacedCrossing& crossing, BodyAllHits& all) {
 }
 
 /// The crossings of bodies, in the order of a row.
-template <class Line>
-std::vector<PlacedCrossing> sorted_crossings(const LineQuestion<Line>& question,
+std::vector<PlacedCrossing> sorted_crossings(const LineQuestion& question,
                                              const std::vector<HitsOfBody>& found) {
   std::vector<PlacedCrossing> crossings;
   for (const HitsOfBody& of : found) {
@@ -83,10 +80,9 @@ std::vector<PlacedCrossing> sorted_crossings(const LineQuestion<Line>& question,
 }
 
 /// Appends the row of a line.
-template <class Line>
-void add_row(BodySets sets, const Line& line, const RayOptions& options, LeftOut left_out,
-             SearchMemory& memory, BodyAllHits& all) {
-  const LineQuestion<Line> question(line, options, left_out);
+void add_row(BodySets sets, const Ray& line, const RayOptions& options, LeftOut left_out,
+             const Limits& limits, SearchMemory& memory, BodyAllHits& all) {
+  const LineQuestion question(line, options, left_out, limits);
   std::vector<HitsOfBody> found;
   Coverage coverage = Coverage::complete;
   Cost cost;
@@ -126,18 +122,18 @@ void append_block(const BodyAllHits& part, BodyAllHits& all) {
   append(all.costs, part.costs);
 }
 
-template <class Line>
-BodyAllHits hits_of_all(BodySets sets, std::span<const Line> lines, const RayOptions& options,
-                        LeftOut left_out, const Parallel& parallel) {
+BodyAllHits hits_of_all(BodySets sets, std::span<const Ray> lines, const RayOptions& options,
+                        LeftOut left_out, const Limits& limits) {
   const PlainArithmetic plain;
   check_left_out(sets, options, left_out);
-  static_cast<void>(soms::all_hits(Body(), lines, {}, parallel));  // all but checks
+  static_cast<void>(soms::all_hits(Body(), lines, {}, limits));  // all but checks
+  const Limits alone = limits.alone();
   std::vector<BodyAllHits> parts((lines.size() + kPosesOfBlock - 1) / kPosesOfBlock);
   for_each_block(
-      lines.size(), parallel, [] { return SearchMemory(); },
+      lines.size(), limits, [] { return SearchMemory(); },
       [&](SearchMemory& memory, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-          add_row(sets, lines[i], options, left_out, memory, parts[begin / kPosesOfBlock]);
+          add_row(sets, lines[i], options, left_out, alone, memory, parts[begin / kPosesOfBlock]);
         }
       });
   BodyAllHits all;
@@ -151,13 +147,8 @@ BodyAllHits hits_of_all(BodySets sets, std::span<const Line> lines, const RayOpt
 }  // namespace
 
 BodyAllHits all_hits(BodySets sets, std::span<const Ray> rays, const RayOptions& options,
-                     LeftOut left_out, const Parallel& parallel) {
-  return hits_of_all(sets, rays, options, left_out, parallel);
-}
-
-BodyAllHits all_hits(BodySets sets, std::span<const Segment> segments, const RayOptions& options,
-                     LeftOut left_out, const Parallel& parallel) {
-  return hits_of_all(sets, segments, options, left_out, parallel);
+                     LeftOut left_out, const Limits& limits) {
+  return hits_of_all(sets, rays, options, left_out, limits);
 }
 
 }  // namespace soms::detail

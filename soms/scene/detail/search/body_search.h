@@ -57,35 +57,22 @@ void check_left_out(BodySets sets, const RayOptions& options, LeftOut left_out);
 
 /// The queries of BodyIndex, of the same contracts.
 [[nodiscard]] BodyClosest closest(BodySets sets, const Vec3& point, const ClosestOptions& options,
-                                  LeftOut left_out, const Parallel& parallel);
+                                  LeftOut left_out, const Limits& limits);
 [[nodiscard]] BodyClosestBatch closest(BodySets sets, std::span<const Vec3> points,
                                        const ClosestOptions& options, LeftOut left_out,
-                                       const Parallel& parallel);
+                                       const Limits& limits);
 [[nodiscard]] BodyHit closest_hit(BodySets sets, const Ray& ray, const RayOptions& options,
-                                  LeftOut left_out);
-[[nodiscard]] BodyHit closest_hit(BodySets sets, const Segment& segment, const RayOptions& options,
-                                  LeftOut left_out);
+                                  LeftOut left_out, const Limits& limits);
 [[nodiscard]] BodyHitBatch closest_hit(BodySets sets, std::span<const Ray> rays,
                                        const RayOptions& options, LeftOut left_out,
-                                       const Parallel& parallel);
-[[nodiscard]] BodyHitBatch closest_hit(BodySets sets, std::span<const Segment> segments,
-                                       const RayOptions& options, LeftOut left_out,
-                                       const Parallel& parallel);
+                                       const Limits& limits);
 [[nodiscard]] AnyHit any_hit(BodySets sets, const Ray& ray, const RayOptions& options,
-                             LeftOut left_out);
-[[nodiscard]] AnyHit any_hit(BodySets sets, const Segment& segment, const RayOptions& options,
-                             LeftOut left_out);
+                             LeftOut left_out, const Limits& limits);
 [[nodiscard]] AnyHitBatch any_hit(BodySets sets, std::span<const Ray> rays,
                                   const RayOptions& options, LeftOut left_out,
-                                  const Parallel& parallel);
-[[nodiscard]] AnyHitBatch any_hit(BodySets sets, std::span<const Segment> segments,
-                                  const RayOptions& options, LeftOut left_out,
-                                  const Parallel& parallel);
+                                  const Limits& limits);
 [[nodiscard]] BodyAllHits all_hits(BodySets sets, std::span<const Ray> rays,
                                    const RayOptions& options, LeftOut left_out,
-                                   const Parallel& parallel);
-[[nodiscard]] BodyAllHits all_hits(BodySets sets, std::span<const Segment> segments,
-                                   const RayOptions& options, LeftOut left_out,
-                                   const Parallel& parallel);
+                                   const Limits& limits);
 
 }  // namespace soms::detail

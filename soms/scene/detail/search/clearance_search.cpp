@@ -95,15 +95,15 @@ bool ClearanceSearch::query(std::span<const PathPlace> places, double from, doub
     std::vector<ClearanceStation> stations(block.size());
     std::vector<Cost> costs(block.size());
     try {
-      for_each_chunk(block.size(), kPlacesOfAThread,
-                     {.threads = parallel_.threads, .stop = parallel_.stop},
+      for_each_chunk(block.size(), kPlacesOfAThread, limits_.silent(),
                      [&](std::size_t first, std::size_t last) {
                        for (std::size_t k = first; k < last; ++k) {
-                         stations[k] = query_at(block[k], parallel_.stop, costs[k]);
+                         stations[k] = query_at(block[k], limits_.stop, costs[k]);
                        }
                      });
     } catch (const Error& error) {
-      if (error.kind() != ErrorKind::cancelled || !options_.keep_on_stop) {
+      const bool stopped = error.kind() == ErrorKind::cancelled && options_.keep_on_stop;
+      if (!stopped && error.kind() != ErrorKind::timed_out) {
         throw;
       }
       cut_ = true;
@@ -113,10 +113,10 @@ bool ClearanceSearch::query(std::span<const PathPlace> places, double from, doub
     for (const Cost& cost : costs) {
       cost_ += cost;
     }
-    if (parallel_.progress) {
+    if (limits_.progress) {
       const double share =
           static_cast<double>(begin + block.size()) / static_cast<double>(places.size());
-      parallel_.progress(from + share * (to - from));
+      limits_.progress(from + share * (to - from));
     }
   }
   return true;

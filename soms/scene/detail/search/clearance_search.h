@@ -26,13 +26,13 @@ class ClearanceSearch {
  public:
   /// All must stay.
   ClearanceSearch(const Shape& mover, const MotionPath& path, std::span<const Body> fixed,
-                  const ClearanceOptions& options, const Parallel& parallel)
+                  const ClearanceOptions& options, const Limits& limits)
       : mover_(mover),
         bounds_(mover.bounds().empty() ? Box{{0, 0, 0}, {0, 0, 0}} : mover.bounds()),
         path_(path),
         fixed_(fixed),
         options_(options),
-        parallel_(parallel) {}
+        limits_(limits) {}
 
   [[nodiscard]] Clearance run();
 
@@ -86,7 +86,7 @@ class ClearanceSearch {
   const MotionPath& path_;
   std::span<const Body> fixed_;
   const ClearanceOptions& options_;
-  const Parallel& parallel_;
+  const Limits& limits_;
   std::vector<Stretch> stretches_;
   Cost cost_;
   bool cut_ = false;

@@ -36,8 +36,8 @@ template <class Exactly>
 /// The distance from a point, which must stay.
 class PointMeasure {
  public:
-  PointMeasure(const Vec3& point, const ClosestOptions& options, const Parallel& parallel)
-      : point_(point), options_(options), parallel_(parallel) {}
+  PointMeasure(const Vec3& point, const ClosestOptions& options, const Limits& limits)
+      : point_(point), options_(options), limits_(limits) {}
 
   [[nodiscard]] static const Bracket& measure(const Closest& answer) { return answer.distance; }
 
@@ -48,7 +48,7 @@ class PointMeasure {
 
   /// The nearest point of a body, if it is not beyond `limit`.
   [[nodiscard]] Closest nearest(const Body& body, double limit) const {
-    Closest answer = soms::closest(body, point_, {limit, options_.deadline}, parallel_);
+    Closest answer = soms::closest(body, point_, {limit}, limits_);
     if (answer.coverage == Coverage::cut && answer.triangle) {
       // What was proved of the body is not what is measured.
       answer.distance = point_distance(point_, moved_triangle(body, *answer.triangle)).distance;
@@ -66,25 +66,19 @@ class PointMeasure {
  private:
   const Vec3& point_;
   const ClosestOptions& options_;
-  const Parallel& parallel_;
+  const Limits& limits_;
 };
 
-/// The part of a ray up to t = `limit`.
+/// The part of a ray up to t = `limit`. A segment stays whole: where it is cut is seldom a double.
 inline Ray shortened(Ray ray, double limit) {
   ray.length = std::min(ray.length, limit);
   return ray;
 }
 
-/// Where a segment is cut is seldom a double: it stays whole.
-inline Segment shortened(const Segment& segment, double /*limit*/) {
-  return segment;
-}
-
-/// Where a ray or a segment, which must stay, meets surfaces.
-template <class Line>
+/// Where a ray, which must stay, meets surfaces.
 class LineMeasure {
  public:
-  explicit LineMeasure(const Line& given) : given_(given), line_(line_of(given)) {
+  explicit LineMeasure(const Ray& given) : given_(given), line_(line_of(given)) {
     // The way of a segment is rounded: `entry_at_least` allows for that.
     direction_ = line_.segment ? line_.ahead - line_.origin : line_.ahead;
   }
@@ -99,7 +93,7 @@ class LineMeasure {
   [[nodiscard]] double limit() const { return line_.length; }
 
   /// As it was given.
-  [[nodiscard]] const Line& line() const { return given_; }
+  [[nodiscard]] const Ray& line() const { return given_; }
 
   [[nodiscard]] std::strong_ordering compare(const Body& body, TriangleId triangle,
                                              const Body& other, TriangleId others) const {
@@ -108,7 +102,7 @@ class LineMeasure {
   }
 
  private:
-  const Line& given_;
+  const Ray& given_;
   RayLine line_;
   Vec3 direction_;
 };

@@ -21,8 +21,8 @@ class PointQuestion : public PointMeasure {
   using Found = BodyClosest;
 
   PointQuestion(const Vec3& point, const ClosestOptions& options, LeftOut left_out,
-                const Parallel& parallel)
-      : PointMeasure(point, options, parallel), left_out_(left_out) {}
+                const Limits& limits)
+      : PointMeasure(point, options, limits), left_out_(left_out) {}
 
   [[nodiscard]] Closest ask(const Body& body, std::uint32_t number, double limit) const {
     return number == left_out_ ? Closest() : nearest(body, limit);
@@ -43,8 +43,8 @@ bool any_triangles(BodySets sets, LeftOut left_out) {
 }
 
 BodyClosest search(BodySets sets, const Vec3& point, const ClosestOptions& options,
-                   LeftOut left_out, const Parallel& parallel, SearchMemory& memory) {
-  const PointQuestion question(point, options, left_out, parallel);
+                   LeftOut left_out, const Limits& limits, SearchMemory& memory) {
+  const PointQuestion question(point, options, left_out, limits);
   NearestBody nearest(question);
   nearest.run(sets, memory);
   BodyClosest answer;
@@ -66,24 +66,24 @@ BodyClosest search(BodySets sets, const Vec3& point, const ClosestOptions& optio
 }  // namespace
 
 BodyClosest closest(BodySets sets, const Vec3& point, const ClosestOptions& options,
-                    LeftOut left_out, const Parallel& parallel) {
+                    LeftOut left_out, const Limits& limits) {
   const PlainArithmetic plain;
   check_left_out(sets, left_out);
-  static_cast<void>(soms::closest(Body(), point, options, parallel));  // all but checks
+  static_cast<void>(soms::closest(Body(), point, options, limits));  // all but checks
   SearchMemory memory;
-  return search(sets, point, options, left_out, parallel, memory);
+  return search(sets, point, options, left_out, limits, memory);
 }
 
 BodyClosestBatch closest(BodySets sets, std::span<const Vec3> points, const ClosestOptions& options,
-                         LeftOut left_out, const Parallel& parallel) {
+                         LeftOut left_out, const Limits& limits) {
   const PlainArithmetic plain;
   check_left_out(sets, left_out);
   // The batch of a body without triangles: checked, and columns of the right size.
-  BodyClosestBatch batch{soms::closest(Body(), points, options, parallel), {}};
+  BodyClosestBatch batch{soms::closest(Body(), points, options, limits), {}};
   batch.body.resize(points.size());
-  const Parallel alone = {.stop = parallel.stop};
+  const Limits alone = limits.alone();
   for_each_block(
-      points.size(), parallel, [] { return SearchMemory(); },
+      points.size(), limits, [] { return SearchMemory(); },
       [&](SearchMemory& memory, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
           put_columns(search(sets, points[i], options, left_out, alone, memory), i, batch);

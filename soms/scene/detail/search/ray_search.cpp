@@ -16,10 +16,9 @@ namespace soms::detail {
 
 namespace {
 
-template <class Line>
-BodyHit first(BodySets sets, const Line& line, const RayOptions& options, LeftOut left_out,
-              SearchMemory& memory) {
-  const LineQuestion<Line> question(line, options, left_out);
+BodyHit first(BodySets sets, const Ray& line, const RayOptions& options, LeftOut left_out,
+              const Limits& limits, SearchMemory& memory) {
+  const LineQuestion question(line, options, left_out, limits);
   NearestBody nearest(question);
   nearest.run(sets, memory);
   BodyHit answer;
@@ -35,10 +34,9 @@ BodyHit first(BodySets sets, const Line& line, const RayOptions& options, LeftOu
   return answer;
 }
 
-template <class Line>
-AnyHit any(BodySets sets, const Line& line, const RayOptions& options, LeftOut left_out,
-           SearchMemory& memory) {
-  const LineQuestion<Line> question(line, options, left_out);
+AnyHit any(BodySets sets, const Ray& line, const RayOptions& options, LeftOut left_out,
+           const Limits& limits, SearchMemory& memory) {
+  const LineQuestion question(line, options, left_out, limits);
   double limit = question.limit();
   AnyHit answer;
   answer.cost.node_tests += for_each_near_body(
@@ -56,31 +54,30 @@ AnyHit any(BodySets sets, const Line& line, const RayOptions& options, LeftOut l
   return answer;
 }
 
-template <class Line>
-BodyHit checked_first(BodySets sets, const Line& line, const RayOptions& options,
-                      LeftOut left_out) {
+BodyHit checked_first(BodySets sets, const Ray& line, const RayOptions& options, LeftOut left_out,
+                      const Limits& limits) {
   const PlainArithmetic plain;
   check_left_out(sets, options, left_out);
   static_cast<void>(soms::closest_hit(Body(), line));  // all but checks
   SearchMemory memory;
-  return first(sets, line, options, left_out, memory);
+  return first(sets, line, options, left_out, limits, memory);
 }
 
-template <class Line>
-AnyHit checked_any(BodySets sets, const Line& line, const RayOptions& options, LeftOut left_out) {
+AnyHit checked_any(BodySets sets, const Ray& line, const RayOptions& options, LeftOut left_out,
+                   const Limits& limits) {
   const PlainArithmetic plain;
   check_left_out(sets, options, left_out);
   static_cast<void>(soms::any_hit(Body(), line));  // all but checks
   SearchMemory memory;
-  return any(sets, line, options, left_out, memory);
+  return any(sets, line, options, left_out, limits, memory);
 }
 
 /// `ask(line, memory)` for each line, shared by threads, instead of what `batch` has.
-template <Described Answer, class Line, class Ask>
-BatchOf<Answer> for_all(std::span<const Line> lines, const Parallel& parallel,
-                        BatchOf<Answer> batch, const Ask& ask) {
+template <Described Answer, class Ask>
+BatchOf<Answer> for_all(std::span<const Ray> lines, const Limits& limits, BatchOf<Answer> batch,
+                        const Ask& ask) {
   for_each_block(
-      lines.size(), parallel, [] { return SearchMemory(); },
+      lines.size(), limits, [] { return SearchMemory(); },
       [&](SearchMemory& memory, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
           put_columns(ask(lines[i], memory), i, batch);
@@ -92,28 +89,28 @@ BatchOf<Answer> for_all(std::span<const Line> lines, const Parallel& parallel,
 
 // What a body without triangles answers is checked, and its columns are of the right size.
 
-template <class Line>
-BodyHitBatch first_of_all(BodySets sets, std::span<const Line> lines, const RayOptions& options,
-                          LeftOut left_out, const Parallel& parallel) {
+BodyHitBatch first_of_all(BodySets sets, std::span<const Ray> lines, const RayOptions& options,
+                          LeftOut left_out, const Limits& limits) {
   const PlainArithmetic plain;
   check_left_out(sets, options, left_out);
-  BodyHitBatch batch{soms::closest_hit(Body(), lines, {}, parallel), {}};
+  BodyHitBatch batch{soms::closest_hit(Body(), lines, {}, limits), {}};
   batch.body.resize(lines.size());
-  return for_all<BodyHit>(lines, parallel, std::move(batch),
-                          [&](const Line& line, SearchMemory& memory) {
-                            return first(sets, line, options, left_out, memory);
+  const Limits alone = limits.alone();
+  return for_all<BodyHit>(lines, limits, std::move(batch),
+                          [&](const Ray& line, SearchMemory& memory) {
+                            return first(sets, line, options, left_out, alone, memory);
                           });
 }
 
-template <class Line>
-AnyHitBatch any_of_all(BodySets sets, std::span<const Line> lines, const RayOptions& options,
-                       LeftOut left_out, const Parallel& parallel) {
+AnyHitBatch any_of_all(BodySets sets, std::span<const Ray> lines, const RayOptions& options,
+                       LeftOut left_out, const Limits& limits) {
   const PlainArithmetic plain;
   check_left_out(sets, options, left_out);
-  AnyHitBatch batch = soms::any_hit(Body(), lines, {}, parallel);
-  return for_all<AnyHit>(lines, parallel, std::move(batch),
-                         [&](const Line& line, SearchMemory& memory) {
-                           return any(sets, line, options, left_out, memory);
+  AnyHitBatch batch = soms::any_hit(Body(), lines, {}, limits);
+  const Limits alone = limits.alone();
+  return for_all<AnyHit>(lines, limits, std::move(batch),
+                         [&](const Ray& line, SearchMemory& memory) {
+                           return any(sets, line, options, left_out, alone, memory);
                          });
 }
 
@@ -137,41 +134,24 @@ void check_left_out(BodySets sets, const RayOptions& options, LeftOut left_out) 
   }
 }
 
-BodyHit closest_hit(BodySets sets, const Ray& ray, const RayOptions& options, LeftOut left_out) {
-  return checked_first(sets, ray, options, left_out);
-}
-
-BodyHit closest_hit(BodySets sets, const Segment& segment, const RayOptions& options,
-                    LeftOut left_out) {
-  return checked_first(sets, segment, options, left_out);
+BodyHit closest_hit(BodySets sets, const Ray& ray, const RayOptions& options, LeftOut left_out,
+                    const Limits& limits) {
+  return checked_first(sets, ray, options, left_out, limits);
 }
 
 BodyHitBatch closest_hit(BodySets sets, std::span<const Ray> rays, const RayOptions& options,
-                         LeftOut left_out, const Parallel& parallel) {
-  return first_of_all(sets, rays, options, left_out, parallel);
+                         LeftOut left_out, const Limits& limits) {
+  return first_of_all(sets, rays, options, left_out, limits);
 }
 
-BodyHitBatch closest_hit(BodySets sets, std::span<const Segment> segments,
-                         const RayOptions& options, LeftOut left_out, const Parallel& parallel) {
-  return first_of_all(sets, segments, options, left_out, parallel);
-}
-
-AnyHit any_hit(BodySets sets, const Ray& ray, const RayOptions& options, LeftOut left_out) {
-  return checked_any(sets, ray, options, left_out);
-}
-
-AnyHit any_hit(BodySets sets, const Segment& segment, const RayOptions& options, LeftOut left_out) {
-  return checked_any(sets, segment, options, left_out);
+AnyHit any_hit(BodySets sets, const Ray& ray, const RayOptions& options, LeftOut left_out,
+               const Limits& limits) {
+  return checked_any(sets, ray, options, left_out, limits);
 }
 
 AnyHitBatch any_hit(BodySets sets, std::span<const Ray> rays, const RayOptions& options,
-                    LeftOut left_out, const Parallel& parallel) {
-  return any_of_all(sets, rays, options, left_out, parallel);
-}
-
-AnyHitBatch any_hit(BodySets sets, std::span<const Segment> segments, const RayOptions& options,
-                    LeftOut left_out, const Parallel& parallel) {
-  return any_of_all(sets, segments, options, left_out, parallel);
+                    LeftOut left_out, const Limits& limits) {
+  return any_of_all(sets, rays, options, left_out, limits);
 }
 
 }  // namespace soms::detail

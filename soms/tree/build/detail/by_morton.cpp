@@ -16,9 +16,9 @@ constexpr std::uint64_t kFullLeaves = 4;
 
 class ByMorton {
  public:
-  ByMorton(const MeshView& mesh, const BuildOptions& options, const Parallel& parallel)
+  ByMorton(const MeshView& mesh, const BuildOptions& options, const Limits& limits)
       : mesh_(mesh),
-        parallel_(parallel),
+        limits_(limits),
         id_bits_(id_bits_for(mesh.triangles.size())),
         per_leaf_(static_cast<std::uint32_t>(options.per_leaf)),
         limited_(options.level != 0),
@@ -26,7 +26,7 @@ class ByMorton {
                              : std::numeric_limits<std::uint32_t>::max()) {}
 
   Subtrees run() {
-    const Parallel silent{parallel_.threads, parallel_.stop, {}};
+    const Limits silent = limits_.silent();
     subtrees_.bounds = layout::bounds_of(mesh_, silent);
     keys_ = sorted_keys(mesh_, subtrees_.bounds, silent);
     subtrees_.ids.resize(keys_.size());
@@ -115,7 +115,7 @@ class ByMorton {
     subtrees_.upper.push_back({root});
     std::vector<Pending> pending{{{0, root.count, 0}, false, 0}};
     while (!pending.empty()) {
-      check_stop(parallel_);
+      check(limits_);
       Pending next = pending.back();
       pending.pop_back();
       if (next.run.count <= kSubtreeTriangles || is_leaf(next.run)) {
@@ -140,7 +140,7 @@ class ByMorton {
 
   void build_subtrees() {
     subtrees_.nodes.resize(roots_.size());
-    for_each_chunk(roots_.size(), 1, within(parallel_, 0.3, 1), [&](std::size_t k, std::size_t) {
+    for_each_chunk(roots_.size(), 1, within(limits_, 0.3, 1), [&](std::size_t k, std::size_t) {
       subtrees_.nodes[k] = build_subtree(roots_[k]);
     });
   }
@@ -174,7 +174,7 @@ class ByMorton {
   }
 
   MeshView mesh_;
-  const Parallel& parallel_;
+  const Limits& limits_;
   int id_bits_;
   std::uint32_t per_leaf_;
   bool limited_;
@@ -186,9 +186,8 @@ class ByMorton {
 
 }  // namespace
 
-Subtrees grow_by_morton(const MeshView& mesh, const BuildOptions& options,
-                        const Parallel& parallel) {
-  return ByMorton(mesh, options, parallel).run();
+Subtrees grow_by_morton(const MeshView& mesh, const BuildOptions& options, const Limits& limits) {
+  return ByMorton(mesh, options, limits).run();
 }
 
 }  // namespace soms::detail

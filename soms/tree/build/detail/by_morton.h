@@ -11,6 +11,6 @@ namespace soms::detail {
 /// bit changes. \source Lauterbach et al. 2009, Fast BVH construction on GPUs; Karras 2012,
 /// Maximizing parallelism in the construction of BVHs, octrees, and k-d trees.
 [[nodiscard]] Subtrees grow_by_morton(const MeshView& mesh, const BuildOptions& options,
-                                      const Parallel& parallel);
+                                      const Limits& limits);
 
 }  // namespace soms::detail

@@ -12,16 +12,16 @@ namespace {
 
 class ByReference {
  public:
-  ByReference(const MeshView& mesh, const BuildOptions& options, const Parallel& parallel)
+  ByReference(const MeshView& mesh, const BuildOptions& options, const Limits& limits)
       : mesh_(mesh),
         options_(options),
-        parallel_(parallel),
+        limits_(limits),
         last_depth_(options.level == 0
                         ? std::numeric_limits<std::uint32_t>::max()
                         : static_cast<std::uint32_t>(options.level - options.root_level)) {}
 
   Subtrees run() {
-    Cells sorted = sort_into_cells(mesh_, parallel_);
+    Cells sorted = sort_into_cells(mesh_, limits_);
     subtrees_.ids.resize(mesh_.triangles.size());
     subtrees_.bounds = sorted.bounds;
     references_ = std::move(sorted.spare);
@@ -76,7 +76,7 @@ class ByReference {
     subtrees_.upper.push_back({root});
     std::vector<PendingCells> pending{{0, 0, sorted.cells.size()}};
     while (!pending.empty()) {
-      check_stop(parallel_);  // there may be as many cells as triangles
+      check(limits_);  // there may be as many cells as triangles
       const PendingCells next = pending.back();
       pending.pop_back();
       const Node node = subtrees_.upper[next.upper].node;
@@ -100,7 +100,7 @@ class ByReference {
   /// Copies the references of each node's cells to where its primitives are.
   void gather(const Cells& sorted) {
     ranges_.resize(whole_.size());
-    for_each_chunk(whole_.size(), 1, {parallel_.threads, parallel_.stop, {}},
+    for_each_chunk(whole_.size(), 1, {.threads = limits_.threads, .stop = limits_.stop},
                    [&](std::size_t k, std::size_t) {
                      const Node& node = subtrees_.upper[whole_[k].upper].node;
                      PrimitiveRange range;
@@ -130,7 +130,7 @@ class ByReference {
       pending.push_back({whole_[k].upper, ranges_[k]});
     }
     while (!pending.empty()) {
-      check_stop(parallel_);
+      check(limits_);
       const PendingRange next = pending.back();
       pending.pop_back();
       const Node node = subtrees_.upper[next.upper].node;
@@ -152,7 +152,7 @@ class ByReference {
   }
 
   void build_subtrees() {
-    for_each_chunk(roots_.size(), 1, within(parallel_, 0.3, 1), [&](std::size_t k, std::size_t) {
+    for_each_chunk(roots_.size(), 1, within(limits_, 0.3, 1), [&](std::size_t k, std::size_t) {
       const PendingRange& root = roots_[k];
       subtrees_.nodes[k] = build_subtree(subtrees_.upper[root.upper].node, root.range);
     });
@@ -217,7 +217,7 @@ class ByReference {
 
   MeshView mesh_;
   const BuildOptions& options_;
-  const Parallel& parallel_;
+  const Limits& limits_;
   std::uint32_t last_depth_;  // nodes of this depth are never divided
   layout::Pages<Reference> references_;
   std::vector<PendingCells> whole_;     // upper nodes whose cells are divided no more
@@ -229,8 +229,8 @@ class ByReference {
 }  // namespace
 
 Subtrees grow_by_reference(const MeshView& mesh, const BuildOptions& options,
-                           const Parallel& parallel) {
-  return ByReference(mesh, options, parallel).run();
+                           const Limits& limits) {
+  return ByReference(mesh, options, limits).run();
 }
 
 }  // namespace soms::detail

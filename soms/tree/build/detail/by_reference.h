@@ -9,6 +9,6 @@ namespace soms::detail {
 
 /// Divides boxes in float: first whole cells of a grid, then the triangles of each subtree.
 [[nodiscard]] Subtrees grow_by_reference(const MeshView& mesh, const BuildOptions& options,
-                                         const Parallel& parallel);
+                                         const Limits& limits);
 
 }  // namespace soms::detail

@@ -24,8 +24,8 @@ constexpr float kLeastExtent = 0x1p-100F;
 constexpr double kTrianglesInCell = 100;
 constexpr int kMostBits = 6;
 
-Parallel silent(const Parallel& parallel) {
-  return {parallel.threads, parallel.stop, {}};
+Limits silent(const Limits& limits) {
+  return {.threads = limits.threads, .stop = limits.stop};
 }
 
 /// Two zeros before each of six bits.
@@ -79,13 +79,13 @@ struct Chunks {
 };
 
 layout::Pages<Reference> scattered(const layout::Pages<Reference>& references, const Grid& grid,
-                                   const Parallel& parallel) {
+                                   const Limits& limits) {
   const std::size_t count = references.size();
   const Chunks chunks(count);
   layout::Pages<std::uint32_t> keys;
   keys.resize(count);
   std::vector<std::vector<std::uint32_t>> places(chunks.number);
-  for_each_chunk(count, chunks.size, parallel, [&](std::size_t begin, std::size_t end) {
+  for_each_chunk(count, chunks.size, limits, [&](std::size_t begin, std::size_t end) {
     std::vector<std::uint32_t>& counts = places[begin / chunks.size];
     counts.assign(grid.keys(), 0);
     for (std::size_t i = begin; i < end; ++i) {
@@ -103,7 +103,7 @@ layout::Pages<Reference> scattered(const layout::Pages<Reference>& references, c
   }
   layout::Pages<Reference> sorted;
   sorted.resize(count);
-  for_each_chunk(count, chunks.size, parallel, [&](std::size_t begin, std::size_t end) {
+  for_each_chunk(count, chunks.size, limits, [&](std::size_t begin, std::size_t end) {
     std::vector<std::uint32_t>& place = places[begin / chunks.size];
     for (std::size_t i = begin; i < end; ++i) {
       sorted[place[keys[i]]++] = references[i];
@@ -204,8 +204,8 @@ void improve(Candidate& best, const Histogram& h, std::size_t axis) {
 
 }  // namespace
 
-Cells sort_into_cells(const MeshView& mesh, const Parallel& parallel) {
-  const Parallel quiet = silent(parallel);
+Cells sort_into_cells(const MeshView& mesh, const Limits& limits) {
+  const Limits quiet = silent(limits);
   const Box bounds = layout::bounds_of(mesh, quiet);
   const PrimitiveFrame frame = frame_of(bounds);
   const std::size_t count = mesh.triangles.size();

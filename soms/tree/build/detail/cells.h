@@ -26,7 +26,7 @@ struct Cells {
 
 /// Makes references of all triangles and sorts them by cell; what fits a subtree is one cell. The
 /// same for any number of threads.
-[[nodiscard]] Cells sort_into_cells(const MeshView& mesh, const Parallel& parallel);
+[[nodiscard]] Cells sort_into_cells(const MeshView& mesh, const Limits& limits);
 
 /// Brings the cells of the left side to the front by the cheapest plane of area times triangles;
 /// returns how many they are. \pre At least two cells.

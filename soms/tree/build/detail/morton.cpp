@@ -140,14 +140,14 @@ MortonKey MortonCodes::key(const MeshView& mesh, TriangleId id) const {
 }
 
 void radix_sort(layout::Pages<MortonKey>& keys, layout::Pages<MortonKey>& spare, int first_bit,
-                int end_bit, const Parallel& parallel) {
+                int end_bit, const Limits& limits) {
   const std::size_t count = keys.size();
   // A few large chunks, each with a table of its own.
   const std::size_t size = std::max<std::size_t>((count + 7) / 8, 1);
   std::vector<std::array<std::uint32_t, kDigits>> places((count - 1) / size + 1);
   for (int bit = first_bit; bit < end_bit; bit += kDigit) {
     const MortonKey mask = (MortonKey{1} << std::min(kDigit, end_bit - bit)) - 1;
-    for_each_chunk(count, size, parallel, [&](std::size_t begin, std::size_t end) {
+    for_each_chunk(count, size, limits, [&](std::size_t begin, std::size_t end) {
       auto& counts = places[begin / size];
       counts.fill(0);
       for (std::size_t i = begin; i < end; ++i) {
@@ -162,7 +162,7 @@ void radix_sort(layout::Pages<MortonKey>& keys, layout::Pages<MortonKey>& spare,
         next += n;
       }
     }
-    for_each_chunk(count, size, parallel, [&](std::size_t begin, std::size_t end) {
+    for_each_chunk(count, size, limits, [&](std::size_t begin, std::size_t end) {
       auto& place = places[begin / size];
       for (std::size_t i = begin; i < end; ++i) {
         const MortonKey key = keys[i];
@@ -173,21 +173,20 @@ void radix_sort(layout::Pages<MortonKey>& keys, layout::Pages<MortonKey>& spare,
   }
 }
 
-layout::Pages<MortonKey> sorted_keys(const MeshView& mesh, const Box& box,
-                                     const Parallel& parallel) {
+layout::Pages<MortonKey> sorted_keys(const MeshView& mesh, const Box& box, const Limits& limits) {
   constexpr std::size_t kCodesPerTask = 32768;
   const std::size_t count = mesh.triangles.size();
   const MortonCodes codes(box, count, id_bits_for(count));
   layout::Pages<MortonKey> keys;
   layout::Pages<MortonKey> spare;
   keys.resize(count);
-  for_each_chunk(count, kCodesPerTask, parallel, [&](std::size_t begin, std::size_t end) {
+  for_each_chunk(count, kCodesPerTask, limits, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       keys[i] = codes.key(mesh, static_cast<TriangleId>(i));
     }
   });
   spare.resize(count);
-  radix_sort(keys, spare, 64 - codes.bits(), 64, parallel);
+  radix_sort(keys, spare, 64 - codes.bits(), 64, limits);
   return keys;
 }
 

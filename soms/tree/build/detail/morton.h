@@ -58,11 +58,11 @@ class MortonCodes {
 /// Sorts by all bits from `first_bit` up to `end_bit`; equal ones stay as they lie. The same for
 /// any number of threads. `spare` is as long.
 void radix_sort(layout::Pages<MortonKey>& keys, layout::Pages<MortonKey>& spare, int first_bit,
-                int end_bit, const Parallel& parallel);
+                int end_bit, const Limits& limits);
 
 /// Keys of all triangles of a mesh whose bounds are `box`, in order.
 [[nodiscard]] layout::Pages<MortonKey> sorted_keys(const MeshView& mesh, const Box& box,
-                                                   const Parallel& parallel);
+                                                   const Limits& limits);
 
 /// Gives a run of keys new codes, relative to the box of its own middles, and sorts it. False if
 /// these are all one, and nothing was done.

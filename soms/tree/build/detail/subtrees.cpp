@@ -76,11 +76,11 @@ Node child_of(const Node& parent, bool right, std::uint32_t first, std::uint32_t
   return node;
 }
 
-Parallel within(const Parallel& parallel, double from, double to) {
-  Parallel part{parallel.threads, parallel.stop, {}};
-  if (parallel.progress) {
-    part.progress = [&parallel, from, to](double share) {
-      parallel.progress(from + (to - from) * share);
+Limits within(const Limits& limits, double from, double to) {
+  Limits part = limits.silent();
+  if (limits.progress) {
+    part.progress = [&limits, from, to](double share) {
+      limits.progress(from + (to - from) * share);
     };
   }
   return part;
@@ -99,7 +99,7 @@ void order_leaves(std::span<const PartNode> subtree, std::span<TriangleId> ids) 
   }
 }
 
-Tree join(Subtrees subtrees, const MeshView& mesh, const Parallel& parallel) {
+Tree join(Subtrees subtrees, const MeshView& mesh, const Limits& limits) {
   Tree tree;
   std::vector<std::uint32_t> place(subtrees.upper.size());
   std::uint32_t size = 0;
@@ -118,7 +118,7 @@ Tree join(Subtrees subtrees, const MeshView& mesh, const Parallel& parallel) {
     }
   }
   tree.nodes.resize(size);
-  for_each_chunk(subtrees.upper.size(), 1, parallel, [&](std::size_t i, std::size_t) {
+  for_each_chunk(subtrees.upper.size(), 1, limits, [&](std::size_t i, std::size_t) {
     const Upper& upper = subtrees.upper[i];
     if (upper.subtree != Node::kNone) {
       std::vector<PartNode>& nodes = subtrees.nodes[upper.subtree];

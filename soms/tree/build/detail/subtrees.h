@@ -37,14 +37,14 @@ struct Subtrees {
 [[nodiscard]] Node child_of(const Node& parent, bool right, std::uint32_t first,
                             std::uint32_t count);
 
-/// `parallel` with progress mapped to a part of the whole.
-[[nodiscard]] Parallel within(const Parallel& parallel, double from, double to);
+/// `limits` with progress mapped to a part of the whole.
+[[nodiscard]] Limits within(const Limits& limits, double from, double to);
 
 /// Puts the ids of each leaf in ascending order.
 void order_leaves(std::span<const PartNode> subtree, std::span<TriangleId> ids);
 
 /// One tree in depth-first order, with all bounds.
-[[nodiscard]] Tree join(Subtrees subtrees, const MeshView& mesh, const Parallel& parallel);
+[[nodiscard]] Tree join(Subtrees subtrees, const MeshView& mesh, const Limits& limits);
 
 /// The subtrees as layouts take them, which find bounds; `ids` must outlive them.
 [[nodiscard]] layout::Parts parts_of(Subtrees& subtrees);

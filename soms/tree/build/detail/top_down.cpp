@@ -19,14 +19,14 @@ constexpr std::size_t kPrepareChunk = 16384;
 class Builder {
  public:
   Builder(const MeshView& mesh, const RuleEntry& rule, const BuildOptions& options,
-          const Parallel& parallel)
-      : mesh_(mesh), parallel_(parallel), divider_(mesh, rule, options) {}
+          const Limits& limits)
+      : mesh_(mesh), limits_(limits), divider_(mesh, rule, options) {}
 
   Subtrees run() {
     prepare();
     divide_upper();
     build_subtrees();
-    subtrees_.bounds = layout::bounds_of(mesh_, parallel_);
+    subtrees_.bounds = layout::bounds_of(mesh_, limits_);
     return std::move(subtrees_);
   }
 
@@ -35,7 +35,7 @@ class Builder {
     primitives_.resize(mesh_.triangles.size());
     subtrees_.ids.resize(primitives_.size());
     std::vector<Box> inner((primitives_.size() - 1) / kPrepareChunk + 1);
-    for_each_chunk(primitives_.size(), kPrepareChunk, within(parallel_, 0, 0.05),
+    for_each_chunk(primitives_.size(), kPrepareChunk, within(limits_, 0, 0.05),
                    [&](std::size_t begin, std::size_t end) {
                      inner[begin / kPrepareChunk] = divider_.prepare(begin, end, primitives_);
                    });
@@ -60,10 +60,9 @@ class Builder {
     while (!wave.empty()) {
       std::erase_if(wave, [&](std::uint32_t i) { return make_subtree(i); });
       std::vector<Division> divisions(wave.size());
-      for_each_chunk(wave.size(), 1, Parallel{parallel_.threads, parallel_.stop, {}},
-                     [&](std::size_t k, std::size_t) {
-                       divisions[k] = divide(subtrees_.upper[wave[k]].node, inner_of_[wave[k]]);
-                     });
+      for_each_chunk(wave.size(), 1, limits_.silent(), [&](std::size_t k, std::size_t) {
+        divisions[k] = divide(subtrees_.upper[wave[k]].node, inner_of_[wave[k]]);
+      });
       std::vector<std::uint32_t> next;
       for (std::size_t k = 0; k < wave.size(); ++k) {
         attach(wave[k], divisions[k], next);
@@ -113,7 +112,7 @@ class Builder {
         roots[subtrees_.upper[i].subtree] = i;
       }
     }
-    for_each_chunk(roots.size(), 1, within(parallel_, 0.4, 0.95), [&](std::size_t k, std::size_t) {
+    for_each_chunk(roots.size(), 1, within(limits_, 0.4, 0.95), [&](std::size_t k, std::size_t) {
       subtrees_.nodes[k] = build_subtree(subtrees_.upper[roots[k]].node, inner_of_[roots[k]]);
     });
   }
@@ -154,7 +153,7 @@ class Builder {
   }
 
   MeshView mesh_;
-  const Parallel& parallel_;
+  const Limits& limits_;
   Divider divider_;
   layout::Pages<Primitive> primitives_;
   Box inner_;                  ///< bounds of all midpoints
@@ -165,8 +164,8 @@ class Builder {
 }  // namespace
 
 Subtrees grow_top_down(const MeshView& mesh, const RuleEntry& rule, const BuildOptions& options,
-                       const Parallel& parallel) {
-  return Builder(mesh, rule, options, parallel).run();
+                       const Limits& limits) {
+  return Builder(mesh, rule, options, limits).run();
 }
 
 }  // namespace soms::detail

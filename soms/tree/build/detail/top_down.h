@@ -11,6 +11,6 @@ namespace soms::detail {
 /// Divides nodes by `rule`, the upper ones depth by depth, then each subtree by itself.
 /// \pre `mesh` has triangles, and `check(options)` passes.
 [[nodiscard]] Subtrees grow_top_down(const MeshView& mesh, const RuleEntry& rule,
-                                     const BuildOptions& options, const Parallel& parallel);
+                                     const BuildOptions& options, const Limits& limits);
 
 }  // namespace soms::detail

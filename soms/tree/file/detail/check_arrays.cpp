@@ -134,13 +134,12 @@ class Check {
     }
   }
 
-  void check_entries(const Parallel& parallel) {
-    for_each_chunk(entries_.size(), kBlocksAtOnce, parallel,
-                   [&](std::size_t begin, std::size_t end) {
-                     for (std::size_t i = begin; i < end; ++i) {
-                       entries_[i] = compact_ ? checked_id(i) : checked_block(i);
-                     }
-                   });
+  void check_entries(const Limits& limits) {
+    for_each_chunk(entries_.size(), kBlocksAtOnce, limits, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        entries_[i] = compact_ ? checked_id(i) : checked_block(i);
+      }
+    });
   }
 
   void check_nodes() {
@@ -337,15 +336,15 @@ class Check {
 }  // namespace
 
 void check_arrays(const LayoutArrays& arrays, const MeshView& mesh, const std::string& name,
-                  bool sound, const Parallel& parallel) {
+                  bool sound, const Limits& limits) {
   Check check(arrays, mesh, name);
   check.check_kind();
-  check.check_entries(parallel);
+  check.check_entries(limits);
   check.check_nodes();
   check.check_plan();
   check.check_least_ids();
   if (sound) {
-    check_stop(parallel);
+    soms::check(limits);
     check.check_sound();
   }
 }

@@ -18,6 +18,6 @@ namespace soms::detail {
 /// With `sound`, also each triangle is in one leaf, and least triangles are right.
 /// \errors ErrorKind::bad_file, which names section and index; cancelled.
 void check_arrays(const LayoutArrays& arrays, const MeshView& mesh, const std::string& name,
-                  bool sound, const Parallel& parallel);
+                  bool sound, const Limits& limits);
 
 }  // namespace soms::detail

@@ -201,10 +201,10 @@ class RefitPart {
 
 }  // namespace
 
-Box bounds_of(const MeshView& mesh, const Parallel& parallel) {
+Box bounds_of(const MeshView& mesh, const Limits& limits) {
   const std::size_t count = mesh.triangles.size();
   std::vector<Box> boxes((count + kTrianglesPerChunk - 1) / kTrianglesPerChunk);
-  for_each_chunk(count, kTrianglesPerChunk, {parallel.threads, parallel.stop, {}},
+  for_each_chunk(count, kTrianglesPerChunk, {.threads = limits.threads, .stop = limits.stop},
                  [&](std::size_t begin, std::size_t end) {
                    Box box;
                    for (std::size_t i = begin; i < end; ++i) {
@@ -222,11 +222,11 @@ Box bounds_of(const MeshView& mesh, const Parallel& parallel) {
 }
 
 void refit_layout(const WideTree& tree, const MeshView& mesh, const Frame& frame,
-                  const Parallel& parallel, std::span<WideNode> nodes,
+                  const Limits& limits, std::span<WideNode> nodes,
                   std::span<TriangleBlock> blocks) {
   const Recovered found = recover(tree, count_below(tree));
   std::vector<Box> part_bounds(found.places.size());
-  for_each_chunk(found.places.size(), 1, parallel, [&](std::size_t k, std::size_t) {
+  for_each_chunk(found.places.size(), 1, limits, [&](std::size_t k, std::size_t) {
     part_bounds[k] = RefitPart(tree, found.places[k]).write(mesh, frame, nodes, blocks);
   });
   // Boxes of the lanes of each upper node, and its own, the last node first.

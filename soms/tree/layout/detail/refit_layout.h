@@ -11,12 +11,11 @@
 namespace soms::layout {
 
 /// Bounds of the corners of all triangles, as `soms::bounds(mesh)`, side by side.
-[[nodiscard]] Box bounds_of(const MeshView& mesh, const Parallel& parallel);
+[[nodiscard]] Box bounds_of(const MeshView& mesh, const Limits& limits);
 
 /// Writes a tree's nodes and blocks over a mesh with the same triangles. Nodes are taken apart into
 /// the parts that `widen` made, which are laid out as it did.
 void refit_layout(const WideTree& tree, const MeshView& mesh, const Frame& frame,
-                  const Parallel& parallel, std::span<WideNode> nodes,
-                  std::span<TriangleBlock> blocks);
+                  const Limits& limits, std::span<WideNode> nodes, std::span<TriangleBlock> blocks);
 
 }  // namespace soms::layout

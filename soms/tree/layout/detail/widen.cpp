@@ -114,23 +114,23 @@ struct LaidPart {
 
 class Widen {
  public:
-  Widen(const Parts& tree, const MeshView& mesh, const Frame& frame, const Parallel& parallel)
+  Widen(const Parts& tree, const MeshView& mesh, const Frame& frame, const Limits& limits)
       : tree_(tree),
         mesh_(mesh),
         frame_(frame),
-        parallel_(parallel),
+        limits_(limits),
         order_(order_of(tree.upper)),
         parts_(tree.nodes.size()) {}
 
   Laid run() {
     place_blocks();
     const bool alone = tree_.upper[without_empty(tree_.upper, 0)].part != Node::kNone;
-    for_each_chunk(order_.size(), 1, parallel_,
+    for_each_chunk(order_.size(), 1, limits_,
                    [&](std::size_t k, std::size_t) { lay_out(order_[k], alone); });
     find_bounds();
     const std::vector<UpperWide> upper = plan_upper(tree_.upper, boxes_);
     place_nodes(upper.size());
-    for_each_chunk(order_.size(), 1, {parallel_.threads, parallel_.stop, {}},
+    for_each_chunk(order_.size(), 1, {.threads = limits_.threads, .stop = limits_.stop},
                    [&](std::size_t k, std::size_t) { move(parts_[order_[k]]); });
     for (std::size_t k = upper.size(); k-- > 0;) {
       write_upper(upper[k], k);
@@ -237,7 +237,7 @@ class Widen {
   const Parts& tree_;
   MeshView mesh_;
   const Frame& frame_;
-  const Parallel& parallel_;
+  const Limits& limits_;
   std::vector<std::uint32_t> order_;
   std::vector<LaidPart> parts_;
   std::vector<Box> boxes_;  ///< of the upper nodes
@@ -246,8 +246,8 @@ class Widen {
 
 }  // namespace
 
-Laid widen(const Parts& tree, const MeshView& mesh, const Frame& frame, const Parallel& parallel) {
-  return Widen(tree, mesh, frame, parallel).run();
+Laid widen(const Parts& tree, const MeshView& mesh, const Frame& frame, const Limits& limits) {
+  return Widen(tree, mesh, frame, limits).run();
 }
 
 }  // namespace soms::layout

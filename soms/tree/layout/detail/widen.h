@@ -20,6 +20,6 @@ struct Laid {
 /// any numbering of upper nodes and parts, and any number of threads. \errors
 /// ErrorKind::out_of_range beyond 2^28 nodes or blocks; cancelled.
 [[nodiscard]] Laid widen(const Parts& tree, const MeshView& mesh, const Frame& frame,
-                         const Parallel& parallel);
+                         const Limits& limits);
 
 }  // namespace soms::layout

@@ -17,30 +17,30 @@ namespace {
 constexpr std::uint64_t kMuch = 1 << 20;
 
 TEST(Limit, NeverEndsWithoutADeadline) {
-  const Parallel parallel;
-  Limit limit(std::nullopt, parallel);
+  const Limits limits;
+  Limit limit(limits);
   EXPECT_FALSE(limit.spend(kMuch));
   EXPECT_FALSE(limit.late());
 }
 
 TEST(Limit, IsLateFromTheStartOnceItsDeadlinePassed) {
-  const Parallel parallel;
-  Limit limit(std::chrono::steady_clock::time_point::min(), parallel);
+  const Limits limits{.deadline = std::chrono::steady_clock::time_point::min()};
+  Limit limit(limits);
   EXPECT_TRUE(limit.late());
   EXPECT_TRUE(limit.spend(0));
 }
 
 TEST(Limit, DoesNotEndBeforeItsDeadline) {
-  const Parallel parallel;
-  Limit limit(std::chrono::steady_clock::time_point::max(), parallel);
+  const Limits limits{.deadline = std::chrono::steady_clock::time_point::max()};
+  Limit limit(limits);
   EXPECT_FALSE(limit.spend(kMuch));
   EXPECT_FALSE(limit.late());
 }
 
 TEST(Limit, EndsOnceAnotherPartHasTheAnswerAndIsNotLateThen) {
   std::atomic<bool> done = false;
-  const Parallel parallel;
-  Limit limit(std::nullopt, parallel, &done);
+  const Limits limits;
+  Limit limit(limits, &done);
   EXPECT_FALSE(limit.spend(kMuch));
   done = true;
   EXPECT_TRUE(limit.spend(kMuch));
@@ -49,8 +49,8 @@ TEST(Limit, EndsOnceAnotherPartHasTheAnswerAndIsNotLateThen) {
 
 TEST(Limit, ThrowsOnceAStopIsRequested) {
   std::stop_source source;
-  const Parallel parallel = {.stop = source.get_token()};
-  Limit limit(std::nullopt, parallel);
+  const Limits limits = {.stop = source.get_token()};
+  Limit limit(limits);
   EXPECT_FALSE(limit.spend(kMuch));
   source.request_stop();
   try {
@@ -64,8 +64,8 @@ TEST(Limit, ThrowsOnceAStopIsRequested) {
 // Looking at the clock costs more than a test of boxes.
 TEST(Limit, LooksOnlyOnceInAWhile) {
   std::atomic<bool> done = true;
-  const Parallel parallel;
-  Limit limit(std::nullopt, parallel, &done);
+  const Limits limits;
+  Limit limit(limits, &done);
   EXPECT_FALSE(limit.spend(1));
 }
 

@@ -24,11 +24,11 @@ TEST(PairFrame, HasTheLargerBodyAsReferenceAndAnswersInTheCallersOrder) {
   EXPECT_EQ(kept.x().shape, &small.shape);
   EXPECT_EQ(kept.x().pose, &small.pose);
   EXPECT_EQ(kept.y().shape, &large.shape);
-  EXPECT_EQ(kept.in_callers_order(1, 2), TrianglePair(1, 2));
+  EXPECT_EQ(kept.in_callers_order(1, 2), (TrianglePair{1, 2}));
   const PairFrame swapped(large, small);
   EXPECT_EQ(swapped.x().shape, &small.shape);
   EXPECT_EQ(swapped.y().pose, &large.pose);
-  EXPECT_EQ(swapped.in_callers_order(1, 2), TrianglePair(2, 1));
+  EXPECT_EQ(swapped.in_callers_order(1, 2), (TrianglePair{2, 1}));
 }
 
 // Its layout's unit is coarser, and that of the other one is not made finer.

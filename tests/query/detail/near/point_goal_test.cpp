@@ -53,11 +53,11 @@ class SeveralGoalTest : public testing::Test {
   detail::PointFrame frame_{body_};
   detail::SeveralGoal goal_{frame_, {}, 100, 1e3};
   Cost cost_;
-  Parallel parallel_;
+  Limits limits_;
 };
 
 TEST_F(SeveralGoalTest, SortsExactTiesByNumber) {
-  detail::Limit endless(std::nullopt, parallel_);
+  detail::Limit endless(limits_);
   const std::uint64_t before = cost_.exact_tests;
   EXPECT_EQ(sorted_ids(goal_, endless, cost_),
             (std::vector<TriangleId>{kNearest, 0, 1, 2, 3, 4, 5, 6, 8}));
@@ -66,7 +66,8 @@ TEST_F(SeveralGoalTest, SortsExactTiesByNumber) {
 }
 
 TEST_F(SeveralGoalTest, SortsByBoundsWhenTimeIsUp) {
-  detail::Limit past(std::chrono::steady_clock::time_point(), parallel_);
+  limits_.deadline = std::chrono::steady_clock::time_point();
+  detail::Limit past(limits_);
   const std::uint64_t before = cost_.exact_tests;
   const std::vector<TriangleId> ids = sorted_ids(goal_, past, cost_);
   EXPECT_TRUE(past.late());
