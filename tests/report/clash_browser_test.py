@@ -61,7 +61,7 @@ def press(page, name):
 def building_faults(browser, soms, folder):
     # A warning names the files by their paths, which have no place to break a line.
     far = pathlib.Path(shutil.copytree(MODELS, folder / ("a_folder_whose_name_is_long_" * 7)))
-    page_file, rows = written(soms, folder, "building", far / "structure.obj", "--against", far / "services.gltf", "--within", "0.05")
+    page_file, rows = written(soms, folder, "building", far / "structure.obj", "--against", far / "services.gltf", "--clearance", "0.05")
     page = Look(browser, page_file, DESK)
     yield from same(page, rows)
     if f"All {len(rows)} rows" not in page.element("count").text:
@@ -185,7 +185,7 @@ def words_faults(browser, soms, folder):
     page.landed()
     if "resolved" not in page.element("details").text:
         yield "a row that is resolved has no details"
-    none, rows = written(soms, folder, "none", a, "--against", b, "--ignore", "crossing")
+    none, rows = written(soms, folder, "none", a, "--against", b, "--ignore-class", "crossing")
     page = Look(browser, none, DESK)
     if page.element("count").text != "No parts clash." or rows:
         yield f"an empty list says '{page.element('count').text}'"

@@ -116,7 +116,7 @@ def pair_faults(browser, soms, folder):
         subprocess.run([soms, "generate", shape, "--triangles", str(triangles), "-o", model, "--quiet"], check=True,
                        stdout=subprocess.DEVNULL)
     file = folder / "pair.html"
-    subprocess.run([soms, "overlap", *models, "--pose", START, "--report", file], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run([soms, "overlap", *models, "--pose", START, "-o", file], check=True, stdout=subprocess.DEVNULL)
     page = Moved(browser, file, soms, models)
     page.begin()
     if page.element("live-pose").text != f'--pose "{START}"' or page.element("reset").is_enabled():

@@ -54,7 +54,7 @@ def gap_faults(browser, soms, folder):
         subprocess.run([soms, "generate", shape, "--triangles", "800", "-o", folder / name],
                        check=True, capture_output=True)
     subprocess.run([soms, "distance", folder / "a.ply", folder / "b.ply", "--pose", "4 0 0",
-                    "--report", file], check=True, capture_output=True)
+                    "-o", file], check=True, capture_output=True)
     page = Look(browser, file, DESK, "dark")
     page.canvas()
     shown = page.run("""return [...document.querySelectorAll('#gaps g')].map(g => [g.style.display,
@@ -77,7 +77,7 @@ def overlap_faults(browser, soms, folder):
     for pose in ("0.5 0 0", str(poses)):
         file = folder / "overlap.html"
         run = subprocess.run([soms, "overlap", folder / "knot.ply", folder / "ball.ply", "--pose",
-                              pose, "--report", file, "--json", "--no-pairs"], check=True,
+                              pose, "-o", file, "--json", "--no-pairs"], check=True,
                              capture_output=True, text=True)
         pairs = sum(json.loads(line)["count"] for line in run.stdout.splitlines())
         page = Look(browser, file, DESK)
@@ -114,7 +114,7 @@ def many_rows_faults(browser, soms, folder):
     """R116: 100,489 rows, more than triangles find room for: all are there, few are drawn at a time."""
     parts, file = 317, folder / "many_rows.html"
     subprocess.run([soms, "overlap", fins(folder / "beams.obj", "beam", parts, True),
-                    fins(folder / "ducts.obj", "duct", parts, False), "--report", file, "--quiet"],
+                    fins(folder / "ducts.obj", "duct", parts, False), "-o", file, "--quiet"],
                    check=True, stdout=subprocess.DEVNULL)
     page = Look(browser, file, DESK)
     if page.soms("rows") != parts ** 2:

@@ -1,11 +1,12 @@
 // The bodies of the scene. Large models have a coarse stand-in, for the first picture and for motion
 // where drawing is slow; movers that are small on the screen are drawn as their boxes.
 import * as THREE from 'three';
+import { solid } from './look.js';
 import { Poses } from './poses.js';
 
 const SMALL = 14; // pixels: what is smaller is drawn as a box
 
-function geometryOf({ positions, indices }) {
+export function geometryOf({ positions, indices }) {
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3));
   geometry.setIndex(new THREE.BufferAttribute(indices, 1));
@@ -25,9 +26,8 @@ export class Bodies {
     this.scene = scene;
     this.geometries = scene.models.map((model) => geometryOf(model.mesh));
     this.whole = new Map(); // of models that have a stand-in, once they are there
-    const material = () => new THREE.MeshLambertMaterial({ flatShading: true, side: THREE.DoubleSide });
-    this.stillMaterial = material();
-    this.movingMaterial = material();
+    this.stillMaterial = solid();
+    this.movingMaterial = solid();
     this.stillMeshes = [];
     this.poses = new Poses(scene);
     this.moving = []; // bodies that move, with where they are
@@ -99,9 +99,8 @@ export class Bodies {
     }
   }
 
-  // Chooses who is drawn whole, as the camera sees them.
-  sort(camera, height) {
-    const pixels = height / (2 * Math.tan(THREE.MathUtils.degToRad(camera.fov / 2)));
+  // Chooses who is drawn whole, as the camera sees them: lengths at distance 1 are so many pixels high.
+  sort(camera, pixels) {
     for (const list of [this.near, this.far]) {
       list.forEach((mesh) => { if (mesh) { mesh.count = 0; } });
     }

@@ -1,10 +1,7 @@
 // The blocks of data of a page about a list of parts, decoded.
-import { takeText } from './data.js';
+import { Table, takeText } from './data.js';
 import { bytesOf } from './exact.js';
 import { Packed, unpackLines, unpackNextMesh } from './packed.js';
-
-const FLOATS_OF_SIGHT = 11;
-const WORDS_OF_CURVE = 3;
 
 // A float of four bytes among numbers of any length.
 function nextFloat(packed) {
@@ -24,37 +21,29 @@ function takeParts(count) {
   });
 }
 
-class Sights {
-  constructor() {
-    this.floats = new Float32Array(bytesOf(takeText('sights')).buffer);
-  }
-
-  slice(r, column, count) {
-    const at = r * FLOATS_OF_SIGHT + column;
-    return this.floats.subarray(at, at + count);
-  }
+class Sights extends Table {
+  constructor() { super('sights', 11); }
 
   place(r) { return this.slice(r, 0, 3); }
 
   focus(r) { return this.slice(r, 3, 3); }
 
   // 0 of a row that has no place.
-  reach(r) { return this.slice(r, 6, 1)[0]; }
+  reach(r) { return this.float(r, 6); }
 
   toward(r) { return this.slice(r, 7, 3); }
 
-  aIsLarger(r) { return this.slice(r, 10, 1)[0] > 0; }
+  aIsLarger(r) { return this.float(r, 10) > 0; }
 }
 
 // Lines along which the two of a row cross, by row.
 function takeCurves(sights) {
-  const { buffer } = bytesOf(takeText('curves'));
-  const [words, floats] = [new Uint32Array(buffer), new Float32Array(buffer)];
+  const table = new Table('curves', 3);
   const packed = new Packed(bytesOf(takeText('lines')));
   const curves = new Map();
-  for (let at = 0; at < words.length; at += WORDS_OF_CURVE) {
-    const row = words[at];
-    curves.set(row, unpackLines(packed, words[at + 1], sights.focus(row), floats[at + 2]));
+  for (let c = 0; c < table.count; ++c) {
+    const row = table.word(c, 0);
+    curves.set(row, unpackLines(packed, table.word(c, 1), sights.focus(row), table.float(c, 2)));
   }
   return curves;
 }

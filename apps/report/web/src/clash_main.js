@@ -1,62 +1,15 @@
 // Brings a page about a list of parts to life: table, filters, details and view.
 import { loadClashes } from './clash_data.js';
 import { addMatrices } from './clash_matrix.js';
-import { addClashPrinting } from './clash_print.js';
+import { printedClashes } from './clash_print.js';
 import { ClashRows, detailsOf, partsWords, rowTitleOf } from './clash_rows.js';
 import { ClashTable } from './clash_table.js';
 import { ClashView } from './clash_view.js';
-
-const byId = (id) => document.getElementById(id);
-
-export function clashTrouble(words) {
-  const place = byId('trouble');
-  place.textContent = words;
-  place.hidden = false;
-}
-
-function makeView(all) {
-  // Asked of a canvas that is thrown away: one that failed once gives no other context.
-  if (!document.createElement('canvas').getContext('webgl2')) {
-    byId('stage').hidden = true;
-    clashTrouble('This browser does not support WebGL, so the parts cannot be drawn. The list is whole all the same.');
-    return null;
-  }
-  const canvas = byId('canvas');
-  canvas.addEventListener('webglcontextlost', () => clashTrouble('The browser lost the graphics card. Reload the page to draw the parts again.'));
-  return new ClashView(canvas, all);
-}
-
-function addKeys(view, table) {
-  const turn = 0.12;
-  const keys = {
-    ArrowLeft: (shift) => (shift ? view.shift(-0.1, 0) : view.turn(-turn, 0)),
-    ArrowRight: (shift) => (shift ? view.shift(0.1, 0) : view.turn(turn, 0)),
-    ArrowUp: (shift) => (shift ? view.shift(0, 0.1) : view.turn(0, -turn)),
-    ArrowDown: (shift) => (shift ? view.shift(0, -0.1) : view.turn(0, turn)),
-    '+': () => view.closer(0.85),
-    '=': () => view.closer(0.85),
-    '-': () => view.closer(1 / 0.85),
-    Home: () => view.whole(),
-    n: () => table.neighbor(1),
-    p: () => table.neighbor(-1),
-  };
-  byId('canvas').addEventListener('keydown', (event) => {
-    const key = event.key.length === 1 ? event.key.toLowerCase() : event.key; // N is n with Caps Lock
-    if (key in keys && !event.ctrlKey && !event.metaKey && !event.altKey) {
-      event.preventDefault();
-      keys[key](event.shiftKey);
-    }
-  });
-}
+import { addPrinting, addSteps, byId, makeView, said } from './page.js';
 
 function showDetails(all, r) {
   byId('picked').textContent = `${r + 1}. ${rowTitleOf(all, r)}`;
-  byId('details').replaceChildren(...detailsOf(all, r).flatMap(([name, value]) => {
-    const [title, text] = [document.createElement('dt'), document.createElement('dd')];
-    title.textContent = name;
-    text.textContent = value;
-    return [title, text];
-  }));
+  byId('details').replaceChildren(...detailsOf(all, r).flatMap(([name, value]) => [said('dt', name), said('dd', value)]));
 }
 
 // The row that an address names: "#clash=KEY", which later lists have, too.
@@ -69,7 +22,7 @@ export function startClashes() {
   const all = loadClashes();
   byId('look').hidden = false;
   byId('drawn').textContent = partsWords(all);
-  const view = makeView(all);
+  const view = makeView(ClashView, all, 'stage');
   const rows = new ClashRows(all);
   const choose = (r) => {
     table.mark(r);
@@ -82,15 +35,12 @@ export function startClashes() {
     table.setPair(pair);
     byId('list-view').scrollIntoView();
   });
-  byId('next').addEventListener('click', () => table.neighbor(1));
-  byId('previous').addEventListener('click', () => table.neighbor(-1));
+  addSteps(view, table);
   if (view) {
-    byId('whole').addEventListener('click', () => view.whole());
     byId('again').addEventListener('click', () => (table.chosen >= 0 ? view.choose(table.chosen) : table.neighbor(1)));
     byId('cut').addEventListener('change', () => view.setCut(byId('cut').checked));
-    addKeys(view, table);
   }
-  addClashPrinting(all, view, table);
+  addPrinting(() => printedClashes(all, view, table));
   const first = linkedRow(all);
   if (first >= 0) {
     choose(first);

@@ -1,19 +1,9 @@
 // How many clashes each pair of models, or of sets, has: a table whose numbers filter the list.
-import { number } from './words.js';
 import { baseName, pairCounts } from './clash_rows.js';
+import { byId, said } from './page.js';
+import { number } from './words.js';
 
 const MOST = 24; // rows and columns; pairs of others are counted beside the table
-
-const byId = (id) => document.getElementById(id);
-
-function cellOf(tag, text, name) {
-  const cell = document.createElement(tag);
-  cell.textContent = text;
-  if (name) {
-    cell.className = name;
-  }
-  return cell;
-}
 
 function tableOf(all, key, title, onPair) {
   const counts = pairCounts(all, key);
@@ -22,8 +12,8 @@ function tableOf(all, key, title, onPair) {
   const [down, across] = [axis(0), axis(1)];
   const table = document.createElement('table');
   const head = table.createTHead().insertRow();
-  head.append(cellOf('th', ''), ...across.map((name) => {
-    const cell = cellOf('th', titleOf(name), 'number');
+  head.append(said('th', ''), ...across.map((name) => {
+    const cell = said('th', titleOf(name), 'number');
     cell.title = name;
     cell.scope = 'col';
     return cell;
@@ -32,15 +22,15 @@ function tableOf(all, key, title, onPair) {
   let shown = 0;
   for (const a of down) {
     const row = body.insertRow();
-    const name = cellOf('th', titleOf(a));
+    const name = said('th', titleOf(a));
     name.title = a;
     name.scope = 'row';
     row.append(name);
     for (const b of across) {
       const found = counts.find(({ names }) => names[0] === a && names[1] === b);
-      const cell = cellOf('td', '', 'number');
+      const cell = said('td', '', 'number');
       if (found) {
-        const button = cellOf('button', number(found.count));
+        const button = said('button', number(found.count));
         button.type = 'button';
         button.setAttribute('aria-label', `${number(found.count)} clashes of ${titleOf(a)} with ${titleOf(b)}: show them alone`);
         button.addEventListener('click', () => onPair({ key, names: [a, b], titles: [titleOf(a), titleOf(b)] }));
@@ -50,13 +40,12 @@ function tableOf(all, key, title, onPair) {
       row.append(cell);
     }
   }
-  const frame = document.createElement('div');
-  frame.className = 'picture';
+  const frame = said('div', '', 'picture');
   frame.tabIndex = 0;
   frame.append(table);
   const left = all.rows.length - shown;
-  const said = cellOf('p', `${title}: clashes of what is named at the left with what is named above. A number shows them alone.`);
-  return left > 0 ? [said, frame, cellOf('p', `${number(left)} clashes are of other pairs; the list has them.`, 'note')] : [said, frame];
+  const lead = said('p', `${title}: clashes of what is named at the left with what is named above. A number shows them alone.`);
+  return left > 0 ? [lead, frame, said('p', `${number(left)} clashes are of other pairs; the list has them.`, 'note')] : [lead, frame];
 }
 
 export function addMatrices(all, onPair) {

@@ -1,12 +1,10 @@
-// The parts of a clash page in three dimensions: the two that are chosen in color, the others pale and cut
-// away before the clash. Drawn when something changed, and only then.
+// The parts of a clash page: the two that are chosen in color, the others pale and cut away before the clash.
 import * as THREE from 'three';
-import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { Curve } from './curves.js';
-import { calm, colors, whenSchemeChanges } from './look.js';
-import { roundSpot } from './view.js';
+import { geometryOf } from './bodies.js';
+import { trianglesOf } from './curves.js';
+import { solid } from './look.js';
+import { View } from './view.js';
 
-const FLIGHT = 600; // milliseconds
 const DISTANCE = 2.62; // of the eye, in reaches: all within the reach is seen at 45 degrees
 const CUT = 0.1; // reaches from the middle of the clash toward the eye
 const GLASS = 0.4;
@@ -29,47 +27,21 @@ function joinedGeometry(parts) {
     vertex += mesh.positions.length / 3;
     corner += mesh.indices.length;
   }
-  const geometry = new THREE.BufferGeometry();
-  geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3));
-  geometry.setIndex(new THREE.BufferAttribute(indices, 1));
-  return geometry;
+  return geometryOf({ positions, indices });
 }
 
-export class ClashView {
+export class ClashView extends View {
   constructor(canvas, all) {
-    this.canvas = canvas;
-    this.all = all;
+    super(canvas, all, [0.35, 0.75, 0.6], [0.5, 0.35, 0.8]);
     this.row = -1;
     this.isCut = true;
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.localClippingEnabled = true;
-    this.world = new THREE.Scene();
-    this.camera = new THREE.PerspectiveCamera(45, 1, 0.1, 1000);
-    this.camera.up.set(0, 0, 1);
-    this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.addEventListener('change', () => this.draw());
-    this.controls.addEventListener('start', () => { this.flight = null; });
-    this.controls.enableZoom = false; // until the reader means the picture, not the page
-    canvas.addEventListener('pointerdown', () => canvas.focus({ preventScroll: true }), true);
-    canvas.addEventListener('focus', () => { this.controls.enableZoom = true; });
-    canvas.addEventListener('blur', () => { this.controls.enableZoom = false; });
-    this.sky = new THREE.HemisphereLight(0xffffff, 0x8a8578, 1);
-    this.sky.position.set(0, 0, 1);
-    this.sun = new THREE.DirectionalLight(0xffffff, 1);
-    this.sun.position.set(0.5, -0.35, 0.8);
-    this.world.add(this.sky, this.sun);
     this.addParts();
-    this.paint();
-    this.fit();
-    this.whole(false);
-    whenSchemeChanges(() => { this.paint(); this.draw(); });
-    new ResizeObserver(() => this.fit()).observe(canvas);
+    this.begin();
   }
 
   addParts() {
     this.plane = new THREE.Plane();
-    const solid = (more) => new THREE.MeshLambertMaterial({ flatShading: true, side: THREE.DoubleSide, ...more });
     this.rest = new THREE.Mesh(joinedGeometry(this.all.parts), solid());
     this.rest.frustumCulled = false;
     this.world.add(this.rest);
@@ -91,21 +63,14 @@ export class ClashView {
     const behind = { transparent: true, depthFunc: THREE.GreaterDepth, depthWrite: false };
     this.smallBehind = mesh(solid({ ...behind, opacity: HIDDEN }), 1);
     this.glassBehind = mesh(solid({ ...behind, opacity: HIDDEN * GLASS }), 1);
-    this.curve = new Curve(this.world, 3.5, 6, true);
-    this.mark = new THREE.Points(new THREE.BufferGeometry(), new THREE.PointsMaterial({ size: 12 * this.renderer.getPixelRatio(), sizeAttenuation: false, depthTest: false, transparent: true, map: roundSpot(), alphaTest: 0.05 }));
-    this.mark.renderOrder = 9;
+    this.curve = this.addCurve(this.world, 3.5, 6, true);
+    this.mark = this.addSpots(this.world, new THREE.BufferGeometry(), 12, 9);
     this.mark.visible = false;
-    this.mark.frustumCulled = false;
-    this.world.add(this.mark);
   }
 
   paint(paper = false) {
-    this.colors = colors(paper);
-    this.world.background = this.colors.paper;
-    this.sky.intensity = this.colors.sky;
-    this.sun.intensity = this.colors.sun;
+    super.paint(paper);
     this.rest.material.color.copy(this.colors.rest);
-    this.curve.paint(this.colors.touch, this.colors.halo);
     this.mark.material.color.copy(this.colors.touch);
     this.paintParts();
   }
@@ -115,17 +80,6 @@ export class ClashView {
     const aIsGlass = this.row >= 0 && this.all.sights.aIsLarger(this.row);
     [this.glass, this.glassBehind].forEach(({ material }) => material.color.copy(aIsGlass ? a : b));
     [this.small, this.smallBehind].forEach(({ material }) => material.color.copy(aIsGlass ? b : a));
-  }
-
-  fit() {
-    const { clientWidth: width, clientHeight: height } = this.canvas;
-    if (width > 0 && height > 0) {
-      this.renderer.setSize(width, height, false);
-      this.camera.aspect = width / height;
-      this.camera.updateProjectionMatrix();
-      this.curve.fit(width);
-      this.draw();
-    }
   }
 
   // Shows a row, or with -1 none.
@@ -146,8 +100,7 @@ export class ClashView {
     this.mark.visible = r >= 0 && sights.reach(r) > 0;
     if (this.mark.visible) {
       this.mark.geometry.dispose();
-      this.mark.geometry = new THREE.BufferGeometry();
-      this.mark.geometry.setAttribute('position', new THREE.BufferAttribute(sights.place(r).slice(), 3));
+      this.mark.geometry = trianglesOf(sights.place(r).slice());
     }
     this.paintParts();
   }
@@ -163,11 +116,11 @@ export class ClashView {
     return { focus, eye: focus.clone().addScaledVector(toward, DISTANCE * this.narrow() * sights.reach(r)) };
   }
 
-  choose(r) {
+  choose(r, soft = true) {
     this.show(r);
     const sight = this.sightOf(r);
     if (sight) {
-      this.fly(sight.focus, sight.eye);
+      this.fly(sight.focus, sight.eye, soft);
     } else {
       this.draw();
     }
@@ -179,7 +132,7 @@ export class ClashView {
   }
 
   // What is nearer to the eye than the clash is cut away, from wherever it is looked at.
-  placePlane() {
+  prepare() {
     const cuts = this.isCut && this.row >= 0 && this.all.sights.reach(this.row) > 0;
     this.rest.material.clippingPlanes = cuts ? [this.plane] : [];
     if (cuts) {
@@ -190,124 +143,12 @@ export class ClashView {
     }
   }
 
-  // A picture of a row for paper, on a canvas of its own; the view stays as it is.
-  pictureOf(r, width, height) {
-    const kept = { eye: this.camera.position.clone(), target: this.controls.target.clone(), row: this.row, aspect: this.camera.aspect };
-    this.show(r);
-    this.paint(true);
-    this.camera.aspect = width / height;
-    const sight = this.sightOf(r);
-    if (sight) {
-      this.camera.position.copy(sight.eye);
-      this.camera.lookAt(sight.focus);
-    }
-    const ratio = this.renderer.getPixelRatio();
-    this.renderer.setPixelRatio(1);
-    this.renderer.setSize(width, height, false);
-    this.curve.fit(width);
-    this.render(sight?.focus ?? this.controls.target);
-    const picture = document.createElement('canvas');
-    picture.width = width;
-    picture.height = height;
-    picture.getContext('2d').drawImage(this.canvas, 0, 0);
-    this.renderer.setPixelRatio(ratio);
-    this.camera.aspect = kept.aspect;
+  showAtOnce(r) { this.choose(r, false); }
+
+  kept() { return { ...super.kept(), row: this.row }; }
+
+  restore(kept) {
     this.show(kept.row);
-    this.paint();
-    this.camera.position.copy(kept.eye);
-    this.controls.target.copy(kept.target);
-    this.controls.update();
-    this.fit();
-    return picture;
-  }
-
-  narrow() {
-    return Math.max(1, 1 / this.camera.aspect);
-  }
-
-  whole(soft = true) {
-    const size = this.all.scene.size * this.narrow();
-    this.fly(new THREE.Vector3(), new THREE.Vector3(0.35, -0.75, 0.6).multiplyScalar(size), soft);
-  }
-
-  fly(target, eye, soft = true) {
-    if (!soft || calm()) {
-      this.flight = null;
-      this.controls.target.copy(target);
-      this.camera.position.copy(eye);
-      this.controls.update();
-    } else {
-      this.flight = {
-        since: performance.now(), fromTarget: this.controls.target.clone(), fromEye: this.camera.position.clone(), target, eye,
-      };
-    }
-    this.draw();
-  }
-
-  followFlight() {
-    const { since, fromTarget, fromEye, target, eye } = this.flight;
-    const share = Math.min(1, (performance.now() - since) / FLIGHT);
-    const smooth = share * share * (3 - 2 * share);
-    this.controls.target.lerpVectors(fromTarget, target, smooth);
-    this.camera.position.lerpVectors(fromEye, eye, smooth);
-    if (share === 1) {
-      this.flight = null;
-    }
-    this.controls.update();
-  }
-
-  // By keys: turn, move sideways, come closer.
-  turn(around, rise) {
-    const offset = this.camera.position.clone().sub(this.controls.target).applyAxisAngle(this.camera.up, around);
-    const side = new THREE.Vector3().crossVectors(this.camera.up, offset).normalize();
-    const raised = offset.clone().applyAxisAngle(side, rise);
-    const angle = raised.angleTo(this.camera.up);
-    this.place(angle > 0.02 && angle < Math.PI - 0.02 ? raised : offset);
-  }
-
-  closer(factor) {
-    this.place(this.camera.position.clone().sub(this.controls.target).multiplyScalar(factor));
-  }
-
-  shift(right, upwards) {
-    const distance = this.camera.position.distanceTo(this.controls.target);
-    const by = new THREE.Vector3(right, upwards, 0).multiplyScalar(distance).applyQuaternion(this.camera.quaternion);
-    this.controls.target.add(by);
-    this.camera.position.add(by);
-    this.controls.update();
-  }
-
-  place(offset) {
-    this.flight = null;
-    this.camera.position.copy(this.controls.target).add(offset);
-    this.controls.update();
-    this.draw();
-  }
-
-  draw() {
-    if (this.asked) {
-      return;
-    }
-    this.asked = true;
-    requestAnimationFrame(() => {
-      this.asked = false;
-      if (this.flight) {
-        this.followFlight();
-      }
-      this.render(this.controls.target);
-      if (this.flight) {
-        this.draw();
-      }
-    });
-  }
-
-  render(target) {
-    const distance = this.camera.position.distanceTo(target);
-    this.camera.near = Math.max(0.02 * distance, 1e-6 * this.all.scene.size);
-    this.camera.far = distance + 3 * this.all.scene.size;
-    this.camera.updateProjectionMatrix();
-    this.camera.updateMatrixWorld();
-    this.placePlane();
-    this.renderer.render(this.world, this.camera);
+    super.restore(kept);
   }
 }

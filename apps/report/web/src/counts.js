@@ -1,5 +1,5 @@
 // Numbers on spots that lie on each other: how many rows of the list are there.
-import * as THREE from 'three';
+import { byId, svg } from './page.js';
 
 const APART = 20; // pixels: spots nearer than this are one
 const MOST = 400; // numbers in a picture
@@ -30,22 +30,18 @@ export function gathered(places, apart = APART) {
 
 export class SpotCounts {
   constructor() {
-    this.layer = document.getElementById('spots');
+    this.layer = byId('spots');
     this.marks = [];
     this.heaps = [];
   }
 
-  // `spots` are those that are drawn, `isNow` says which touch at the step that is shown.
-  draw(spots, isNow, camera, width, height) {
-    const at = new THREE.Vector3();
-    const places = spots.map((spot) => {
-      at.fromArray(spot.place).project(camera);
-      return { x: (at.x + 1) * width / 2, y: (1 - at.y) * height / 2, z: at.z, now: isNow(spot) };
-    }).filter(({ x, y, z }) => Math.abs(z) <= 1 && x >= 0 && y >= 0 && x <= width && y <= height);
+  // `places` are those of spots that are seen, in pixels; `now` says which touch at the step that is shown.
+  draw(places) {
     this.heaps = gathered(places);
     const many = this.heaps.filter(({ now, all }) => (now || all) > 1).slice(0, MOST);
     while (this.marks.length < many.length) {
-      this.marks.push(this.mark());
+      const group = svg('g', this.layer);
+      this.marks.push({ group, disc: svg('circle', group), text: svg('text', group) });
     }
     this.marks.forEach(({ group, disc, text }, k) => {
       group.style.display = k < many.length ? '' : 'none';
@@ -57,15 +53,5 @@ export class SpotCounts {
         disc.setAttribute('r', 6 + 3 * text.textContent.length);
       }
     });
-  }
-
-  mark() {
-    const make = (name, parent) => {
-      const element = document.createElementNS('http://www.w3.org/2000/svg', name);
-      parent.append(element);
-      return element;
-    };
-    const group = make('g', this.layer);
-    return { group, disc: make('circle', group), text: make('text', group) };
   }
 }

@@ -4,10 +4,6 @@ import { bytesOf } from './exact.js';
 import { Packed, unpackLines, unpackMesh, unpackPairs, unpackPoses } from './packed.js';
 
 const NONE = 0xffffffff;
-const WORDS_OF_CONTACT = 28;
-const WORDS_OF_ROW = 19;
-const WORDS_OF_CURVE = 21;
-const WORDS_OF_GAP = 26;
 
 export function takeText(id) {
   const element = document.getElementById(`soms-${id}`);
@@ -20,24 +16,31 @@ const takeBytes = (id) => bytesOf(takeText(id));
 
 const takeWords = (id) => takeBytes(id).buffer;
 
-// Contacts, or those of them that the page has room for; names are put together only where somebody looks.
-class Contacts {
-  constructor(scene) {
-    this.scene = scene;
-    const buffer = takeWords('contacts');
+// Rows of so many words of four bytes each.
+export class Table {
+  constructor(id, width) {
+    const buffer = takeWords(id);
+    this.width = width;
     this.words = new Uint32Array(buffer);
     this.floats = new Float32Array(buffer);
-    this.pairs = unpackPairs(takeBytes('pairs'), scene.contacts.pairs, scene.place_step);
-    this.count = scene.contacts.listed;
+    this.count = this.words.length / width;
   }
 
-  word(k, column) {
-    return this.words[k * WORDS_OF_CONTACT + column];
-  }
+  word(k, column) { return this.words[k * this.width + column]; }
+
+  float(k, column) { return this.floats[k * this.width + column]; }
 
   slice(k, column, count) {
-    const at = k * WORDS_OF_CONTACT + column;
+    const at = k * this.width + column;
     return this.floats.subarray(at, at + count);
+  }
+}
+
+// Contacts, or those of them that the page has room for; names are put together only where somebody looks.
+class Contacts extends Table {
+  constructor(scene) {
+    super('contacts', 28);
+    this.pairs = unpackPairs(takeBytes('pairs'), scene.contacts.pairs, scene.place_step);
   }
 
   a(k) { return this.word(k, 0); }
@@ -60,7 +63,7 @@ class Contacts {
 
   focus(k) { return this.slice(k, 9, 3); }
 
-  reach(k) { return this.slice(k, 12, 1)[0]; }
+  reach(k) { return this.float(k, 12); }
 
   pose(k, side) { return this.slice(k, 13 + 7 * side, 7); }
 
@@ -89,13 +92,9 @@ class Contacts {
 }
 
 // Two bodies, or parts of them, that touch; every such pair is here.
-class Rows {
-  constructor(scene, contacts) {
-    this.scene = scene;
-    const buffer = takeWords('rows');
-    this.words = new Uint32Array(buffer);
-    this.floats = new Float32Array(buffer);
-    this.count = scene.rows;
+class Rows extends Table {
+  constructor(contacts) {
+    super('rows', 19);
     // Contacts of each row: sorted by row, and where those of a row begin.
     this.starts = new Uint32Array(this.count + 1);
     for (let k = 0; k < contacts.count; ++k) {
@@ -109,15 +108,6 @@ class Rows {
     for (let k = 0; k < contacts.count; ++k) {
       this.members[next[contacts.row(k)]++] = k;
     }
-  }
-
-  word(r, column) {
-    return this.words[r * WORDS_OF_ROW + column];
-  }
-
-  slice(r, column, count) {
-    const at = r * WORDS_OF_ROW + column;
-    return this.floats.subarray(at, at + count);
   }
 
   a(r) { return this.word(r, 0); }
@@ -158,52 +148,32 @@ class Rows {
 
 // Where the two of a row cross at its step of most pairs: lines, and all that is to be known to draw
 // them. Not every row has one.
-class Curves {
+class Curves extends Table {
   constructor() {
-    const buffer = takeWords('curves');
-    this.words = new Uint32Array(buffer);
-    this.floats = new Float32Array(buffer);
-    this.count = this.words.length / WORDS_OF_CURVE;
+    super('curves', 21);
     this.ofRow = new Map();
     this.lines = [];
     const packed = new Packed(takeBytes('lines'));
     for (let c = 0; c < this.count; ++c) {
       this.ofRow.set(this.row(c), c);
-      this.lines.push(unpackLines(packed, this.word(c, 1), this.place(c), this.slice(c, 6, 1)[0]));
+      this.lines.push(unpackLines(packed, this.word(c, 1), this.place(c), this.float(c, 6)));
     }
-  }
-
-  word(c, column) { return this.words[c * WORDS_OF_CURVE + column]; }
-
-  slice(c, column, count) {
-    const at = c * WORDS_OF_CURVE + column;
-    return this.floats.subarray(at, at + count);
   }
 
   row(c) { return this.word(c, 0); }
 
   place(c) { return this.slice(c, 2, 3); }
 
-  reach(c) { return this.slice(c, 5, 1)[0]; }
+  reach(c) { return this.float(c, 5); }
 
   pose(c, side) { return this.slice(c, 7 + 7 * side, 7); }
 }
 
 // Shortest segments between two bodies that are near each other, each at the step where it is least.
-class Gaps {
+class Gaps extends Table {
   constructor(scene) {
-    const buffer = takeWords('gaps');
-    this.words = new Uint32Array(buffer);
-    this.floats = new Float32Array(buffer);
+    super('gaps', 26);
     this.lengths = scene.gaps.lengths;
-    this.count = scene.gaps.listed;
-  }
-
-  word(g, column) { return this.words[g * WORDS_OF_GAP + column]; }
-
-  slice(g, column, count) {
-    const at = g * WORDS_OF_GAP + column;
-    return this.floats.subarray(at, at + count);
   }
 
   a(g) { return this.word(g, 0); }
@@ -223,7 +193,7 @@ class Gaps {
     return [0, 1, 2].map((axis) => (a[axis] + b[axis]) / 2);
   }
 
-  reach(g) { return this.slice(g, 11, 1)[0]; }
+  reach(g) { return this.float(g, 11); }
 
   pose(g, side) { return this.slice(g, 12 + 7 * side, 7); }
 }
@@ -249,6 +219,6 @@ export function load() {
   scene.poses = unpackPoses(takeBytes('poses'), scene.moving, scene.steps.kept.length, scene.place_step, scene.turns);
   const contacts = new Contacts(scene);
   return {
-    scene, contacts, rows: new Rows(scene, contacts), curves: new Curves(), gaps: new Gaps(scene),
+    scene, contacts, rows: new Rows(contacts), curves: new Curves(), gaps: new Gaps(scene),
   };
 }

@@ -1,16 +1,10 @@
 // Gaps: shortest segments between bodies, drawn over the picture with their lengths. Lines and words
 // of the page stay sharp, are as thick as they are to be, and no wall hides them.
 import * as THREE from 'three';
+import { byId, svg } from './page.js';
 
 const MOST_LENGTHS = 24; // written at a time; more would hide each other
 const NEAR_POINTER = 10; // pixels
-
-const svg = (name, parent, kind) => {
-  const element = document.createElementNS('http://www.w3.org/2000/svg', name);
-  element.setAttribute('class', kind);
-  parent.append(element);
-  return element;
-};
 
 export class GapLines {
   constructor(all, layer = 'gaps') {
@@ -18,11 +12,11 @@ export class GapLines {
     this.faint = all.scene.steps.smooth; // those of other poses would say nothing of this one
     this.step = 0;
     this.chosen = -1;
-    this.layer = document.getElementById(layer);
+    this.layer = byId(layer);
     this.marks = Array.from({ length: this.gaps.count }, (_, g) => {
-      const group = svg('g', this.layer, '');
+      const group = svg('g', this.layer);
       const mark = {
-        group, halo: svg('line', group, 'halo'), line: svg('line', group, 'ink'), ends: [svg('circle', group, 'end'), svg('circle', group, 'end')], text: svg('text', group, ''),
+        group, halo: svg('line', group, 'halo'), line: svg('line', group, 'ink'), ends: [svg('circle', group, 'end'), svg('circle', group, 'end')], text: svg('text', group),
       };
       mark.ends.forEach((end) => end.setAttribute('r', 4));
       mark.text.textContent = this.gaps.lengths[g];

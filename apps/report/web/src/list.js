@@ -1,25 +1,20 @@
-// The list: a row for each two that touch, their contacts below it where it is open. Searched, ordered,
-// and drawn only where it is seen, so that 100,000 rows are as quick as ten.
+// The list: a row for each two that touch, their contacts below it where it is open.
 import { CONTACT, Entries, MISSING, NO, PERHAPS, ROW, YES } from './entries.js';
+import { byId, said } from './page.js';
+import { Scrolled } from './scrolled.js';
 import {
   counted, counts, missing, number, place, rowMost, rowPaths, rowPlace, rowTitle, rowWhen, shortRowTitle, title, triangles, when,
 } from './words.js';
 
-const HEIGHT = 92; // pixels of a line, as in the page's style
-const TALLEST = 8e6; // pixels; browsers draw no element that is much taller
-const MORE = 6; // lines beyond each end
-
-export class List {
+export class List extends Scrolled {
   constructor(all, onChoose) {
+    super(byId('list'), byId('rows'), { height: 92, more: 6 });
     this.all = all;
     this.onChoose = onChoose; // of a row, and a contact of it or -1
     this.entries = new Entries(all);
-    this.box = document.getElementById('list');
-    this.rows = document.getElementById('rows');
-    this.find = document.getElementById('find');
-    this.order = document.getElementById('order');
-    this.onlyNow = document.getElementById('now');
-    this.count = document.getElementById('count');
+    this.find = byId('find');
+    this.order = byId('order');
+    this.onlyNow = byId('now');
     this.chosen = { row: -1, contact: -1 };
     this.step = 0;
     if (all.scene.steps.count < 2) {
@@ -32,24 +27,20 @@ export class List {
     for (const [element, event] of [[this.find, 'input'], [this.order, 'change'], [this.onlyNow, 'change']]) {
       element.addEventListener(event, () => this.sift());
     }
-    this.box.addEventListener('scroll', () => this.draw());
     this.box.addEventListener('click', (event) => this.click(event));
-    this.box.addEventListener('keydown', (event) => this.key(event));
-    new ResizeObserver(() => this.draw()).observe(this.box);
     this.sift();
   }
 
   sift() {
     this.entries.sift(this.find.value.trim(), this.order.value,
       this.onlyNow.checked ? Math.floor(this.step) : undefined);
-    this.count.textContent = counts(this.all, this.entries.order.length);
+    byId('count').textContent = counts(this.all, this.entries.order.length);
     this.resize();
   }
 
-  resize() {
-    this.rows.style.height = `${Math.min(TALLEST, HEIGHT * this.entries.size)}px`;
-    this.draw();
-  }
+  get size() { return this.entries.size; }
+
+  chosenAt() { return this.entries.find(this.chosen.row, this.chosen.contact); }
 
   setStep(step) {
     const before = Math.floor(this.step);
@@ -108,13 +99,7 @@ export class List {
     line.setAttribute('aria-posinset', at + 1);
     line.setAttribute('aria-setsize', this.entries.size);
     line.style.top = `${top}px`;
-    const add = (tag, name, text) => {
-      const element = document.createElement(tag);
-      element.className = name;
-      element.textContent = text;
-      line.append(element);
-      return element;
-    };
+    const add = (tag, name, text) => line.appendChild(said(tag, text, name));
     if (kind === ROW) {
       this.fillRow(line, r, add);
     } else if (kind === CONTACT) {
@@ -158,82 +143,30 @@ export class List {
     }
   }
 
-  // How many pixels of all lines lie above what is seen. Where they are taller than a browser can
-  // scroll, a pixel of the scroll bar stands for several.
-  above() {
-    const all = HEIGHT * this.entries.size;
-    const scrolled = this.box.scrollTop;
-    if (all <= TALLEST) {
-      return scrolled;
-    }
-    const room = this.box.clientHeight;
-    return scrolled / (TALLEST - room) * (all - room);
-  }
-
-  scrollTo(above) {
-    const all = HEIGHT * this.entries.size;
-    const room = this.box.clientHeight;
-    this.box.scrollTop = all <= TALLEST ? above : above * (TALLEST - room) / (all - room);
-  }
-
-  draw() {
-    const above = this.above();
-    const shift = this.box.scrollTop - above;
-    const first = Math.max(0, Math.floor(above / HEIGHT) - MORE);
-    const last = Math.min(this.entries.size, Math.ceil((above + this.box.clientHeight) / HEIGHT) + MORE);
-    const lines = [];
-    for (let at = first; at < last; ++at) {
-      lines.push(this.line(at, HEIGHT * at + shift));
-    }
-    this.rows.replaceChildren(...lines);
-    const seen = this.rows.querySelector('[aria-selected="true"]');
-    if (seen) {
-      this.box.setAttribute('aria-activedescendant', seen.id);
-    } else {
-      this.box.removeAttribute('aria-activedescendant');
-    }
-  }
-
   // Marks row r, or contact k of it, and brings its line into sight; a search may have left it out.
   mark(r, k) {
     this.chosen = { row: r, contact: k };
     if (k >= 0 && !this.entries.isOpen(r)) {
       this.toggle(r);
     }
-    const at = this.entries.find(r, k);
-    if (at >= 0) {
-      const top = HEIGHT * at;
-      const above = this.above();
-      if (top < above || top + HEIGHT > above + this.box.clientHeight) {
-        this.scrollTo(Math.max(0, top - this.box.clientHeight / 3));
-      }
-    }
-    this.draw();
+    this.reveal();
   }
 
-  // The line `by` lines further on; what is left out is passed over.
-  neighbor(by) {
+  // What is left out is passed over.
+  chooseAt(at, by) {
     const { entries } = this;
-    if (entries.size === 0) {
-      return;
-    }
-    const at = entries.find(this.chosen.row, this.chosen.contact);
-    const wanted = at < 0 ? (by > 0 ? 0 : entries.size - 1) : at + by;
-    let next = Math.min(entries.size - 1, Math.max(0, wanted));
+    let next = at;
     while (entries.kinds[next] === MISSING) {
       next += by > 0 && next + 1 < entries.size ? 1 : -1;
     }
     this.onChoose(entries.rowOf[next], entries.contactOf[next]);
   }
 
+  // Opens and closes rows, besides what all lists do.
   key(event) {
-    const page = Math.max(1, Math.floor(this.box.clientHeight / HEIGHT) - 1);
-    const steps = { ArrowDown: 1, ArrowUp: -1, PageDown: page, PageUp: -page, Home: -this.entries.size, End: this.entries.size };
+    super.key(event);
     const { row, contact } = this.chosen;
-    if (event.key in steps) {
-      event.preventDefault();
-      this.neighbor(steps[event.key]);
-    } else if (row >= 0 && (event.key === 'Enter' || event.key === 'ArrowRight' || event.key === 'ArrowLeft')) {
+    if (row >= 0 && (event.key === 'Enter' || event.key === 'ArrowRight' || event.key === 'ArrowLeft')) {
       event.preventDefault();
       const open = Boolean(this.entries.isOpen(row));
       const wanted = event.key === 'Enter' ? !open : event.key === 'ArrowRight';

@@ -5,12 +5,11 @@ import WORKER from 'live-worker';
 import { LiveData, whyNot } from './live_data.js';
 import { Hand } from './live_hand.js';
 import { LiveView } from './live_view.js';
+import { byId } from './page.js';
 import { argumentFrom, argumentOf, moved, poseOf, roundedPlace, roundedTurn, shiftOf, turnOf } from './pose.js';
 import { liveAnswer, liveOthers, liveWhere } from './words.js';
 
 const HOME = '0 0 0'; // what --pose is where it is left out
-
-const byId = (id) => document.getElementById(id);
 
 // Questions one at a time: of those that wait, the latest is the one that counts.
 class Answers {

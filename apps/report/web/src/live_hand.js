@@ -1,5 +1,6 @@
 // The reader's hand on a body: dragged by the pointer along the ground or up and down, moved and turned by keys.
 import * as THREE from 'three';
+import { byId } from './page.js';
 
 const LEVEL = 0.2; // sine of the eye's height over the ground below which the ground is seen too flat to drag along
 const FARTHEST = 20; // sizes of the scene: pointers that meet the plane beyond it say nothing
@@ -47,7 +48,7 @@ export class Hand {
     this.at = hit.point;
     this.last = event;
     this.held.hold(hit.body);
-    document.getElementById('stage').classList.add('held');
+    byId('stage').classList.add('held');
     return true;
   }
 
@@ -82,7 +83,7 @@ export class Hand {
   release() {
     const was = this.at;
     this.at = null;
-    document.getElementById('stage').classList.remove('held');
+    byId('stage').classList.remove('held');
     return Boolean(was);
   }
 

@@ -1,5 +1,4 @@
 // What is drawn of a moved body's answer: the curve where it crosses others, or the shortest segment to the nearest.
-import { Curve } from './curves.js';
 import { GapLines } from './gaps.js';
 import { inDigits } from './words.js';
 
@@ -25,10 +24,10 @@ class LiveGap {
 export class LiveView {
   constructor(view) {
     this.view = view;
-    this.curve = new Curve(view.world, 4, ALWAYS_SEEN, true);
+    this.curve = view.addCurve(view.world, 4, ALWAYS_SEEN, true);
     this.gap = new LiveGap();
     this.gapLines = new GapLines({ gaps: this.gap, scene: view.all.scene }, 'live-gap');
-    view.addLayer(this);
+    view.layers.push(this);
   }
 
   // `lines` six floats each; `gap` two points and their distance, or nothing.
@@ -38,10 +37,6 @@ export class LiveView {
     this.gapLines.setLength(0, gap ? inDigits(gap.length) : '');
     this.view.draw();
   }
-
-  paint(colors) { this.curve.paint(colors.touch, colors.halo); }
-
-  fit(width) { this.curve.fit(width); }
 
   draw(camera, width, height) {
     this.gapLines.layer.style.display = this.gap.points ? '' : 'none';

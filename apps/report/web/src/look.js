@@ -1,4 +1,4 @@
-// Colors, by the reader's scheme. The page's style names them; they come from apps/support/look.h,
+// Colors and surfaces, by the reader's scheme. The page's style names colors; they come from apps/draw/look.h,
 // as those of the window, pictures, maps and plots do.
 import * as THREE from 'three';
 
@@ -21,5 +21,8 @@ export function colors(paper = false) {
 export function whenSchemeChanges(act) {
   scheme.addEventListener('change', act);
 }
+
+// What bodies and parts are made of.
+export const solid = (more) => new THREE.MeshLambertMaterial({ flatShading: true, side: THREE.DoubleSide, ...more });
 
 export const calm = () => matchMedia('(prefers-reduced-motion: reduce)').matches;

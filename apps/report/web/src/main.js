@@ -1,59 +1,16 @@
 // Brings the page to life: the view, the list of contacts, and time; or the list of a clash page.
 import { isClashPage } from './clash_data.js';
-import { clashTrouble, startClashes } from './clash_main.js';
+import { startClashes } from './clash_main.js';
 import { load, loadModel } from './data.js';
 import { List } from './list.js';
 import { Live } from './live.js';
-import { addPrinting } from './print.js';
+import { addPrinting, addSteps, byId, makeView, said, svg, trouble } from './page.js';
+import { printedRows } from './print.js';
+import { SceneView } from './scene_view.js';
 import { Time } from './time.js';
-import { View } from './view.js';
 import {
   bodyName, counted, gapWords, missing, moment, notDrawn, place, rowMost, rowPlace, rowTitle, rowWhen, title, triangles, whatIsDrawn, when,
 } from './words.js';
-
-const byId = (id) => document.getElementById(id);
-
-function trouble(words) {
-  const place = byId('trouble');
-  place.textContent = words;
-  place.hidden = false;
-  byId('tools').hidden = true;
-}
-
-function makeView(all) {
-  // Asked of a canvas that is thrown away: one that failed once gives no other context.
-  if (!document.createElement('canvas').getContext('webgl2')) {
-    trouble('This browser does not support WebGL, so the scene cannot be drawn. All contacts, figures and plots are still on this page.');
-    return null;
-  }
-  const canvas = byId('canvas');
-  canvas.addEventListener('webglcontextlost', () => trouble('The browser lost the graphics card. Reload the page to draw the scene again.'));
-  return new View(canvas, all);
-}
-
-function addKeys(view, time, list) {
-  const turn = 0.12;
-  const keys = {
-    ArrowLeft: (shift) => (shift ? view.shift(-0.1, 0) : view.turn(-turn, 0)),
-    ArrowRight: (shift) => (shift ? view.shift(0.1, 0) : view.turn(turn, 0)),
-    ArrowUp: (shift) => (shift ? view.shift(0, 0.1) : view.turn(0, -turn)),
-    ArrowDown: (shift) => (shift ? view.shift(0, -0.1) : view.turn(0, turn)),
-    '+': () => view.closer(0.85),
-    '=': () => view.closer(0.85),
-    '-': () => view.closer(1 / 0.85),
-    Home: () => view.whole(),
-    ' ': () => time.toggle(),
-    n: () => list.neighbor(1),
-    p: () => list.neighbor(-1),
-  };
-  byId('canvas').addEventListener('keydown', (event) => {
-    const key = event.key.length === 1 ? event.key.toLowerCase() : event.key; // N is n with Caps Lock
-    if (key in keys && !event.ctrlKey && !event.metaKey && !event.altKey) {
-      event.preventDefault();
-      keys[key](event.shiftKey);
-    }
-  });
-}
 
 // A press that does not turn the view chooses the contact or the gap below it.
 function addPicking(view, choose, chooseGap) {
@@ -80,9 +37,7 @@ function addTimeLine(all, choose) {
   for (const bar of document.querySelectorAll('#time-line [data-contact]')) {
     const k = Number(bar.dataset.contact);
     if (k < all.contacts.count) {
-      const words = document.createElementNS('http://www.w3.org/2000/svg', 'title');
-      words.textContent = `${title(all, k)}: ${when(all, k)}`;
-      bar.append(words);
+      svg('title', bar).textContent = `${title(all, k)}: ${when(all, k)}`;
       bar.style.cursor = 'pointer';
       bar.addEventListener('click', () => {
         byId('view').scrollIntoView();
@@ -129,11 +84,8 @@ function nameColors({ scene, contacts, gaps }) {
   byId('near-time').hidden = !scene.steps.smooth || scene.steps.count < 2;
   if (scene.steps.count < 2 && scene.bodies.names.length === 2) {
     byId('legend').replaceChildren(...[['moves', bodyName(scene, 0)], ['still', bodyName(scene, 1)],
-      ...(contacts.count > 0 ? [['touch', 'where they cross']] : [])].flatMap(([key, words]) => {
-      const mark = document.createElement('span');
-      mark.className = `key ${key}`;
-      return [mark, words];
-    }), byId('near'));
+      ...(contacts.count > 0 ? [['touch', 'where they cross']] : [])].flatMap(
+      ([key, words]) => [said('span', '', `key ${key}`), words]), byId('near'));
   }
 }
 
@@ -166,7 +118,7 @@ function start() {
   byId('missing').textContent = notDrawn(all);
   nameColors(all);
   byId('missing').hidden = notDrawn(all) === '';
-  const view = makeView(all);
+  const view = makeView(SceneView, all, 'tools');
   const time = new Time(all, (step) => {
     view?.setStep(step);
     list.setStep(step);
@@ -199,17 +151,14 @@ function start() {
   };
   const list = new List(all, choose);
   const live = view && all.scene.live ? new Live(all, view) : null;
-  byId('next').addEventListener('click', () => list.neighbor(1));
-  byId('previous').addEventListener('click', () => list.neighbor(-1));
+  addSteps(view, list, { ' ': () => time.toggle() });
   addTimeLine(all, choose);
   addGapLinks(chooseGap);
   if (view) {
-    byId('whole').addEventListener('click', () => view.whole());
     byId('above').addEventListener('click', () => view.above());
-    addKeys(view, time, list);
     addPicking(view, choose, chooseGap);
   }
-  addPrinting(all, view, list);
+  addPrinting(() => printedRows(all, view, list.entries.order));
   time.go(0);
   linked(all, choose, chooseGap)?.();
   loadRest(all, view);
@@ -239,7 +188,7 @@ function start() {
     firstPicture: () => view?.firstPicture, // triangles drawn, and milliseconds after the page was opened
     middle: (g) => all.gaps.middle(g),
     live: () => (live?.active ? { body: live.held, pose: live.pose, recorded: live.isRecorded(), answer: live.answer } : null),
-    onCanvas: (body) => view?.middleOnCanvas(body), // pixels from the upper left corner
+    onCanvas: (body) => view?.onCanvas(view.bodies.placeOf(body)).slice(0, 2), // pixels from the upper left corner
     calls: () => view?.renderer.info.render.calls,
   };
 }
@@ -248,7 +197,6 @@ const ofClashes = isClashPage();
 try {
   (ofClashes ? startClashes : start)();
 } catch (error) {
-  byId('look').hidden = false;
-  (ofClashes ? clashTrouble : trouble)(`The scene cannot be shown: ${error.message}`);
+  trouble(`The scene cannot be shown: ${error.message}`, ofClashes ? 'stage' : 'tools');
   console.error(error);
 }

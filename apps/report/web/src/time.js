@@ -1,4 +1,5 @@
 // The slider over steps, and playing.
+import { byId } from './page.js';
 
 const SLOW = 4; // steps a second where steps are no time
 
@@ -7,10 +8,10 @@ export class Time {
     this.steps = all.scene.steps;
     this.onStep = onStep;
     this.step = 0;
-    this.slider = document.getElementById('step');
-    this.button = document.getElementById('play');
+    this.slider = byId('step');
+    this.button = byId('play');
     this.slider.max = Math.max(0, this.steps.count - 1);
-    document.getElementById('time').hidden = this.steps.count < 2;
+    byId('time').hidden = this.steps.count < 2;
     this.slider.addEventListener('input', () => {
       this.stop();
       this.go(Number(this.slider.value));
