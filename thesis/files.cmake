@@ -18,6 +18,8 @@ set(SOMS_THESIS_FILES
   claims/research_questions.h
   claims/sources.cpp
   claims/sources.h
+  claims/thesis_claims.cpp
+  claims/thesis_claims.h
   claims/thesis_items.cpp
   claims/thesis_text.cpp
   experiments/approaches.cpp

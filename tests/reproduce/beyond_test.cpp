@@ -254,7 +254,7 @@ TEST(Beyond, AStopRequestEndsAnExperiment) {
   source.request_stop();
   for (const auto experiment : {modern, cities, spread}) {
     try {
-      experiment({.models = models, .quick = true, .parallel = {1, source.get_token(), {}}});
+      experiment({.models = models, .quick = true, .limits = {1, source.get_token(), {}}});
       ADD_FAILURE() << "not stopped";
     } catch (const Error& error) {
       EXPECT_EQ(error.kind(), ErrorKind::cancelled);

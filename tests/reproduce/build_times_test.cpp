@@ -185,7 +185,7 @@ TEST(BuildTimes, ProgressEndsAtOne) {
   Context context{.models = models, .quick = true};
   double last = 0;
   bool ascends = true;
-  context.parallel.progress = [&](double share) {
+  context.limits.progress = [&](double share) {
     ascends = ascends && share >= last;
     last = share;
   };

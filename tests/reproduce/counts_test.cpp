@@ -338,7 +338,7 @@ TEST(Counts, StopRequestEndsTheCounting) {
   std::stop_source stop;
   stop.request_stop();
   Context context{.models = models};
-  context.parallel.stop = stop.get_token();
+  context.limits.stop = stop.get_token();
   for (const auto run : {table_5_9, figure_5_4, table_5_7}) {
     EXPECT_THROW(static_cast<void>(run(context)), Error);
   }

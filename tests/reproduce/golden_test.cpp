@@ -187,14 +187,14 @@ TEST(Golden, PageAndManifestHaveTheComparison) {
 TEST(Golden, StopRequestEndsTheComparisonWhichSaysSo) {
   std::stop_source stop;
   std::vector<double> shares;
-  Parallel parallel{.stop = stop.get_token(), .progress = [&](double share) {
-                      shares.push_back(share);
-                      if (shares.size() == 3) {
-                        stop.request_stop();
-                      }
-                    }};
+  Limits limits{.stop = stop.get_token(), .progress = [&](double share) {
+                  shares.push_back(share);
+                  if (shares.size() == 3) {
+                    stop.request_stop();
+                  }
+                }};
   const GoldenTables tables = few_rows(read_golden(golden_folder()), "u_plain");
-  const GoldenComparison found = compare_with_golden(tables, golden_scenes(), parallel);
+  const GoldenComparison found = compare_with_golden(tables, golden_scenes(), limits);
   EXPECT_FALSE(found.whole);
   EXPECT_EQ(found.compared(), 3U);
   EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));

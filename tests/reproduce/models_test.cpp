@@ -314,8 +314,7 @@ TEST(Models, TellProgressAndStopWhenRequested) {
   const Folder folder;
   folder.put("bun_zipper_res4.ply", 1000);
   std::stop_source stop;
-  const Parallel stopped{.stop = stop.get_token(),
-                         .progress = [&](double) { stop.request_stop(); }};
+  const Limits stopped{.stop = stop.get_token(), .progress = [&](double) { stop.request_stop(); }};
   EXPECT_THROW(static_cast<void>(find_models(folder.path(), kAll, stopped)), Error);
   EXPECT_THROW(static_cast<void>(find_models({}, {}, stopped)), Error);
 }

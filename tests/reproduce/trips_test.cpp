@@ -101,7 +101,7 @@ TEST_P(Traversals, EndOnRequest) {
   std::stop_source source;
   source.request_stop();
   const std::string_view item = GetParam();
-  const Context context{.models = models, .quick = true, .parallel = {.stop = source.get_token()}};
+  const Context context{.models = models, .quick = true, .limits = {.stop = source.get_token()}};
   try {
     (void)experiments_named(std::span(&item, 1)).front()->run(context);
     ADD_FAILURE() << "went on";
@@ -114,12 +114,11 @@ TEST_P(Traversals, ReportTheirProgress) {
   const Models models = small_models();
   double last = 0;
   const std::string_view item = GetParam();
-  const Context context{
-      .models = models, .quick = true, .parallel = {.progress = [&](double share) {
-                                         EXPECT_GT(share, last);
-                                         EXPECT_LE(share, 1);
-                                         last = share;
-                                       }}};
+  const Context context{.models = models, .quick = true, .limits = {.progress = [&](double share) {
+                                                           EXPECT_GT(share, last);
+                                                           EXPECT_LE(share, 1);
+                                                           last = share;
+                                                         }}};
   (void)experiments_named(std::span(&item, 1)).front()->run(context);
   EXPECT_TRUE(last == 0 || last == 1) << last;
 }

@@ -97,7 +97,7 @@ ABOVE = {
                   "apps/soms/thesis"},
     "apps/soms/thesis": {"apps/soms", "apps/output", "apps/cli", "apps/model", "apps/world", "thesis/trips"},
     "apps/view": {"apps/draw", "apps/output", "apps/cli", "apps/rows", "apps/model", "apps/world"},
-    "apps/view/drawing": {"apps/draw"},
+    "apps/view/drawing": {"apps/draw", "apps/output"},
     "python": {"apps/report"},
     "web": set(),
 }

@@ -78,8 +78,8 @@ ExpectedVisits mean_visits(const Tree& tree, std::span<const Box> queries) {
 
 /// What can be counted. The tree is dropped afterwards, the shape is kept for the timing.
 Measured measure(const Shape& shape, const ComparedBuild& build, const Workload& workload,
-                 const Parallel& parallel) {
-  const Tree tree = soms::build(shape.mesh(), build.build, parallel);
+                 const Limits& limits) {
+  const Tree tree = soms::build(shape.mesh(), build.build, limits);
   Measured m{
       .build = build,
       .counts = statistics(tree, build.build),
@@ -90,27 +90,27 @@ Measured measure(const Shape& shape, const ComparedBuild& build, const Workload&
   for (const Workload::Cubes& cubes : workload.cubes) {
     m.sides.push_back({cubes.share, expected_visits(tree, cubes.size),
                        mean_visits(tree, cubes.anywhere), mean_visits(tree, cubes.near)});
-    check_stop(parallel);
+    check_stop(limits);
   }
   return m;
 }
 
 OverlapBatch ask_all(const Workload& workload, const Shape& shape, OverlapMode mode,
-                     const Parallel& parallel) {
-  return overlap(workload.mover, workload.poses, Body(shape), {.mode = mode}, parallel);
+                     const Limits& limits) {
+  return overlap(workload.mover, workload.poses, Body(shape), {.mode = mode}, limits);
 }
 
 void time_compared(std::vector<Measured>& measured, const std::shared_ptr<const Mesh>& mesh,
-                   int repetitions, const Parallel& parallel) {
+                   int repetitions, const Limits& limits) {
   std::vector<std::function<void()>> works;
   for (const Measured& m : measured) {
     works.emplace_back(
-        [&mesh, &m, &parallel] { static_cast<void>(build(*mesh, m.build.build, parallel)); });
-    works.emplace_back([&mesh, &m, &parallel] {
-      static_cast<void>(Shape(mesh, ShapeOptions{.build = m.build.build}, parallel));
+        [&mesh, &m, &limits] { static_cast<void>(build(*mesh, m.build.build, limits)); });
+    works.emplace_back([&mesh, &m, &limits] {
+      static_cast<void>(Shape(mesh, ShapeOptions{.build = m.build.build}, limits));
     });
   }
-  const std::vector<Timing> timings = time_in_turn(repetitions, parallel, works, 1);
+  const std::vector<Timing> timings = time_in_turn(repetitions, limits, works, 1);
   for (std::size_t i = 0; i < measured.size(); ++i) {
     measured[i].build_ms = timings[2 * i];
     measured[i].shape_ms = timings[2 * i + 1];
@@ -118,16 +118,16 @@ void time_compared(std::vector<Measured>& measured, const std::shared_ptr<const 
 }
 
 void time_queries(std::vector<Measured>& measured, const std::vector<Shape>& shapes,
-                  const Workload& workload, int repetitions, const Parallel& parallel) {
+                  const Workload& workload, int repetitions, const Limits& limits) {
   for (const OverlapMode mode : {OverlapMode::any, OverlapMode::all}) {
     std::vector<std::function<void()>> works;
     works.reserve(shapes.size());
     for (const Shape& shape : shapes) {
-      works.emplace_back([&shape, &workload, mode, &parallel] {
-        static_cast<void>(ask_all(workload, shape, mode, parallel));
+      works.emplace_back([&shape, &workload, mode, &limits] {
+        static_cast<void>(ask_all(workload, shape, mode, limits));
       });
     }
-    const std::vector<Timing> timings = time_in_turn(repetitions, parallel, works, 1);
+    const std::vector<Timing> timings = time_in_turn(repetitions, limits, works, 1);
     for (std::size_t i = 0; i < measured.size(); ++i) {
       (mode == OverlapMode::any ? measured[i].any_ms : measured[i].all_ms) = timings[i];
     }
@@ -176,8 +176,8 @@ Workload make_workload(const Mesh& mesh, const Mesh& mover, std::string mover_na
 }
 
 Compared compare(const Model& model, std::span<const ComparedBuild> builds,
-                 const Workload& workload, int repetitions, const Parallel& parallel) {
-  const Parallel alone{1, parallel.stop, {}};
+                 const Workload& workload, int repetitions, const Limits& limits) {
+  const Limits alone = limits.alone();
   const Vec3 extent = bounds(*model.mesh).extent();
   Compared compared{.model = model.name,
                     .triangles = model.mesh->triangles.size(),

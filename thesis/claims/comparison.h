@@ -97,7 +97,7 @@ struct Compared {
 
 /// Measures all builds on a model; times in turn, on one thread. \errors ErrorKind::cancelled.
 [[nodiscard]] Compared compare(const Model& model, std::span<const ComparedBuild> builds,
-                               const Workload& workload, int repetitions, const Parallel& parallel);
+                               const Workload& workload, int repetitions, const Limits& limits);
 
 /// Decades between the 5th and the 95th percentile of the triangles' longest edges; 0 where edges
 /// of length 0 leave no ratio.

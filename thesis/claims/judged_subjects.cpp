@@ -32,10 +32,12 @@ std::string reason_of(const Claim& claim, const ClaimRow& row) {
 
 }  // namespace
 
-void set_subject(ClaimRow& row, const Model& model) {
+ClaimRow on_model(ClaimRow row, const Model& model, std::string_view unjudged) {
   row.subject = label_of(model);
   row.kind = model.stand_in ? SubjectKind::stand_in : SubjectKind::given;
   row.triangles = model.mesh->triangles.size();
+  row.unjudged = unjudged;
+  return row;
 }
 
 const Model* named_model(std::span<const Model> models, std::size_t triangles) {

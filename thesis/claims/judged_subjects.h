@@ -12,6 +12,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string_view>
 
 namespace soms::reproduce {
 
@@ -21,7 +22,8 @@ inline constexpr std::size_t kObjectTriangles = 948;
 inline constexpr std::size_t kSceneTriangles = 5672;
 
 /// Makes a model the subject of a row: its label, whether it is a stand-in, and its triangles.
-void set_subject(ClaimRow& row, const Model& model);
+/// `unjudged` says why the row is not judged; it is empty where it is.
+[[nodiscard]] ClaimRow on_model(ClaimRow row, const Model& model, std::string_view unjudged = {});
 
 /// The model of this number of triangles that is not known to be a stand-in: the first of `models`
 /// that has it, or nullptr.

@@ -81,7 +81,7 @@ class ApproachView {
 }  // namespace
 
 Result table_3_2(const Context& context) {
-  check_stop(context.parallel);
+  check_stop(context.limits);
   const Model& object = context.models.objects.front();
   Table table{.id = "table_3_2",
               .caption =
@@ -109,7 +109,7 @@ Result table_3_2(const Context& context) {
 }
 
 Result figure_3_8(const Context& context) {
-  check_stop(context.parallel);
+  check_stop(context.limits);
   const Model& object = context.models.objects.front();
   const std::string title = "The object and from where its like comes at it";
   Svg svg(980, 540, title);

@@ -96,7 +96,7 @@ Result balance(const Context& context) {
   for (const Model& model : context.models.scenes) {
     tasks.push_back({&model, kSceneLevel});
   }
-  Steps steps(context.parallel, tasks.size());
+  Steps steps(context.limits, tasks.size());
   std::vector<Counted> counts;
   for (const BalanceTask& task : tasks) {
     for (const Contender& contender : with_each(all_builds(task.level), kThesisEmptySides)) {

@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 12> kLeafSizeColumns{
 Result table_5_4(const Context& context) {
   const std::span<const Model> objects = context.models.objects;
   const std::vector<Counted> counts =
-      count_all(objects, at_every_level(kObjectLevel, all_builds), context.parallel);
+      count_all(objects, at_every_level(kObjectLevel, all_builds), context.limits);
   const Model& bunny = objects.front();
   return {.tables = {count_table(
               "table_5_4",
@@ -37,7 +37,7 @@ Result table_5_4(const Context& context) {
 Result table_5_10(const Context& context) {
   const std::span<const Model> scenes = context.models.scenes;
   const std::vector<Counted> counts = count_all(
-      scenes, with_each(all_builds_and_axes(kSceneLevel), kAllEmptySides), context.parallel);
+      scenes, with_each(all_builds_and_axes(kSceneLevel), kAllEmptySides), context.limits);
   const std::string note = note_on_stand_ins(scenes);
   return {
       .tables = {count_table(

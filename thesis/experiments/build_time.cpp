@@ -70,12 +70,12 @@ std::vector<Datum> data_of(std::span<const TimedBuild> builds, Unit unit) {
 
 /// Times all builds of each model at the level that `level_of` gives. Fills in table and chart.
 std::vector<TimedBuild> time_task(const TimedTask& task, const Context& context,
-                                  int (*level_of)(const Model&, const Parallel&), Result& result) {
+                                  int (*level_of)(const Model&, const Limits&), Result& result) {
   std::size_t count = 0;
   for (const Model& model : task.models) {
     count += rounds(repetitions(context, task.repetitions, model));
   }
-  Steps steps(context.parallel, count);
+  Steps steps(context.limits, count);
   std::vector<TimedBuild> all;
   std::vector<Datum> data;
   for (const Model& model : task.models) {
@@ -108,17 +108,17 @@ std::vector<TimedBuild> time_task(const TimedTask& task, const Context& context,
 }
 
 template <Rule rule, int level>
-int balanced_level_of(const Model& model, const Parallel& parallel) {
+int balanced_level_of(const Model& model, const Limits& limits) {
   for (const Contender& contender : thesis_rules(level)) {
     if (contender.options.rule == rule) {
-      return balanced_level(model, contender, parallel);
+      return balanced_level(model, contender, limits);
     }
   }
   return level;
 }
 
 template <int level>
-int fixed_level(const Model& /*model*/, const Parallel& /*parallel*/) {
+int fixed_level(const Model& /*model*/, const Limits& /*limits*/) {
   return level;
 }
 

@@ -46,7 +46,7 @@ struct Drive {
   }
 };
 
-void run_drive(Drive& ride, const Context& context, const Parallel& quiet) {
+void run_drive(Drive& ride, const Context& context, const Limits& quiet) {
   const auto traversals = drive_traversals();
   for (std::size_t i = 0; i < drive_traversal_count; ++i) {
     ride.sums[i] = totals(traverse_frames(ride.trip, traversals[i], quiet));
@@ -209,7 +209,7 @@ void add_drives(std::vector<Drive>& rides, const Context& context, const Model& 
 
 Result drives(const Context& context) {
   const Models& models = context.models;
-  Steps steps(context.parallel,
+  Steps steps(context.limits,
               models.objects.size() * models.scenes.size() * 2 * kDriveRules.size());
   Result result{.remarks = object_remarks(models.objects)};
   const std::vector<std::string> scenes = scene_remarks(models.scenes);

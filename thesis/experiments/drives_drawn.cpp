@@ -91,10 +91,10 @@ void run_showing(Showing& showing, const Model& object, const Contender& build_o
   Trip trip = drive_trip(*showing.course->scene, object, showing.build, build_of_object);
   trip.offsets = showing.course->offsets;
   const NamedTraversal traversal = drive_traversals()[showing.traversal];
-  if (has_too_many_pairs(totals(traverse_frames(trip, traversal, context.parallel)))) {
+  if (has_too_many_pairs(totals(traverse_frames(trip, traversal, context.limits)))) {
     return;
   }
-  showing.frames = answer_frames(trip, traversal, context.parallel);
+  showing.frames = answer_frames(trip, traversal, context.limits);
   if (!context.draw) {
     showing.drawn.trouble = "this run has no program that draws";
     return;
@@ -283,7 +283,7 @@ Result drives_drawn(const Context& context) {
     courses.push_back(course_of(scene, object, context));
   }
   std::vector<Showing> showings = showings_on(courses);
-  Steps steps(context.parallel, showings.size());
+  Steps steps(context.limits, showings.size());
   for (Showing& showing : showings) {
     run_showing(showing, object, build_named(of_object, showing.build.name), context);
     if (showing.frames.empty() && showing.traversal == larsson) {

@@ -30,14 +30,14 @@ struct Visit {
   std::set<std::uint32_t> nodes_b;
 };
 
-Visit visit(const Trip& trip, TraversalOptions options, bool prune, const Parallel& parallel) {
+Visit visit(const Trip& trip, TraversalOptions options, bool prune, const Limits& limits) {
   options.prune = prune;
   LeafTraversal traversal(trip, options);
   traversal.move(kFrame);
   Visit visit;
   TraversalVisitor visitor;
   visitor.keep_going = [&] {
-    check_stop(parallel);
+    check_stop(limits);
     return true;
   };
   visitor.leaf_pair = [&](NodePair p) {
@@ -125,14 +125,14 @@ Result figure_4_35(const Context& context) {
   for (const char* const name : {"nodes_seen_still", "nodes_still", "nodes_seen_moving"}) {
     table.columns.push_back({name});
   }
-  Steps steps(context.parallel, builds.size() * traversals.size());
+  Steps steps(context.limits, builds.size() * traversals.size());
   double least = 0;
   double most = 0;
   for (const Contender& build : builds) {
     const Trip trip = orientation_trip(object, Approach::right, build);
     for (const NamedTraversal& traversal : traversals) {
-      const Visit on = visit(trip, traversal.options, true, context.parallel);
-      const Visit off = visit(trip, traversal.options, false, context.parallel);
+      const Visit on = visit(trip, traversal.options, true, context.limits);
+      const Visit off = visit(trip, traversal.options, false, context.limits);
       require(on.leaf_pairs == off.leaf_pairs,
               fmt::format("{} on {} trees with pruning and without", traversal.name, build.title));
       add_row(table, trip, traversal, true, on);
@@ -147,8 +147,8 @@ Result figure_4_35(const Context& context) {
   const Trip drawn = orientation_trip(object, Approach::right, thesis_rules(kDrawnLevel).back());
   const TraversalOptions simultaneous = named_traversal("simultaneous").options;
   return {.tables = {std::move(table)},
-          .figures = {picture(drawn, visit(drawn, simultaneous, true, context.parallel),
-                              visit(drawn, simultaneous, false, context.parallel))},
+          .figures = {picture(drawn, visit(drawn, simultaneous, true, context.limits),
+                              visit(drawn, simultaneous, false, context.limits))},
           .remarks = {object_remark(object),
                       fmt::format("Both ways report the same pairs of leaves; without pruning they "
                                   "make {:.0f} to {:.0f} times the box tests.",

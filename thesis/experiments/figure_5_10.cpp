@@ -90,7 +90,7 @@ std::vector<Match> trips(const Context& context) {
 void run_match(Match& match, const Context& context) {
   const auto traversals = drawn_traversals();
   for (std::size_t i = 0; i < compared; ++i) {
-    match.frames[i] = answer_frames(match.trip, traversals[i], context.parallel);
+    match.frames[i] = answer_frames(match.trip, traversals[i], context.limits);
     for (std::size_t k = 0; k < match.frames[i].size(); ++k) {
       require(match.frames[i][k].contacts == match.frames[larsson][k].contacts,
               fmt::format("{} of {} past {}, frame {}: contacts by {} and by {}", match.trip.test,
@@ -99,7 +99,7 @@ void run_match(Match& match, const Context& context) {
     }
   }
   match.times = time_frames(match.trip, traversals, context.repetitions(match.is_drive() ? 20 : 50),
-                            context.parallel, context.timed_step(match.is_drive()));
+                            context.limits, context.timed_step(match.is_drive()));
 }
 
 std::vector<Cell> name_cells(const Match& match, std::size_t traversal) {
@@ -258,7 +258,7 @@ std::vector<std::string> remarks(const Context& context, const std::vector<Match
 
 Result figure_5_10(const Context& context) {
   std::vector<Match> matches = trips(context);
-  Steps steps(context.parallel, matches.size());
+  Steps steps(context.limits, matches.size());
   for (Match& match : matches) {
     run_match(match, context);
     steps.done_one();

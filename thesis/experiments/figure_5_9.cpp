@@ -156,7 +156,7 @@ Table event_table(const ToyPair& toy, const std::array<Course, 2>& courses) {
 }  // namespace
 
 Result figure_5_9(const Context& context) {
-  check_stop(context.parallel);
+  check_stop(context.limits);
   const ToyPair toy;
   const std::array courses{record(toy, "simultaneous", {.traversal = Traversal::simultaneous}),
                            record(toy, "E-Node", {.traversal = Traversal::e_node})};

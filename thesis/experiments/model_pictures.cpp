@@ -54,14 +54,14 @@ std::size_t parts_of(const Mesh& mesh) {
 
 /// A row that compares a scene with what its .3ds gives when it is read. An empty answer, or why it
 /// could not be compared.
-std::string compare_with_file(const Model& scene, const Parallel& parallel, Table& table) {
+std::string compare_with_file(const Model& scene, const Limits& limits, Table& table) {
   const Mesh& mesh = *scene.mesh;
   std::string file;
   std::optional<Mesh> back;
   try {
     file = scene_file(scene);
-    Parallel one;
-    one.stop = parallel.stop;
+    Limits one;
+    one.stop = limits.stop;
     back = read_mesh(std::as_bytes(std::span(file)), scene.name + ".3ds", {}, one);
   } catch (const Error& error) {
     if (error.kind() == ErrorKind::cancelled) {
@@ -141,8 +141,8 @@ Result figure_4_43(const Context& context) {
                           {"hash_read"},
                           {"equal"}}};
   for (const Model& scene : context.models.scenes) {
-    check_stop(context.parallel);
-    std::string trouble = compare_with_file(scene, context.parallel, table);
+    check_stop(context.limits);
+    std::string trouble = compare_with_file(scene, context.limits, table);
     if (!trouble.empty()) {
       result.remarks.push_back(std::move(trouble));
     }

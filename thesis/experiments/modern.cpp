@@ -48,7 +48,7 @@ Result compare_all(const std::string& prefix, const std::vector<Case>& cases,
   };
   const std::size_t total = std::accumulate(cases.begin(), cases.end(), std::size_t{1}, triangles);
   for (const Case& c : cases) {
-    check_stop(context.parallel);
+    check_stop(context.limits);
     const std::size_t size = c.model->mesh->triangles.size();
     if (size > kLargeScene) {
       large.push_back(c.model->title);
@@ -56,11 +56,11 @@ Result compare_all(const std::string& prefix, const std::vector<Case>& cases,
     if (size > 0) {
       const int repetitions = size > kLargeScene / 4 ? 3 : context.quick ? 9 : 15;
       all.push_back(compare(*c.model, compared_builds(c.level, size > kLargeScene),
-                            workload_for(c, context.quick), repetitions, context.parallel));
+                            workload_for(c, context.quick), repetitions, context.limits));
     }
     done += size;
-    if (context.parallel.progress) {
-      context.parallel.progress(static_cast<double>(done) / static_cast<double>(total));
+    if (context.limits.progress) {
+      context.limits.progress(static_cast<double>(done) / static_cast<double>(total));
     }
   }
   Result result = report(prefix, all);

@@ -35,15 +35,15 @@ Result tables_of(const std::string& id, std::span<const Model> models, int level
 
 Result table_5_3(const Context& context) {
   const std::span<const Model> objects = context.models.objects;
-  const std::vector<Counted> counts = count_all(
-      objects, with_each(all_builds_and_axes(kObjectLevel), kEmptySides), context.parallel);
+  const std::vector<Counted> counts =
+      count_all(objects, with_each(all_builds_and_axes(kObjectLevel), kEmptySides), context.limits);
   return tables_of("table_5_3", objects, kObjectLevel, counts);
 }
 
 Result table_5_9(const Context& context) {
   const std::span<const Model> scenes = context.models.scenes;
   const std::vector<Counted> counts = count_all(
-      scenes, with_each(all_builds_and_axes(kSceneLevel), kAllEmptySides), context.parallel);
+      scenes, with_each(all_builds_and_axes(kSceneLevel), kAllEmptySides), context.limits);
   return tables_of("table_5_9", scenes, kSceneLevel, counts);
 }
 

@@ -212,7 +212,7 @@ Result options(const Context& context) {
   }
   std::vector<Counted> counts;
   std::vector<Effect> effects;
-  Steps steps(context.parallel, models.size() * (combinations(1).size() + kChanges.size()));
+  Steps steps(context.limits, models.size() * (combinations(1).size() + kChanges.size()));
   for (const auto& [model, level] : models) {
     for (const Contender& contender : combinations(level)) {
       counts.push_back(count(*model, contender, steps.quiet()));

@@ -345,7 +345,7 @@ std::vector<RuleTrip> rides_of(const Context& context, const Model& object, Appr
 
 Result orientation(const Context& context, const std::string& id, Approach from) {
   const std::vector<Model>& objects = context.models.objects;
-  Steps steps(context.parallel, objects.size() * thesis_rules(kObjectLevel).size());
+  Steps steps(context.limits, objects.size() * thesis_rules(kObjectLevel).size());
   Result result{.remarks = object_remarks(objects)};
   std::vector<RuleTrip> all;
   for (const Model& object : objects) {

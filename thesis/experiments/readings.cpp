@@ -297,42 +297,43 @@ void add(TreeStatistics& sum, const TreeStatistics& one) {
 }
 
 TreeStatistics counts_by(const Reading& reading, const Mesh& mesh, int level,
-                         const Parallel& parallel) {
+                         const Limits& limits) {
   if (reading.tree != nullptr) {
-    check_stop(parallel);
+    check_stop(limits);
     return statistics(reading.tree(mesh, level), options_of(Rule::soms, level, {}));
   }
   if (reading.rule == nullptr) {
-    return counts_of(mesh, Rule::soms, level, {.midpoint = reading.midpoint}, parallel);
+    return counts_of(mesh, Rule::soms, level, {.midpoint = reading.midpoint}, limits);
   }
   BuildOptions options = options_of(Rule::soms, level, {.midpoint = reading.midpoint});
   options.axis_from = reading.axis;
-  return statistics(build_by(mesh, reading.rule, options, {1, parallel.stop, {}}), options);
+  return statistics(build_by(mesh, reading.rule, options, {.threads = 1, .stop = limits.stop}),
+                    options);
 }
 
 Read read(const Reading& reading, const Leveled& one, std::span<const Mesh> meshes,
-          const Parallel& parallel) {
+          const Limits& limits) {
   Read result{one.model, one.level, meshes.size()};
   for (const Mesh& mesh : meshes) {
-    add(result.counts, counts_by(reading, mesh, one.level, parallel));
+    add(result.counts, counts_by(reading, mesh, one.level, limits));
     add(result.spatial,
-        counts_of(mesh, Rule::spatial_median, one.level, {.midpoint = reading.midpoint}, parallel));
+        counts_of(mesh, Rule::spatial_median, one.level, {.midpoint = reading.midpoint}, limits));
   }
   return result;
 }
 
 /// A reading of trees by object is tried only where there are several objects.
 std::vector<Read> read_all(const Reading& reading, std::span<const Leveled> models,
-                           const Parallel& parallel) {
+                           const Limits& limits) {
   std::vector<Read> all;
   for (const Leveled& one : models) {
     if (!reading.by_object) {
-      all.push_back(read(reading, one, {one.model->mesh.get(), 1}, parallel));
+      all.push_back(read(reading, one, {one.model->mesh.get(), 1}, limits));
       continue;
     }
     const std::vector<Mesh> objects = object_meshes(*one.model->mesh);
     if (objects.size() > 1) {
-      all.push_back(read(reading, one, objects, parallel));
+      all.push_back(read(reading, one, objects, limits));
     }
   }
   return all;
@@ -382,7 +383,7 @@ Result readings(const Context& context) {
                 .columns = {{"reading"}, {"speaks_for"}, {"thesis_says"}, {"stands"}, {"why"}}};
   std::vector<Datum> data;
   std::vector<Read> taken;
-  Steps steps(context.parallel, kReadings.size());
+  Steps steps(context.limits, kReadings.size());
   for (const Reading& reading : kReadings) {
     const std::vector<Read> own = read_all(reading, models, steps.quiet());
     taken = taken.empty() ? own : taken;

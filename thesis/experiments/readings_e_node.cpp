@@ -280,7 +280,7 @@ Result readings_e_node(const Context& context) {
       return course.model != first_model && !is_four_sides(course.subject);
     });
   }
-  Steps steps(context.parallel, courses.size());
+  Steps steps(context.limits, courses.size());
   std::vector<CourseWork> works;
   std::vector<FirstFrames> first;
   for (const RideCourse& course : courses) {

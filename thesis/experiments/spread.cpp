@@ -78,19 +78,19 @@ double power_of_ten(int halves) {
   return power;
 }
 
-Step measure(int half_decades, std::uint64_t triangles, int repetitions, const Parallel& parallel) {
+Step measure(int half_decades, std::uint64_t triangles, int repetitions, const Limits& limits) {
   const Mesh mesh = generate_spread({.triangles = triangles, .ratio = power_of_ten(half_decades)});
   Step step{.decades = 0.5 * half_decades};
   std::vector<std::function<void()>> works;
   for (std::size_t i = 0; i < kSweptBuilds.size(); ++i) {
     const BuildOptions& options = kSweptBuilds[i].build;
-    const Tree tree = build(mesh, options, parallel);
+    const Tree tree = build(mesh, options, limits);
     step.points[i] = {.counts = statistics(tree, options),
                       .sah_cost = sah_cost(tree),
                       .visits = expected_visits(tree, {kSide, kSide, kSide})};
-    works.emplace_back([&] { static_cast<void>(build(mesh, options, parallel)); });
+    works.emplace_back([&] { static_cast<void>(build(mesh, options, limits)); });
   }
-  const std::vector<Timing> timings = time_in_turn(repetitions, parallel, works, 1);
+  const std::vector<Timing> timings = time_in_turn(repetitions, limits, works, 1);
   for (std::size_t i = 0; i < timings.size(); ++i) {
     step.points[i].build_ms = timings[i];
   }
@@ -231,15 +231,15 @@ std::string against(const std::vector<Step>& steps, std::size_t other) {
 }  // namespace
 
 Result spread(const Context& context) {
-  const Parallel alone{1, context.parallel.stop, {}};
+  const Limits alone = context.limits.alone();
   const std::uint64_t triangles = context.quick ? 5000 : 20'000;
   constexpr int kLast = 8;
   std::vector<Step> steps;
   for (int halves = 0; halves <= kLast; halves += context.quick ? 2 : 1) {
-    check_stop(context.parallel);
+    check_stop(context.limits);
     steps.push_back(measure(halves, triangles, context.repetitions(30), alone));
-    if (context.parallel.progress) {
-      context.parallel.progress((halves + 1.0) / (kLast + 1));
+    if (context.limits.progress) {
+      context.limits.progress((halves + 1.0) / (kLast + 1));
     }
   }
   Result result{.tables = {table_of(steps, triangles)}, .figures = {figure_of(steps)}};

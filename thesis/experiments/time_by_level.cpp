@@ -93,7 +93,7 @@ Result by_level(const Context& context, const std::string& id, std::span<const M
   for (const Model& model : models) {
     count += rounds(repetitions(context, kWhole, model));
   }
-  Steps steps(context.parallel, count);
+  Steps steps(context.limits, count);
   for (const Model& model : models) {
     const std::vector<TimedBuild> builds =
         time_builds(model, contenders, repetitions(context, kWhole, model), steps);

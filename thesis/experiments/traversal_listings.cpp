@@ -194,8 +194,7 @@ Result figure_4_37(const Context& context) {
   std::uint64_t leaf_pairs = 0;
   for (const auto& [rule, words] : kDescents) {
     const NamedTraversal traversal{words, {.traversal = Traversal::ericson, .ericson_rule = rule}};
-    const TraversalCounts counts =
-        totals(traverse_frames(trip, traversal, context.parallel)).counts;
+    const TraversalCounts counts = totals(traverse_frames(trip, traversal, context.limits)).counts;
     require(table.rows.empty() || counts.leaf_pairs == leaf_pairs,
             "leaf pairs by two descents of the generic traversal");
     leaf_pairs = counts.leaf_pairs;

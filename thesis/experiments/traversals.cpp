@@ -265,7 +265,7 @@ Result traversals(const Context& context) {
     }
   }
   const std::vector<TraversalTest> list = courses(context);
-  Steps steps(context.parallel, list.size());
+  Steps steps(context.limits, list.size());
   Result result{.tables = {empty_table()}};
   std::vector<Test> tests;
   for (const TraversalTest& course : list) {

@@ -73,7 +73,7 @@ Result figure_4_30(const Context& context) {
   // The thesis draws the tree of SOMS: it comes first.
   std::rotate(rules.begin(), rules.end() - 1, rules.end());
   for (const Contender& rule : rules) {
-    check_stop(context.parallel);
+    check_stop(context.limits);
     const Tree tree = build(*bunny.mesh, rule.options);
     const bool of_soms = rule.options.rule == Rule::soms;
     result.figures.push_back(
@@ -93,7 +93,7 @@ Result figure_4_44(const Context& context) {
   // SOMS, which the thesis draws, and spatial median to compare with.
   for (const Rule drawn : {Rule::soms, Rule::spatial_median}) {
     for (const Contender& rule : thesis_rules(kSceneLevel)) {
-      check_stop(context.parallel);
+      check_stop(context.limits);
       if (rule.options.rule == drawn) {
         const Tree tree = build(*city.mesh, rule.options);
         result.figures.push_back(levels_figure(

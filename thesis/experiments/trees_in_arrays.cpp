@@ -86,7 +86,7 @@ Table slots_table(const Context& context) {
               .columns = {{"model"}, {"level"}, {"slots"}, {"used"}, {"used_share", "%"}}};
   const auto add = [&](std::span<const Model> models, int level) {
     for (const Model& model : models) {
-      check_stop(context.parallel);
+      check_stop(context.limits);
       const Tree tree = build(*model.mesh, thesis_options(Rule::soms, level));
       const ImplicitTree arrays = to_implicit(tree, level);
       const auto used = static_cast<std::uint64_t>(

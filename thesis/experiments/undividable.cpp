@@ -25,7 +25,7 @@ std::vector<Contender> stop_and_chain(int level) {
 Result table_5_5(const Context& context) {
   const std::span<const Model> objects = context.models.objects;
   const std::vector<Counted> counts =
-      count_all(objects, at_every_level(kObjectLevel, stop_and_chain), context.parallel);
+      count_all(objects, at_every_level(kObjectLevel, stop_and_chain), context.limits);
   const Model& bunny = objects.front();
   return {.tables = {count_table(
               "table_5_5",
@@ -43,7 +43,7 @@ Result table_5_5(const Context& context) {
 Result table_5_11(const Context& context) {
   const std::span<const Model> scenes = context.models.scenes;
   const std::vector<Counted> counts = count_all(
-      scenes, with_each(all_builds_and_axes(kSceneLevel), kAllEmptySides), context.parallel);
+      scenes, with_each(all_builds_and_axes(kSceneLevel), kAllEmptySides), context.limits);
   const std::string note = note_on_stand_ins(scenes);
   return {.tables = {count_table("table_5_11",
                                  fmt::format("Nodes that cannot be divided, urban scenes at level "

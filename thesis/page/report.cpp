@@ -98,9 +98,9 @@ void write_scenes(Report& report, const RunVisitor& visitor) {
 /// Runs experiments one by one and knows the share of all that is done.
 class Runner {
  public:
-  Runner(const RunOptions& options, const RunVisitor& visitor, const Parallel& parallel,
+  Runner(const RunOptions& options, const RunVisitor& visitor, const Limits& limits,
          RaceLeader* leader)
-      : options_(options), visitor_(visitor), parallel_(parallel), leader_(leader) {
+      : options_(options), visitor_(visitor), limits_(limits), leader_(leader) {
     for (const Experiment* experiment : options.experiments) {
       all_ += experiment->weight;
     }
@@ -110,8 +110,8 @@ class Runner {
   Entry operator()(const Experiment& experiment, const Models& models) {
     Context context{
         .models = models, .quick = options_.quick, .draw = options_.draw, .touching = &touching_};
-    context.parallel = watched(experiment.item, experiment.weight);
-    context.counting_threads = parallel_.threads;
+    context.limits = watched(experiment.item, experiment.weight);
+    context.counting_threads = limits_.threads;
     if (leader_ != nullptr) {
       leader_->begin(experiment.item);
       context.races = leader_;
@@ -134,22 +134,22 @@ class Runner {
 
  private:
   /// What work of this weight gets; its start is shown.
-  [[nodiscard]] Parallel watched(std::string_view now, int weight) const {
+  [[nodiscard]] Limits watched(std::string_view now, int weight) const {
     const auto show = [this, now, weight](double share) {
       if (visitor_.progress) {
         visitor_.progress(now, (done_ + share * weight) / std::max(1, all_));
       }
     };
     show(0);
-    Parallel parallel = parallel_;
-    parallel.threads = 1;
-    parallel.progress = show;
-    return parallel;
+    Limits limits = limits_;
+    limits.threads = 1;
+    limits.progress = show;
+    return limits;
   }
 
   const RunOptions& options_;
   const RunVisitor& visitor_;
-  const Parallel& parallel_;
+  const Limits& limits_;
   RaceLeader* leader_;
   TouchingDrives touching_;
   int all_ = 0;
@@ -166,7 +166,7 @@ std::filesystem::path file_of(const Figure& figure) {
   return std::filesystem::path("figures") / (figure.id + ".svg");
 }
 
-Report run(const RunOptions& options, const RunVisitor& visitor, const Parallel& parallel,
+Report run(const RunOptions& options, const RunVisitor& visitor, const Limits& limits,
            RaceLeader* leader) {
   const Stopwatch watch(leader);
   Report report{.machine = this_machine(), .date = now(), .quick = options.quick};
@@ -174,15 +174,15 @@ Report run(const RunOptions& options, const RunVisitor& visitor, const Parallel&
   report.command = command_line();
   report.load = {.start = load_averages(), .processors = report.machine.processors};
   report.latex = options.latex;
-  Runner runner(options, visitor, parallel, leader);
+  Runner runner(options, visitor, limits, leader);
   try {
-    report.models = find_models(options.models, all_needs(options), parallel);
+    report.models = find_models(options.models, all_needs(options), limits);
     if (visitor.found) {
       visitor.found(report.models);
     }
     write_scenes(report, visitor);
     while (!report.missing.empty()) {
-      check_stop(parallel);
+      check_stop(limits);
       report.entries.push_back(runner(*report.missing.front(), report.models));
       report.missing.erase(report.missing.begin());
       write_files(report.entries.back().result, options.latex, visitor);

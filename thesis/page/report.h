@@ -95,7 +95,7 @@ struct RunVisitor {
   std::function<void(std::string_view now, double share)> progress = {};
 };
 
-/// Counts on the threads of `parallel` where counting takes long; all else is on one thread.
+/// Counts on the threads of `limits` where counting takes long; all else is on one thread.
 ///
 /// Writes the generated scenes as scenes/NAME.3ds, runs experiments one after the other and writes
 /// each one's files as soon as it ends, compares with the golden tables if there are any, then
@@ -103,7 +103,7 @@ struct RunVisitor {
 /// and the page names what is missing. \errors Those of find_models but cancelled; those of
 /// `visitor` and of `leader`, which shares the rounds of races with other processes; without one
 /// this process times all.
-Report run(const RunOptions& options, const RunVisitor& visitor, const Parallel& parallel = {},
+Report run(const RunOptions& options, const RunVisitor& visitor, const Limits& limits = {},
            RaceLeader* leader = nullptr);
 
 /// Where the reader of the page finds tables as CSV and the list of files.

@@ -149,7 +149,7 @@ reproduce::Report run_experiments(const ReproduceOptions& options, const reprodu
     bar.rename(fmt::format("{:<24}", now));
     bar.show(share);
   };
-  return console.run("reproducing", [&](const Parallel& limits) {
+  return console.run("reproducing", [&](const Limits& limits) {
     const int processes = possible_timing_processes();
     reproduce::RaceLeader leader(processes, [&] {
       return start_timing_processes(processes - 1, {options.models, options.quick},

@@ -43,8 +43,7 @@ fs::path this_program() {
 /// Lines over two descriptors.
 class PipeChannel : public reproduce::LineChannel {
  public:
-  PipeChannel(int from, int to, Parallel limits)
-      : from_(from), to_(to), limits_(std::move(limits)) {}
+  PipeChannel(int from, int to, Limits limits) : from_(from), to_(to), limits_(std::move(limits)) {}
 
   void send(std::string_view line) override {
     std::string rest = fmt::format("{}\n", line);
@@ -91,7 +90,7 @@ class PipeChannel : public reproduce::LineChannel {
 
   int from_;
   int to_;
-  Parallel limits_;
+  Limits limits_;
   std::string buffer_ = {};
 };
 
@@ -181,7 +180,7 @@ class ChildProcess {
 /// A process that times for this one.
 class TimingChild : private ChildProcess, public PipeChannel {
  public:
-  TimingChild(const std::vector<std::string>& words, const Parallel& limits)
+  TimingChild(const std::vector<std::string>& words, const Limits& limits)
       : ChildProcess(words), PipeChannel(from(), to(), limits) {}
 
  protected:
@@ -214,7 +213,7 @@ std::vector<std::string> words_for(const TimingOptions& options, const Shared& s
 
 /// Times until the run has ended.
 int time_for_a_run(const TimingOptions& options, const Console& console) {
-  const Parallel one_thread{1, console.parallel().stop, {}};
+  const Limits one_thread{.threads = 1, .stop = console.limits().stop};
   PipeChannel leader(0, 1, one_thread);
   try {
     const reproduce::Models models =
@@ -222,7 +221,7 @@ int time_for_a_run(const TimingOptions& options, const Console& console) {
     reproduce::RaceFollower follower(reproduce::kTimingProcesses, leader);
     follower.serve([&](std::string_view item) {
       const reproduce::Context context{
-          .models = models, .quick = options.quick, .parallel = one_thread, .races = &follower};
+          .models = models, .quick = options.quick, .limits = one_thread, .races = &follower};
       (void)reproduce::experiments_named({&item, 1}).front()->run(context);
     });
   } catch (const Error& error) {
@@ -241,7 +240,7 @@ int possible_timing_processes() {
 
 reproduce::RaceLeader::Followers start_timing_processes(int count, const TimingOptions& options,
                                                         const Shared& shared,
-                                                        const Parallel& limits) {
+                                                        const Limits& limits) {
   reproduce::RaceLeader::Followers followers;
   for (int i = 0; i < count; ++i) {
     followers.push_back(std::make_unique<TimingChild>(words_for(options, shared), limits));

@@ -30,7 +30,7 @@ struct TimingOptions {
 [[nodiscard]] reproduce::RaceLeader::Followers start_timing_processes(int count,
                                                                       const TimingOptions& options,
                                                                       const Shared& shared,
-                                                                      const Parallel& limits);
+                                                                      const Limits& limits);
 
 Action add_timing_process(Parser& parser, Shared& shared);
 

@@ -78,17 +78,17 @@ EnodeWork work_of(const EnodeReading& reading, const EnodeTripWork& work,
 }
 
 void run_trip(const Trip& trip, CourseWork& course, std::vector<FirstFrames>& first,
-              const Parallel& parallel) {
-  const MovedTrip moved(trip, parallel);
-  const std::vector<Frame> exact = answer_frames(trip, named_traversal("larger"), parallel);
+              const Limits& limits) {
+  const MovedTrip moved(trip, limits);
+  const std::vector<Frame> exact = answer_frames(trip, named_traversal("larger"), limits);
   std::vector<EnodeTripWork> works;
   for (const EnodeReading& reading : e_node_readings()) {
     const bool again = reading.answer != EnodeAnswer::all_pairs;  // work of the one taken
-    works.push_back(again ? works.front() : e_node_work(moved, reading, parallel));
+    works.push_back(again ? works.front() : e_node_work(moved, reading, limits));
     course.work[works.size() - 1] += works.back();
   }
   check_alike(trip, works, exact);
-  const std::vector<EarlierLevel> levels = earlier_nodes(moved, exact, parallel);
+  const std::vector<EarlierLevel> levels = earlier_nodes(moved, exact, limits);
   for (const int level : kShownLevels) {
     const auto place = static_cast<std::size_t>(level);
     course.levels.resize(std::max(course.levels.size(), place));

@@ -54,6 +54,6 @@ void add(EarlierLevel& sum, const EarlierLevel& one);
 /// Runs a trip by all readings and adds it to its course, its first frames to `first`.
 /// \errors std::logic_error where answers disagree; ErrorKind::cancelled.
 void run_trip(const Trip& trip, CourseWork& course, std::vector<FirstFrames>& first,
-              const Parallel& parallel);
+              const Limits& limits);
 
 }  // namespace soms::reproduce

@@ -191,12 +191,12 @@ EnodeTripWork& EnodeTripWork::operator+=(const EnodeTripWork& other) {
 }
 
 EnodeTripWork e_node_work(const MovedTrip& moved, const EnodeReading& reading,
-                          const Parallel& parallel) {
+                          const Limits& limits) {
   const TripRacer racer{std::string(reading.name), reading.options, reading.chain};
   FrameTraversal traversal(moved, racer);
   Watcher watcher(moved);
   for (std::size_t frame = 0; frame < moved.frames(); ++frame) {
-    check_stop(parallel);
+    check_stop(limits);
     watcher.look(traversal, frame);
   }
   return std::move(watcher.sum);

@@ -74,6 +74,6 @@ struct EnodeTripWork {
 /// traversal from a fresh start does the same as one that stops there; from the last front it goes
 /// on from whole frames. \errors ErrorKind::cancelled.
 [[nodiscard]] EnodeTripWork e_node_work(const MovedTrip& moved, const EnodeReading& reading,
-                                        const Parallel& parallel);
+                                        const Limits& limits);
 
 }  // namespace soms::reproduce

@@ -134,7 +134,7 @@ std::uint64_t touching_pairs(const Frame& frame, const std::vector<std::uint32_t
 }  // namespace
 
 std::vector<EarlierLevel> earlier_nodes(const MovedTrip& moved, std::span<const Frame> exact,
-                                        const Parallel& parallel) {
+                                        const Limits& limits) {
   const Tree& a = *moved.trip().a.tree();
   const Tree& b = *moved.trip().b.tree();
   const std::size_t depths = std::max(depth_of_tree(a), depth_of_tree(b)) + 1;
@@ -146,7 +146,7 @@ std::vector<EarlierLevel> earlier_nodes(const MovedTrip& moved, std::span<const 
   LevelWatcher watcher(moved, depths);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   for (std::size_t k = 0; k < moved.frames(); ++k) {
-    check_stop(parallel);
+    check_stop(limits);
     watcher.look(traversal, k);
     watcher.add_to(levels, k);
     for (std::size_t d = 0; d < depths && !exact[k].contacts.empty(); ++d) {

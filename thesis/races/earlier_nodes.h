@@ -41,6 +41,6 @@ struct EarlierLevel {
 /// \errors ErrorKind::cancelled.
 [[nodiscard]] std::vector<EarlierLevel> earlier_nodes(const MovedTrip& moved,
                                                       std::span<const Frame> exact,
-                                                      const Parallel& parallel);
+                                                      const Limits& limits);
 
 }  // namespace soms::reproduce

@@ -2,7 +2,7 @@
 /// What the claims about E-Node compare, and on which trips.
 #pragma once
 
-#include "thesis/claims/claim.h"
+#include "thesis/claims/thesis_claims.h"
 #include "thesis/races/moved_trip.h"
 #include "thesis/run/experiment.h"
 
@@ -41,15 +41,6 @@ struct Pairing {
   RacerPlace other;                ///< its opponent
   std::string_view unjudged = {};  ///< why it is shown but not judged; empty if it is judged
 };
-
-/// How the readings nearest to the text begin.
-inline constexpr std::string_view kNearestEnode =
-    "family test, both nodes, against Larsson's (simultaneous)";
-
-inline constexpr std::string_view kWhyNearestEnode =
-    "The caption of figure 5.10 names Larsson's traversal as the opponent, and the name of E-Node "
-    "says that nodes are detected earlier, by testing a family before entering it; the text does "
-    "not say how either is programmed, so all four ways are alike near.";
 
 /// "family test, both nodes, against Larsson's (simultaneous): stack / stack".
 [[nodiscard]] std::string reading_of(const Pairing& pairing);

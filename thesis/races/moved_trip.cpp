@@ -26,12 +26,12 @@ constexpr std::uint64_t kAll = std::numeric_limits<std::uint64_t>::max();
 
 }  // namespace
 
-MovedTrip::MovedTrip(const Trip& trip, const Parallel& parallel)
+MovedTrip::MovedTrip(const Trip& trip, const Limits& limits)
     : trip_(&trip), still_(trip.a.mesh(), *trip.a.tree()) {
   still_.move(Pose::identity());
   PosedBoxes moving(trip.b.mesh(), *trip.b.tree());
   for (std::size_t k = 0; k < trip.offsets.size(); ++k) {
-    check_stop(parallel);
+    check_stop(limits);
     moving.move(trip.pose(k));
     boxes_.push_back(moving.boxes());
     vertices_.push_back(moving.vertices());
@@ -133,7 +133,7 @@ std::vector<std::size_t> middle_of(std::span<const std::size_t> frames, std::siz
 }
 
 std::vector<Timing> race(RaceProcess& process, const MovedTrip& moved, const TripRace& race,
-                         const Parallel& parallel) {
+                         const Limits& limits) {
   const Trip& trip = moved.trip();
   std::vector<FrameTraversal> traversals;
   for (const TripRacer& racer : race.racers) {
@@ -154,7 +154,7 @@ std::vector<Timing> race(RaceProcess& process, const MovedTrip& moved, const Tri
                            race.frames.size(), race.passes),
       .rounds = race.rounds,
       .warm_up = rounds_of_each(process, kWarmUp)};
-  std::vector<Timing> timings = time_in_turn(process, shared, parallel, works);
+  std::vector<Timing> timings = time_in_turn(process, shared, limits, works);
   for (std::size_t i = 1; i < answers.size(); ++i) {
     require(answers[i] == answers[0],
             fmt::format("{} of {} past {}: answers by {} and by {}", trip.test, trip.moving,

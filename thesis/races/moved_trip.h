@@ -26,7 +26,7 @@ namespace soms::reproduce {
 class MovedTrip {
  public:
   /// `trip` must outlive the object. \errors ErrorKind::cancelled.
-  MovedTrip(const Trip& trip, const Parallel& parallel);
+  MovedTrip(const Trip& trip, const Limits& limits);
 
   [[nodiscard]] const Trip& trip() const { return *trip_; }
 
@@ -111,6 +111,6 @@ struct TripRace {
 /// \shape one Timing a racer, of the frames once.
 /// \errors std::logic_error where answers disagree; ErrorKind::cancelled.
 [[nodiscard]] std::vector<Timing> race(RaceProcess& process, const MovedTrip& moved,
-                                       const TripRace& race, const Parallel& parallel);
+                                       const TripRace& race, const Limits& limits);
 
 }  // namespace soms::reproduce

@@ -21,13 +21,12 @@ int rounds_of_each(const RaceProcess& process, int rounds) {
   return (rounds + process.processes() - 1) / process.processes();
 }
 
-std::vector<Timing> time_in_turn(RaceProcess& process, const RaceRounds& race,
-                                 const Parallel& parallel,
+std::vector<Timing> time_in_turn(RaceProcess& process, const RaceRounds& race, const Limits& limits,
                                  std::span<const std::function<void()>> works) {
   RoundsByWork all = process.gather(race.label, [&] {
     RoundsByWork own;
     for (Timing& timing :
-         time_in_turn(rounds_of_each(process, race.rounds), parallel, works, race.warm_up)) {
+         time_in_turn(rounds_of_each(process, race.rounds), limits, works, race.warm_up)) {
       own.push_back(std::move(timing.rounds));
     }
     return own;

@@ -63,7 +63,7 @@ struct RaceRounds {
 
 /// `time_in_turn` by all processes. \shape one Timing a work. \errors Those of `gather`.
 [[nodiscard]] std::vector<Timing> time_in_turn(RaceProcess& process, const RaceRounds& race,
-                                               const Parallel& parallel,
+                                               const Limits& limits,
                                                std::span<const std::function<void()>> works);
 
 }  // namespace soms::reproduce

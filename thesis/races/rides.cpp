@@ -36,7 +36,7 @@ Ride ride_of(const RideCourse& course, const BuildPairing& build, const NamedTra
 std::vector<Decision> count(std::vector<Ride>& rides, const NamedTraversal& traversal,
                             const Context& context) {
   std::vector<Decision> decisions(rides.size());
-  const Parallel quiet{1, context.parallel.stop, {}};
+  const Limits quiet = context.limits.alone();
   for_each_chunk(rides.size(), 1, context.counting(), [&](std::size_t i, std::size_t) {
     Ride& ride = rides[i];
     Decision& decision = decisions[i];
@@ -77,7 +77,7 @@ RoundsByWork time_rides(std::span<const TimedRide> rides, const NamedTraversal& 
       runs.push_back({&trip, traversal, context.timed_step(trip.is_drive())});
     }
   }
-  const std::vector<FrameTimes> times = time_trips(runs, rounds, context.parallel);
+  const std::vector<FrameTimes> times = time_trips(runs, rounds, context.limits);
   RoundsByWork all;
   std::size_t next = 0;
   for (const TimedRide& one : rides) {

@@ -58,11 +58,11 @@ std::vector<Vec3> offsets_along(const DriveLine& line, const Box& scene, const B
 }
 
 std::size_t contact_frames(const Shape& scene, const Shape& mover, const std::vector<Vec3>& offsets,
-                           const Parallel& parallel) {
+                           const Limits& limits) {
   std::size_t count = 0;
   for (const Vec3& by : offsets) {
     const Pose pose = Pose::translation(by.x, by.y, by.z);
-    count += overlap(Body(scene), Body(mover, pose), {.mode = OverlapMode::any}, parallel).any;
+    count += overlap(Body(scene), Body(mover, pose), {.mode = OverlapMode::any}, limits).any;
   }
   return count;
 }
@@ -95,18 +95,17 @@ TouchingDrive drive_of(const Decision& numbers) {
 
 }  // namespace
 
-TouchingDrive find_touching_drive(const Model& scene, const Model& object,
-                                  const Parallel& parallel) {
+TouchingDrive find_touching_drive(const Model& scene, const Model& object, const Limits& limits) {
   const Shape still(scene.mesh);
   const Shape mover(std::make_shared<const Mesh>(driven(object)));
-  const Parallel quiet{1, parallel.stop, {}};
+  const Limits quiet = limits.alone();
   TouchingDrive best{.offsets = city_drive()};
   if (still.bounds().empty() || mover.bounds().empty()) {
     return best;
   }
   const std::vector<DriveLine> lines = drive_lines();
   std::vector<std::size_t> counts(lines.size());
-  for_each_chunk(lines.size(), 1, {parallel.threads, parallel.stop, {}},
+  for_each_chunk(lines.size(), 1, {.threads = limits.threads, .stop = limits.stop},
                  [&](std::size_t i, std::size_t) {
                    const auto offsets = offsets_along(lines[i], still.bounds(), mover.bounds());
                    counts[i] = contact_frames(still, mover, offsets, quiet);
@@ -134,16 +133,16 @@ Trip touching_drive_trip(const Model& scene, const Model& object, const Contende
 }
 
 const TouchingDrive& TouchingDrives::of(const Model& scene, const Model& object,
-                                        const Parallel& parallel) {
+                                        const Limits& limits) {
   const std::pair key(scene.name, object.name);
   const auto found = found_.find(key);
   return found != found_.end()
              ? found->second
-             : found_.emplace(key, find_touching_drive(scene, object, parallel)).first->second;
+             : found_.emplace(key, find_touching_drive(scene, object, limits)).first->second;
 }
 
 TouchingDrive touching_drive(const Context& context, const Model& scene, const Model& object) {
-  const Parallel counting = context.counting();
+  const Limits counting = context.counting();
   const Decision decision = context.races->decide(
       fmt::format("touching drive of {} through {}", object.name, scene.name), [&] {
         return numbers_of(context.touching != nullptr

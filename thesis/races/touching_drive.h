@@ -34,7 +34,7 @@ struct TouchingDrive {
 /// \source ours. The thesis does not state the path of its drive.
 /// \errors ErrorKind::cancelled.
 [[nodiscard]] TouchingDrive find_touching_drive(const Model& scene, const Model& object,
-                                                const Parallel& parallel = {});
+                                                const Limits& limits = {});
 
 /// The trip along a drive found for this scene and object; its test is called "touching_drive".
 [[nodiscard]] Trip touching_drive_trip(const Model& scene, const Model& object,
@@ -47,7 +47,7 @@ class TouchingDrives {
  public:
   /// The drive of this object through this scene, both known by name.
   /// \errors ErrorKind::cancelled.
-  const TouchingDrive& of(const Model& scene, const Model& object, const Parallel& parallel);
+  const TouchingDrive& of(const Model& scene, const Model& object, const Limits& limits);
 
  private:
   std::map<std::pair<std::string, std::string>, TouchingDrive> found_;

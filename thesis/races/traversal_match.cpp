@@ -25,14 +25,14 @@ std::string place(const Trip& trip, std::size_t frame) {
 }
 
 /// Progress is the experiment's, not a query's; a query only heeds the stop.
-Parallel quiet(const Context& context) {
-  Parallel one_thread;
-  one_thread.stop = context.parallel.stop;
+Limits quiet(const Context& context) {
+  Limits one_thread;
+  one_thread.stop = context.limits.stop;
   return one_thread;
 }
 
-Overlap fast_answer(const Trip& trip, std::size_t frame, const Parallel& parallel) {
-  return overlap(Body(trip.a), Body(trip.b, trip.pose(frame)), {}, parallel);
+Overlap fast_answer(const Trip& trip, std::size_t frame, const Limits& limits) {
+  return overlap(Body(trip.a), Body(trip.b, trip.pose(frame)), {}, limits);
 }
 
 /// Frames that brute force is queried about: with root overlap, spread over the trip.
@@ -107,16 +107,16 @@ TripTime trip_time(const Trip& trip, std::size_t step, Timing timing) {
 
 void time_all(const Context& context, TraversalMatch& match) {
   const std::size_t step = step_of(context, match.trip);
-  const Parallel parallel = quiet(context);
+  const Limits limits = quiet(context);
   const int repetitions = context.repetitions(10);
   std::vector<Timing> times =
-      time_traversals(match.trip, compared_traversals(context), repetitions, parallel, step);
+      time_traversals(match.trip, compared_traversals(context), repetitions, limits, step);
   for (std::size_t i = 0; i < times.size(); ++i) {
     match.outcomes[i].time = trip_time(match.trip, step, std::move(times[i]));
   }
   if (match.answers) {
     Timing beside = time_beside_traversal(match.trip, named_traversal("larger"),
-                                          has_many_pairs(match) ? 1 : repetitions, parallel, step);
+                                          has_many_pairs(match) ? 1 : repetitions, limits, step);
     beside.median = std::max(0.0, beside.median);  // a difference of two times
     match.other_time = trip_time(match.trip, step, std::move(beside));
   }
@@ -143,19 +143,19 @@ const TraversalOutcome& TraversalMatch::outcome(std::string_view traversal) cons
 TraversalTruth truth_of(const Context& context, const TraversalTest& test) {
   const std::vector<Contender> builds = all_builds(kSceneLevel);
   const Contender& own = build_named(builds, "default");
-  const Parallel parallel = quiet(context);
+  const Limits limits = quiet(context);
   TraversalTruth truth;
   truth.trip = trip_of(test, own, own);
   const Trip& trip = truth.trip;
   for (std::size_t k = 0; k < trip.offsets.size(); ++k) {
-    Overlap answer = fast_answer(trip, k, parallel);
+    Overlap answer = fast_answer(trip, k, limits);
     truth.cost += answer.cost;
     truth.contacts.push_back(std::move(answer.pairs));
   }
   truth.checked = frames_to_check(trip);
   for (const std::size_t k : truth.checked) {
     truth.by_force.push_back(
-        reference::overlap(trip.a.mesh(), Pose::identity(), trip.b.mesh(), trip.pose(k), parallel)
+        reference::overlap(trip.a.mesh(), Pose::identity(), trip.b.mesh(), trip.pose(k), limits)
             .pairs);
     require(truth.contacts[k] == truth.by_force.back(),
             fmt::format("{}: contacts by fast and by brute force", place(trip, k)));
@@ -163,11 +163,11 @@ TraversalTruth truth_of(const Context& context, const TraversalTest& test) {
   const std::size_t step = step_of(context, trip);
   const auto timed_frames = [&] {
     for (std::size_t k = 0; k < trip.offsets.size(); k += step) {
-      (void)fast_answer(trip, k, parallel);
+      (void)fast_answer(trip, k, limits);
     }
   };
   truth.time =
-      trip_time(trip, step, time_repeatedly(context.repetitions(20), parallel, timed_frames, 1));
+      trip_time(trip, step, time_repeatedly(context.repetitions(20), limits, timed_frames, 1));
   return truth;
 }
 

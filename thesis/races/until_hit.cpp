@@ -38,12 +38,12 @@ class Watcher {
 }  // namespace
 
 UntilHit until_hit(const MovedTrip& moved, const TripRacer& racer, Hit hit, bool stops,
-                   std::span<const std::size_t> frames, const Parallel& parallel) {
+                   std::span<const std::size_t> frames, const Limits& limits) {
   FrameTraversal traversal(moved, racer);
   Watcher watcher(moved, hit, stops);
   UntilHit sum;
   for (const std::size_t k : frames) {
-    check_stop(parallel);
+    check_stop(limits);
     if (watcher.look(traversal, k)) {
       sum.box_tests += watcher.box_tests;
       sum.entered += watcher.entered;

@@ -32,6 +32,6 @@ struct UntilHit {
 /// \errors ErrorKind::cancelled.
 [[nodiscard]] UntilHit until_hit(const MovedTrip& moved, const TripRacer& racer, Hit hit,
                                  bool stops, std::span<const std::size_t> frames,
-                                 const Parallel& parallel);
+                                 const Limits& limits);
 
 }  // namespace soms::reproduce

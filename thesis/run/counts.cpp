@@ -111,14 +111,15 @@ const Field& field_named(std::string_view name) {
 
 }  // namespace
 
-Counted count(const Model& model, const Contender& contender, const Parallel& parallel) {
-  const Tree tree = build(*model.mesh, contender.options, {parallel.threads, parallel.stop, {}});
+Counted count(const Model& model, const Contender& contender, const Limits& limits) {
+  const Tree tree =
+      build(*model.mesh, contender.options, {.threads = limits.threads, .stop = limits.stop});
   return {&model, contender, statistics(tree, contender.options)};
 }
 
 std::vector<Counted> count_all(std::span<const Model> models, std::span<const Contender> contenders,
-                               const Parallel& parallel) {
-  Steps steps(parallel, models.size() * contenders.size());
+                               const Limits& limits) {
+  Steps steps(limits, models.size() * contenders.size());
   std::vector<Counted> result;
   for (const Model& model : models) {
     for (const Contender& contender : contenders) {
@@ -194,8 +195,8 @@ const Counted* find_count(std::span<const Counted> counts, const Model& model,
   return found == counts.end() ? nullptr : &*found;
 }
 
-int balanced_level(const Model& model, const Contender& contender, const Parallel& parallel) {
-  return std::max(1, static_cast<int>(count(model, contender, parallel).counts.balanced_level));
+int balanced_level(const Model& model, const Contender& contender, const Limits& limits) {
+  return std::max(1, static_cast<int>(count(model, contender, limits).counts.balanced_level));
 }
 
 std::vector<Column> columns_of(std::span<const std::string_view> names) {

@@ -28,13 +28,12 @@ struct Counted {
 };
 
 /// Builds and counts. \errors ErrorKind::cancelled.
-[[nodiscard]] Counted count(const Model& model, const Contender& contender,
-                            const Parallel& parallel);
+[[nodiscard]] Counted count(const Model& model, const Contender& contender, const Limits& limits);
 
 /// Builds and counts every contender on every model, model by model, and reports progress.
 [[nodiscard]] std::vector<Counted> count_all(std::span<const Model> models,
                                              std::span<const Contender> contenders,
-                                             const Parallel& parallel);
+                                             const Limits& limits);
 
 /// Contenders of all levels from 1 to `level` in ascending order; those without a limit of levels
 /// once, at the end. \pre `builds(l)` gives the same contenders for each level but for the level.
@@ -59,7 +58,7 @@ struct Counted {
 
 /// The balanced level of a contender's tree on a model; 1 for an empty model.
 [[nodiscard]] int balanced_level(const Model& model, const Contender& contender,
-                                 const Parallel& parallel);
+                                 const Limits& limits);
 
 /// Cells of a build by the columns' names, all counted: model, origin, triangles, rule, midpoint,
 /// c_vertex, axis_from, empty_side, root_level, level, per_leaf (what was built; the level is empty

@@ -26,14 +26,16 @@ struct Context {
   bool quick = false;
   /// One thread for all that is timed; `stop` and `progress` (0 to 1 of this experiment) are
   /// heeded.
-  Parallel parallel = {};
+  Limits limits = {};
   DrawFrames draw = {};                  ///< what draws; empty where nothing does
   TouchingDrives* touching = nullptr;    ///< those that the run has found; may be null
   RaceProcess* races = &sole_process();  ///< how rounds of races are shared; never null
   int counting_threads = 1;              ///< for what is only counted; nothing is timed meanwhile
 
   /// For work that is only counted: all its threads, heeds a stop request, reports nothing.
-  [[nodiscard]] Parallel counting() const { return {counting_threads, parallel.stop, {}}; }
+  [[nodiscard]] Limits counting() const {
+    return {.threads = counting_threads, .stop = limits.stop};
+  }
 
   /// `whole` repetitions, or a tenth of them (at least 5) in a quick run.
   [[nodiscard]] int repetitions(int whole) const;

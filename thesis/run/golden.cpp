@@ -113,11 +113,11 @@ std::vector<std::string> golden_counts(const Totals& sums) {
 /// Counts rows and notes what differs.
 class Comparer {
  public:
-  Comparer(const GoldenTables& tables, const Models& models, const Parallel& parallel,
+  Comparer(const GoldenTables& tables, const Models& models, const Limits& limits,
            GoldenComparison& found)
       : tables_(tables),
         present_(models),
-        steps_(parallel, tables.trees.size() + tables.traversals.size()),
+        steps_(limits, tables.trees.size() + tables.traversals.size()),
         found_(found) {
     found_.files = {{std::string(golden_trees().file), tables.trees.size()},
                     {std::string(golden_traversals().file), tables.traversals.size()}};
@@ -208,11 +208,11 @@ std::size_t GoldenComparison::different() const {
 }
 
 GoldenComparison compare_with_golden(const GoldenTables& tables, const Models& models,
-                                     const Parallel& parallel) {
+                                     const Limits& limits) {
   GoldenComparison found;
   const auto start = std::chrono::steady_clock::now();
   try {
-    Comparer(tables, models, parallel, found).compare();
+    Comparer(tables, models, limits, found).compare();
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::cancelled) {
       throw;

@@ -54,7 +54,7 @@ inline constexpr std::size_t kMostDifferences = 20;
 /// Counts every row again whose models are there, by the hashes of their corners: each tree is
 /// built to its own level, each trip traversed by its own algorithm. A stop request ends it early.
 [[nodiscard]] GoldenComparison compare_with_golden(const GoldenTables& tables, const Models& models,
-                                                   const Parallel& parallel);
+                                                   const Limits& limits);
 
 /// "thesis_counts.csv, line 5: bunny soms thesis inner stop level 4: leaves 9, here 8".
 [[nodiscard]] std::string sentence_of(const GoldenDifference& difference);

@@ -134,9 +134,9 @@ std::string_view fallback_words(EmptySide empty_side) {
   return kWords[static_cast<std::size_t>(empty_side)];
 }
 
-bool has_empty_sides(const Model& model, int level, const Parallel& parallel) {
+bool has_empty_sides(const Model& model, int level, const Limits& limits) {
   return std::any_of(kRacedRules.begin(), kRacedRules.end(), [&](Rule rule) {
-    return counts_of(*model.mesh, rule, level, {}, parallel).undividable > 0;
+    return counts_of(*model.mesh, rule, level, {}, limits).undividable > 0;
   });
 }
 

@@ -52,7 +52,7 @@ inline constexpr std::array kFallbacks{EmptySide::stop, EmptySide::next_axis,
 
 /// True if spatial median or SOMS leaves a side empty somewhere in the model's tree of this level:
 /// else every empty side gives the same trees. \errors cancelled.
-[[nodiscard]] bool has_empty_sides(const Model& model, int level, const Parallel& parallel);
+[[nodiscard]] bool has_empty_sides(const Model& model, int level, const Limits& limits);
 
 /// One rule's half of a race.
 struct RaceHalf {

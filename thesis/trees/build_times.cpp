@@ -86,7 +86,7 @@ std::size_t rounds(int repetitions) {
 
 std::vector<TimedBuild> time_builds(const Model& model, std::span<const Contender> contenders,
                                     int repetitions, Steps& steps) {
-  const Parallel quiet = steps.quiet();
+  const Limits quiet = steps.quiet();
   std::vector<TimedBuild> builds;
   // Each build keeps its last tree, so that all free one tree a run, as a program would that
   // replaces its tree.

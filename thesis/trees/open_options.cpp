@@ -45,9 +45,9 @@ std::vector<Leveled> at_greatest_level(const Models& models) {
 }
 
 TreeStatistics counts_of(const Mesh& mesh, Rule rule, int level, const OpenOptions& open,
-                         const Parallel& parallel) {
+                         const Limits& limits) {
   const BuildOptions options = options_of(rule, level, open);
-  return statistics(build(mesh, options, {1, parallel.stop, {}}), options);
+  return statistics(build(mesh, options, {.threads = 1, .stop = limits.stop}), options);
 }
 
 }  // namespace soms::reproduce

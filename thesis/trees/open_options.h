@@ -59,6 +59,6 @@ struct Leveled {
 
 /// Counts of a mesh's tree by a rule. \errors ErrorKind::cancelled.
 [[nodiscard]] TreeStatistics counts_of(const Mesh& mesh, Rule rule, int level,
-                                       const OpenOptions& open, const Parallel& parallel);
+                                       const OpenOptions& open, const Limits& limits);
 
 }  // namespace soms::reproduce

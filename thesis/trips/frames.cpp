@@ -130,7 +130,7 @@ double clock_cost() {
   return cost;
 }
 
-void time_trip(const TripRun& run, const Parallel& parallel, FrameSamples& samples) {
+void time_trip(const TripRun& run, const Limits& limits, FrameSamples& samples) {
   const Trip& trip = *run.trip;
   thesis::NamedOverlap query = query_of(trip, run.traversal);
   for (std::size_t k = 0; k < trip.offsets.size(); k += run.step) {
@@ -138,19 +138,19 @@ void time_trip(const TripRun& run, const Parallel& parallel, FrameSamples& sampl
     const double start = processor_milliseconds();
     query.move(Pose::identity(), pose);
     const double moved = processor_milliseconds();
-    const Overlap answer = query(Pose::identity(), pose, {}, parallel);
+    const Overlap answer = query(Pose::identity(), pose, {}, limits);
     const double end = processor_milliseconds();
     samples.collision[k].push_back(std::max(0.0, end - moved - clock_cost()));
     samples.frame[k].push_back(std::max(0.0, end - start - 2 * clock_cost()));
   }
 }
 
-double time_traversal(const Trip& trip, const NamedTraversal& traversal, const Parallel& parallel,
+double time_traversal(const Trip& trip, const NamedTraversal& traversal, const Limits& limits,
                       std::size_t step) {
   LeafTraversal leaves(trip, traversal.options);
   double sum = 0;
   for (std::size_t k = 0; k < trip.offsets.size(); k += step) {
-    check_stop(parallel);
+    check_stop(limits);
     leaves.move(k);
     const double start = processor_milliseconds();
     (void)leaves.run();
@@ -258,14 +258,14 @@ bool LeafTraversal::roots_overlap() const {
 }
 
 std::vector<Frame> traverse_frames(const Trip& trip, const NamedTraversal& traversal,
-                                   const Parallel& parallel, LeafPairs* pairs) {
+                                   const Limits& limits, LeafPairs* pairs) {
   LeafTraversal leaves(trip, traversal.options);
   std::vector<Frame> frames(trip.offsets.size());
   if (pairs != nullptr) {
     pairs->assign(frames.size(), {});
   }
   for (std::size_t k = 0; k < frames.size(); ++k) {
-    check_stop(parallel);
+    check_stop(limits);
     leaves.move(k);
     TraversalVisitor visitor;
     if (pairs != nullptr) {
@@ -286,11 +286,11 @@ std::vector<Frame> traverse_frames(const Trip& trip, const NamedTraversal& trave
 }
 
 std::vector<Frame> answer_frames(const Trip& trip, const NamedTraversal& traversal,
-                                 const Parallel& parallel) {
+                                 const Limits& limits) {
   thesis::NamedOverlap query(trip.a, trip.b, traversal.options);
   std::vector<Frame> frames(trip.offsets.size());
   for (std::size_t k = 0; k < frames.size(); ++k) {
-    Overlap answer = query(Pose::identity(), trip.pose(k), {}, parallel);
+    Overlap answer = query(Pose::identity(), trip.pose(k), {}, limits);
     Box moved = trip.b.bounds();
     moved.lower += trip.offsets[k];
     moved.upper += trip.offsets[k];
@@ -301,18 +301,18 @@ std::vector<Frame> answer_frames(const Trip& trip, const NamedTraversal& travers
 }
 
 std::vector<FrameTimes> time_trips(std::span<const TripRun> runs, int repetitions,
-                                   const Parallel& parallel) {
+                                   const Limits& limits) {
   std::vector<FrameSamples> samples;
   for (const TripRun& run : runs) {
     const std::vector<std::vector<double>> none(run.trip->offsets.size());
     samples.push_back({none, none});
     FrameSamples warm_up{none, none};
-    time_trip(run, parallel, warm_up);
+    time_trip(run, limits, warm_up);
   }
   for (int round = 0; round < repetitions; ++round) {
     for (std::size_t k = 0; k < runs.size(); ++k) {
       const std::size_t i = round % 2 == 0 ? k : runs.size() - 1 - k;
-      time_trip(runs[i], parallel, samples[i]);
+      time_trip(runs[i], limits, samples[i]);
     }
   }
   std::vector<FrameTimes> times;
@@ -336,16 +336,16 @@ std::vector<double> sums_by_round(std::span<const Timing> times, std::span<const
 }
 
 std::vector<FrameTimes> time_frames(const Trip& trip, std::span<const NamedTraversal> traversals,
-                                    int repetitions, const Parallel& parallel, std::size_t step) {
+                                    int repetitions, const Limits& limits, std::size_t step) {
   std::vector<TripRun> runs;
   for (const NamedTraversal& traversal : traversals) {
     runs.push_back({&trip, traversal, step});
   }
-  return time_trips(runs, repetitions, parallel);
+  return time_trips(runs, repetitions, limits);
 }
 
 Timing time_beside_traversal(const Trip& trip, const NamedTraversal& traversal, int repetitions,
-                             const Parallel& parallel, std::size_t step) {
+                             const Limits& limits, std::size_t step) {
   std::vector<double> samples;
   for (int round = 0; round < repetitions; ++round) {
     thesis::NamedOverlap query = query_of(trip, traversal);
@@ -353,7 +353,7 @@ Timing time_beside_traversal(const Trip& trip, const NamedTraversal& traversal, 
     double sum = 0;
     for (std::size_t k = 0; k < trip.offsets.size(); k += step) {
       const double start = processor_milliseconds();
-      (void)query(Pose::identity(), trip.pose(k), {}, parallel);
+      (void)query(Pose::identity(), trip.pose(k), {}, limits);
       const double end = processor_milliseconds();
       leaves.move(k);
       const double start_of_traversal = processor_milliseconds();
@@ -366,12 +366,12 @@ Timing time_beside_traversal(const Trip& trip, const NamedTraversal& traversal, 
 }
 
 std::vector<Timing> time_traversals(const Trip& trip, std::span<const NamedTraversal> traversals,
-                                    int repetitions, const Parallel& parallel, std::size_t step) {
+                                    int repetitions, const Limits& limits, std::size_t step) {
   std::vector<std::vector<double>> samples(traversals.size());
   for (int round = -1; round < repetitions; ++round) {  // the first warms up
     for (std::size_t k = 0; k < traversals.size(); ++k) {
       const std::size_t i = round % 2 == 0 ? k : traversals.size() - 1 - k;
-      const double sample = time_traversal(trip, traversals[i], parallel, step);
+      const double sample = time_traversal(trip, traversals[i], limits, step);
       if (round >= 0) {
         samples[i].push_back(sample);
       }

@@ -118,12 +118,11 @@ using LeafPairs = std::vector<std::vector<NodePair>>;
 /// Counts of each frame by a traversal, leaves only; their pairs go to `pairs` where that is given.
 /// \errors ErrorKind::cancelled.
 [[nodiscard]] std::vector<Frame> traverse_frames(const Trip& trip, const NamedTraversal& traversal,
-                                                 const Parallel& parallel,
-                                                 LeafPairs* pairs = nullptr);
+                                                 const Limits& limits, LeafPairs* pairs = nullptr);
 
 /// Counts and triangle contacts of each frame by a traversal. \errors ErrorKind::cancelled.
 [[nodiscard]] std::vector<Frame> answer_frames(const Trip& trip, const NamedTraversal& traversal,
-                                               const Parallel& parallel);
+                                               const Limits& limits);
 
 /// Milliseconds of each frame: `collision` is the traversal and the triangle tests, `frame` is
 /// moving the boxes as well.
@@ -143,7 +142,7 @@ struct TripRun {
 /// round i of another are a pair. \shape one FrameTimes a run, one Timing a frame; frames that are
 /// not timed have no rounds. \errors ErrorKind::cancelled.
 [[nodiscard]] std::vector<FrameTimes> time_trips(std::span<const TripRun> runs, int repetitions,
-                                                 const Parallel& parallel);
+                                                 const Limits& limits);
 
 /// Milliseconds by round, summed over the timed frames in which the roots overlap.
 [[nodiscard]] std::vector<double> sums_by_round(std::span<const Timing> times,
@@ -153,7 +152,7 @@ struct TripRun {
 /// \errors ErrorKind::cancelled.
 [[nodiscard]] std::vector<FrameTimes> time_frames(const Trip& trip,
                                                   std::span<const NamedTraversal> traversals,
-                                                  int repetitions, const Parallel& parallel,
+                                                  int repetitions, const Limits& limits,
                                                   std::size_t step = 1);
 
 /// Times every `step`-th frame of a trip by several traversals in turn, the traversals alone,
@@ -161,14 +160,14 @@ struct TripRun {
 /// traversal. \errors ErrorKind::cancelled.
 [[nodiscard]] std::vector<Timing> time_traversals(const Trip& trip,
                                                   std::span<const NamedTraversal> traversals,
-                                                  int repetitions, const Parallel& parallel,
+                                                  int repetitions, const Limits& limits,
                                                   std::size_t step = 1);
 
 /// Milliseconds of every `step`-th frame beside its traversal: moving the boxes and testing the
 /// triangles. The traversal is timed right after each frame, so that both meet the machine alike.
 /// \errors ErrorKind::cancelled.
 [[nodiscard]] Timing time_beside_traversal(const Trip& trip, const NamedTraversal& traversal,
-                                           int repetitions, const Parallel& parallel,
+                                           int repetitions, const Limits& limits,
                                            std::size_t step = 1);
 
 }  // namespace soms::reproduce

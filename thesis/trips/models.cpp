@@ -101,7 +101,7 @@ void set_mesh(Model& model, Mesh mesh) {
 
 class Finder {
  public:
-  Finder(const fs::path& folder, const Parallel& parallel) : folder_(folder), parallel_(parallel) {}
+  Finder(const fs::path& folder, const Limits& limits) : folder_(folder), limits_(limits) {}
 
   Models find(Needs needs);
 
@@ -123,11 +123,11 @@ class Finder {
   void find_scenes(const std::vector<fs::path>& files);
   [[nodiscard]] std::vector<fs::path> city_files();
   void find_cities(const std::vector<fs::path>& files);
-  [[nodiscard]] Parallel for_one() const;
+  [[nodiscard]] Limits for_one() const;
   void step();
 
   const fs::path& folder_;
-  const Parallel& parallel_;
+  const Limits& limits_;
   Models models_;
   std::set<std::string> names_;
   std::size_t done_ = 0;
@@ -135,13 +135,13 @@ class Finder {
 };
 
 /// For the work on one model: its progress is a part of the whole.
-Parallel Finder::for_one() const {
-  Parallel one;
-  one.threads = parallel_.threads;
-  one.stop = parallel_.stop;
-  if (parallel_.progress) {
+Limits Finder::for_one() const {
+  Limits one;
+  one.threads = limits_.threads;
+  one.stop = limits_.stop;
+  if (limits_.progress) {
     one.progress = [this](double share) {
-      parallel_.progress(
+      limits_.progress(
           std::min(1.0, (static_cast<double>(done_) + share) / static_cast<double>(all_)));
     };
   }
@@ -150,7 +150,7 @@ Parallel Finder::for_one() const {
 
 void Finder::step() {
   ++done_;
-  check_stop(parallel_);
+  check_stop(limits_);
 }
 
 std::string Finder::read(const fs::path& path, Model& model) {
@@ -372,7 +372,7 @@ Models Finder::find(Needs needs) {
                   "make the folder readable");
     }
   }
-  check_stop(parallel_);
+  check_stop(limits_);
   for (const KnownObject& known : kKnownObjects) {
     names_.emplace(known.name);
   }
@@ -390,8 +390,8 @@ Models Finder::find(Needs needs) {
   if (needs.cities) {
     find_cities(cities);
   }
-  if (parallel_.progress) {
-    parallel_.progress(1);
+  if (limits_.progress) {
+    limits_.progress(1);
   }
   return std::move(models_);
 }
@@ -425,8 +425,8 @@ void fit_drives(std::span<Model> objects) {
   }
 }
 
-Models find_models(const fs::path& folder, Needs needs, const Parallel& parallel) {
-  return Finder(folder, parallel).find(needs);
+Models find_models(const fs::path& folder, Needs needs, const Limits& limits) {
+  return Finder(folder, limits).find(needs);
 }
 
 std::string scene_file(const Model& scene) {

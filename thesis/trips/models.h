@@ -98,7 +98,7 @@ inline constexpr std::string_view kModelsHelp =
 /// scenes are written as .3ds, in memory, and read from that.
 /// \errors ErrorKind::cannot_open if `folder` is given and is no folder; cancelled.
 [[nodiscard]] Models find_models(const std::filesystem::path& folder, Needs needs,
-                                 const Parallel& parallel = {});
+                                 const Limits& limits = {});
 
 /// The .3ds file of a scene, the same bytes that a generated one was read from.
 /// \errors Those of `write_mesh`.

@@ -69,19 +69,19 @@ Timing summarize(std::vector<double> milliseconds, int processes) {
           .processes = processes};
 }
 
-Timing time_repeatedly(int repetitions, const Parallel& parallel, const std::function<void()>& work,
+Timing time_repeatedly(int repetitions, const Limits& limits, const std::function<void()>& work,
                        int warm_up) {
-  return time_in_turn(repetitions, parallel, std::span(&work, 1), warm_up).front();
+  return time_in_turn(repetitions, limits, std::span(&work, 1), warm_up).front();
 }
 
-std::vector<Timing> time_in_turn(int repetitions, const Parallel& parallel,
+std::vector<Timing> time_in_turn(int repetitions, const Limits& limits,
                                  std::span<const std::function<void()>> works, int warm_up) {
   keep_freed_memory();
   std::vector<std::vector<double>> samples(works.size());
   for (int round = -warm_up; round < repetitions; ++round) {
     for (std::size_t k = 0; k < works.size(); ++k) {
       const std::size_t i = round % 2 == 0 ? k : works.size() - 1 - k;
-      check_stop(parallel);
+      check_stop(limits);
       const double sample = milliseconds_of(works[i]);
       if (round >= 0) {
         samples[i].push_back(sample);

@@ -33,7 +33,7 @@ struct Timing {
 
 /// Runs `work` `warm_up` times unmeasured, then `repetitions` times by the thread's processor time.
 /// \errors ErrorKind::cancelled between runs; those of `work`.
-[[nodiscard]] Timing time_repeatedly(int repetitions, const Parallel& parallel,
+[[nodiscard]] Timing time_repeatedly(int repetitions, const Limits& limits,
                                      const std::function<void()>& work, int warm_up = 10);
 
 /// Times several works in turn, round by round, every other round in the reverse order, so that a
@@ -41,7 +41,7 @@ struct Timing {
 /// From then on the process keeps memory that it frees (with glibc, blocks up to 32 MB), so that
 /// works find it again after the warm-up.
 /// \shape one Timing a work.
-[[nodiscard]] std::vector<Timing> time_in_turn(int repetitions, const Parallel& parallel,
+[[nodiscard]] std::vector<Timing> time_in_turn(int repetitions, const Limits& limits,
                                                std::span<const std::function<void()>> works,
                                                int warm_up = 10);
 

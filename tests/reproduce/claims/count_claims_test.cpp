@@ -412,7 +412,7 @@ TEST(CountClaims, AStopRequestEndsTheCounting) {
   std::stop_source stop;
   stop.request_stop();
   Context context{.models = models};
-  context.parallel.stop = stop.get_token();
+  context.limits.stop = stop.get_token();
   for (const auto run : {claim_fallback, claim_single_leaves, claim_26_percent, claim_balance,
                          claim_level_7, readings}) {
     EXPECT_THROW(static_cast<void>(run(context)), Error);

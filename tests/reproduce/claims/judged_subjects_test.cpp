@@ -27,11 +27,8 @@ Model model_of(std::uint64_t triangles, bool stand_in) {
   return model;
 }
 
-ClaimRow row_on(const Model& model, std::string own_reason = {}) {
-  ClaimRow row = counted_row("stop", "leaves", {}, "", {.above = 0}, 1);
-  set_subject(row, model);
-  row.unjudged = std::move(own_reason);
-  return row;
+ClaimRow row_on(const Model& model, std::string_view own_reason = {}) {
+  return on_model(counted_row("stop", "leaves", {}, "", {.above = 0}, 1), model, own_reason);
 }
 
 Claim judged_claim(Scope scope, std::vector<ClaimRow> rows) {

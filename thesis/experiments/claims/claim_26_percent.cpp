@@ -8,7 +8,7 @@
 // about one scene that is not available: generated scenes, and given ones of another size, are
 // shown and not judged.
 #include "apps/draw/interval_chart.h"
-#include "thesis/claims/judged_subjects.h"
+#include "thesis/claims/thesis_claims.h"
 #include "thesis/experiments/experiments.h"
 #include "thesis/run/counts.h"
 #include "thesis/run/steps.h"
@@ -27,12 +27,11 @@ namespace soms::reproduce {
 
 namespace {
 
+constexpr const ThesisClaim& kClaim = thesis_claim("26_percent");
 constexpr double kClaimedPercent = 26;
-constexpr double kNear = 5;  ///< ours
-constexpr Demand kAbout{.above = kClaimedPercent - kNear, .below = kClaimedPercent + kNear};
-constexpr std::string_view kAboutWords = "about 26 %, within 5 points (ours)";
-constexpr Demand kAtLeast{.above = kClaimedPercent - 0.5};
-constexpr std::string_view kAtLeastWords = "at least 26 % (25.5)";
+constexpr const Demand& kAtLeast = kClaim.demands[0].demand;
+constexpr const Demand& kAbout = kClaim.demands[1].demand;
+constexpr std::string_view kAboutWords = kClaim.demands[1].words;
 constexpr double kMostDrawn = 150;  ///< a dot at +557 % would press the others together
 constexpr const char* kRelative = "relative gain";
 constexpr const char* kPoints = "gain in points of all triangles (the words hardly allow it)";
@@ -61,11 +60,10 @@ std::vector<Built> built_of(std::span<const Model> scenes) {
   return whole;
 }
 
-double singles_of(const Built& built, Rule rule, const OpenOptions& open,
-                  const Parallel& parallel) {
+double singles_of(const Built& built, Rule rule, const OpenOptions& open, const Limits& limits) {
   std::uint64_t sum = 0;
   for (const Mesh& mesh : built.meshes) {
-    sum += counts_of(mesh, rule, kSceneLevel, open, parallel).one;
+    sum += counts_of(mesh, rule, kSceneLevel, open, limits).one;
   }
   return static_cast<double>(sum);
 }
@@ -80,9 +78,9 @@ struct Gain {
   [[nodiscard]] double by(bool is_relative) const { return is_relative ? relative : points; }
 };
 
-Gain gain_of(const Built& built, const OpenOptions& open, const Parallel& parallel) {
-  const double soms = singles_of(built, Rule::soms, open, parallel);
-  const double spatial = singles_of(built, Rule::spatial_median, open, parallel);
+Gain gain_of(const Built& built, const OpenOptions& open, const Limits& limits) {
+  const double soms = singles_of(built, Rule::soms, open, limits);
+  const double spatial = singles_of(built, Rule::spatial_median, open, limits);
   const auto triangles =
       static_cast<double>(std::max<std::size_t>(1, built.scene->mesh->triangles.size()));
   return {.built = &built,
@@ -93,9 +91,9 @@ Gain gain_of(const Built& built, const OpenOptions& open, const Parallel& parall
           .points = 100 * (soms - spatial) / triangles};
 }
 
-std::vector<Gain> gains_of(std::span<const Built> built, const Parallel& parallel) {
+std::vector<Gain> gains_of(std::span<const Built> built, const Limits& limits) {
   std::vector<Gain> gains;
-  Steps steps(parallel, kEmptySides.size() * kSomsAxes.size() * built.size());
+  Steps steps(limits, kEmptySides.size() * kSomsAxes.size() * built.size());
   for (const AxisFrom axis : kSomsAxes) {
     for (const EmptySide empty_side : kEmptySides) {
       for (const Built& one : built) {
@@ -107,30 +105,30 @@ std::vector<Gain> gains_of(std::span<const Built> built, const Parallel& paralle
   return gains;
 }
 
-/// Rows of one metric under one reading of the figure.
-void add_rows(std::vector<ClaimRow>& rows, std::span<const Gain> gains, bool relative,
-              std::string_view figure, const Demand& demand) {
-  for (const Gain& gain : gains) {
-    ClaimRow row = counted_row(
-        fmt::format("{}{}, {}, {}", relative ? "" : kInPoints, gain.built->reading,
-                    words_of(gain.open.empty_side, gain.open.soms_axis), figure),
-        relative ? kRelative : kPoints, {}, relative ? "%" : "points", demand, gain.by(relative));
-    set_subject(row, *gain.built->scene);
-    row.unjudged = axis_unjudged(gain.open.soms_axis);
-    if (row.unjudged.empty() && std::isinf(row.value)) {
-      row.unjudged =
-          "spatial median has no leaf with one triangle, and of nothing there is no share";
-    }
-    rows.push_back(std::move(row));
-  }
+ClaimRow row_of(const Gain& gain, const Demanded& figure, bool relative) {
+  const std::string reading =
+      fmt::format("{}{}, {}, {}", relative ? "" : kInPoints, gain.built->reading,
+                  words_of(gain.open.empty_side, gain.open.soms_axis), figure.words);
+  const double value = gain.by(relative);
+  const std::string axis = axis_unjudged(gain.open.soms_axis);
+  return on_model(counted_row(reading, relative ? kRelative : kPoints, {},
+                              relative ? "%" : "points", figure.demand, value),
+                  *gain.built->scene,
+                  axis.empty() && std::isinf(value)
+                      ? "spatial median has no leaf with one triangle, and of nothing there is no "
+                        "share"
+                      : axis);
 }
 
 /// All rows, the relative ones first.
 std::vector<ClaimRow> matrix_of(std::span<const Gain> gains) {
   std::vector<ClaimRow> rows;
   for (const bool relative : {true, false}) {
-    add_rows(rows, gains, relative, kAtLeastWords, kAtLeast);
-    add_rows(rows, gains, relative, kAboutWords, kAbout);
+    for (const Demanded& figure : kClaim.demands) {
+      for (const Gain& gain : gains) {
+        rows.push_back(row_of(gain, figure, relative));
+      }
+    }
   }
   return rows;
 }
@@ -174,20 +172,7 @@ std::string reach_of(const Claim& claim) {
 }
 
 Claim claim_of(std::span<const Gain> gains) {
-  Claim claim{.id = "26_percent",
-              .statement =
-                  "26 % more nodes with a single triangle by SOMS than by spatial median, "
-                  "on an urban scene of 5,672 triangles",
-              .source = "abstract; level by the caption of table 5.9",
-              .rows = matrix_of(gains),
-              .scope = Scope::figure,
-              .named_triangles = kSceneTriangles};
-  judge_subjects(claim);
-  claim.nearest = fmt::format("one tree, stop, inner axis, {}", kAboutWords);
-  claim.why_nearest =
-      "A share of spatial median's nodes is what \"26 % more nodes\" says, and a number said is a "
-      "number meant; a floor, points, other empty sides and a tree for each object are further "
-      "readings.";
+  Claim claim = judged(kClaim, matrix_of(gains));
   claim.note = reach_of(claim);
   claim.why = fmt::format(
       "The claim is about one scene, which is not available: a generated scene of its size shows "
@@ -200,9 +185,6 @@ Claim claim_of(std::span<const Gain> gains) {
       "judge. The figure is read as a floor, from {:.1f}, and as a number, {:.0f} to {:.0f}; that "
       "width is ours.{}",
       kAtLeast.above, kAbout.above, kAbout.below, kReadingWords);
-  claim.settles =
-      "the scene of the thesis, which is not available, or table 5.9, which has both counts and so "
-      "says what the percentage is of";
   return claim;
 }
 
@@ -236,7 +218,7 @@ Figure figure_of(std::span<const Gain> gains) {
 
 Result claim_26_percent(const Context& context) {
   const std::vector<Built> built = built_of(context.models.scenes);
-  const std::vector<Gain> gains = gains_of(built, context.parallel);
+  const std::vector<Gain> gains = gains_of(built, context.limits);
   Result result;
   result.claims = {claim_of(gains)};
   result.figures = {figure_of(gains)};

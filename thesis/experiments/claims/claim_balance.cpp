@@ -9,7 +9,7 @@
 #include "soms/tree/build.h"
 
 #include "apps/draw/grouped_bars.h"
-#include "thesis/claims/judged_subjects.h"
+#include "thesis/claims/thesis_claims.h"
 #include "thesis/experiments/experiments.h"
 #include "thesis/run/counts.h"
 #include "thesis/run/steps.h"
@@ -59,15 +59,14 @@ struct MeasuredBalance {
 };
 
 BalanceMeasures measure(const Leveled& one, Rule rule, const OpenOptions& open,
-                        const Parallel& parallel) {
+                        const Limits& limits) {
   const BuildOptions options = options_of(rule, one.level, open);
-  return balance_of(build(*one.model->mesh, options, {1, parallel.stop, {}}), options);
+  return balance_of(build(*one.model->mesh, options, {.threads = 1, .stop = limits.stop}), options);
 }
 
-std::vector<MeasuredBalance> measure_all(std::span<const Leveled> models,
-                                         const Parallel& parallel) {
+std::vector<MeasuredBalance> measure_all(std::span<const Leveled> models, const Limits& limits) {
   std::vector<MeasuredBalance> all;
-  Steps steps(parallel, kEmptySides.size() * kSomsAxes.size() * models.size());
+  Steps steps(limits, kEmptySides.size() * kSomsAxes.size() * models.size());
   for (const EmptySide empty_side : kEmptySides) {
     for (const AxisFrom axis : kSomsAxes) {
       for (const Leveled& one : models) {
@@ -86,10 +85,10 @@ std::vector<ClaimRow> rows_of(std::span<const MeasuredBalance> measured) {
   std::vector<ClaimRow> rows;
   for (const Metric& metric : kMetrics) {
     for (const MeasuredBalance& one : measured) {
-      rows.push_back(counted_row(fmt::format("{}{}", metric.reading, one.reading), metric.name, {},
-                                 "", {.above = 0}, metric.lead(one.soms, one.spatial)));
-      set_subject(rows.back(), *one.model);
-      rows.back().unjudged = axis_unjudged(one.soms_axis);
+      rows.push_back(
+          on_model(counted_row(fmt::format("{}{}", metric.reading, one.reading), metric.name, {},
+                               "", demand_of("more_balanced"), metric.lead(one.soms, one.spatial)),
+                   *one.model, axis_unjudged(one.soms_axis)));
     }
   }
   return rows;
@@ -164,30 +163,18 @@ Figure figure_of(std::span<const MeasuredBalance> measured, const std::string& r
 
 Result claim_balance(const Context& context) {
   const std::vector<Leveled> models = at_greatest_level(context.models);
-  const std::vector<MeasuredBalance> measured = measure_all(models, context.parallel);
+  const std::vector<MeasuredBalance> measured = measure_all(models, context.limits);
   const std::string usual = words_of(EmptySide::stop, AxisFrom::inner);
-  Claim claim{
-      .id = "more_balanced",
-      .statement = "SOMS makes a more balanced tree than spatial median",
-      .source = "abstract; tables 5.4 and 5.10 and figure 4.2 by their captions",
-      .rows = rows_of(measured),
-      .nearest = fmt::format("{}{}", kBalanceMode, usual),
-      .why_nearest =
-          "Tables 5.4 and 5.10 measure balance by leaves of fewer than five triangles; table 5.5 "
-          "counts nodes that cannot be divided, and the axis is that of the abstract in Malay.",
-      .note = fmt::format("With the reading {}: {}.", usual, leads_of(measured, usual)),
-      .why = fmt::format(
-          "Both rules halve a length, and neither counts triangles: which of the two halves is "
-          "fuller is a matter of the model. What SOMS has ahead is that it is not stuck where one "
-          "large triangle keeps spatial median from dividing at all, and there it has more leaves "
-          "with few triangles. Table claim_balance has the measures themselves.{} Nor is a "
-          "balanced level deeper with it; by even sides each node of a chain counts like the "
-          "undivided node at its head.",
-          kReadingWords),
-      .settles =
-          "tables 5.4 and 5.10, which have the counts, and section 3.5.3, which says what a "
-          "balanced level is"};
-  judge_subjects(claim);
+  Claim claim = judged(thesis_claim("more_balanced"), rows_of(measured));
+  claim.note = fmt::format("With the reading {}: {}.", usual, leads_of(measured, usual));
+  claim.why = fmt::format(
+      "Both rules halve a length, and neither counts triangles: which of the two halves is "
+      "fuller is a matter of the model. What SOMS has ahead is that it is not stuck where one "
+      "large triangle keeps spatial median from dividing at all, and there it has more leaves "
+      "with few triangles. Table claim_balance has the measures themselves.{} Nor is a "
+      "balanced level deeper with it; by even sides each node of a chain counts like the "
+      "undivided node at its head.",
+      kReadingWords);
   return {.tables = {table_of(measured)},
           .figures = {figure_of(measured, usual)},
           .claims = {std::move(claim)}};

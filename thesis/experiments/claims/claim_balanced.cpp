@@ -3,7 +3,7 @@
 #include "soms/thesis/traversals.h"
 #include "soms/tree/statistics.h"
 
-#include "thesis/claims/judged_subjects.h"
+#include "thesis/claims/thesis_claims.h"
 #include "thesis/experiments/experiments.h"
 #include "thesis/races/rides.h"
 #include "thesis/run/counts.h"
@@ -24,7 +24,9 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr std::string_view kReason =
+constexpr const ThesisClaim& kClaim = thesis_claim("balanced_trees_are_traversed_faster");
+
+constexpr const char* kReason =
     "Balance bounds the depth of a tree; what a traversal tests depends on how well the boxes keep "
     "apart what is apart, which the plane of a rule decides. Of trees that differ in nothing but "
     "where the same order is cut, the more balanced one usually makes fewer box tests.";
@@ -77,7 +79,7 @@ bool are_the_two_rules(const Ride& one, const Ride& other) {
 
 /// Of two trees by different rules the more balanced over the less balanced one.
 void add_comparison(std::vector<ClaimRow>& rows, const Ride& more, const Ride& less) {
-  const Demand cheaper{.below = 1};
+  const Demand cheaper = kClaim.demands[0].demand;
   const std::size_t before = rows.size();
   const std::string reading =
       fmt::format("{} over the less balanced {}", more.build.title, less.build.title);
@@ -105,7 +107,7 @@ void add_comparison(std::vector<ClaimRow>& rows, const Ride& more, const Ride& l
 }
 
 /// Box tests of trips on trees that are cut off the middle, both bodies alike.
-std::uint64_t count_uneven(std::span<const Trip> trips, double share, const Parallel& parallel) {
+std::uint64_t count_uneven(std::span<const Trip> trips, double share, const Limits& limits) {
   std::uint64_t box_tests = 0;
   std::map<const MeshView*, Tree> trees;
   const auto tree_of = [&](const MeshView& mesh) -> const Tree& {
@@ -118,7 +120,7 @@ std::uint64_t count_uneven(std::span<const Trip> trips, double share, const Para
     PosedBoxes b(trip.b.mesh(), tree_of(trip.b.mesh()));
     a.move(Pose::identity());
     for (std::size_t k = 0; k < trip.offsets.size(); ++k) {
-      check_stop(parallel);
+      check_stop(limits);
       b.move(trip.pose(k));
       box_tests += traverse(a.view(), b.view(), generic_traversal().options).box_tests;
     }
@@ -128,16 +130,16 @@ std::uint64_t count_uneven(std::span<const Trip> trips, double share, const Para
 
 /// The same order, cut in the middle and beside it: nothing differs but balance. Each leaf holds
 /// one triangle, so that all trees leave the same pairs of triangles.
-void compare_shares(std::vector<ClaimRow>& rows, const Ride& ride, const Parallel& parallel) {
+void compare_shares(std::vector<ClaimRow>& rows, const Ride& ride, const Limits& limits) {
   std::array<std::uint64_t, kShares.size() + 1> tests{};  // the last: of nodes cut in the middle
-  for_each_chunk(tests.size(), 1, parallel, [&](std::size_t i, std::size_t) {
-    tests[i] = count_uneven(ride.trips, i < kShares.size() ? kShares[i].share : 0.5, parallel);
+  for_each_chunk(tests.size(), 1, limits, [&](std::size_t i, std::size_t) {
+    tests[i] = count_uneven(ride.trips, i < kShares.size() ? kShares[i].share : 0.5, limits);
   });
   for (std::size_t i = 0; i < kShares.size(); ++i) {
     const std::string reading =
         fmt::format("nodes cut at 1/2 over cut at {}, all else alike (ours)", kShares[i].words);
     rows.push_back(counted_row(reading, "box tests, one triangle a leaf", ride.subject, "",
-                               {.below = 1}, tests_over(tests.back(), tests[i])));
+                               kClaim.demands[0].demand, tests_over(tests.back(), tests[i])));
   }
 }
 
@@ -167,24 +169,8 @@ Table pairs_table(const std::vector<Ride>& rides, const Context& context) {
 Result claim_balanced(const Context& context) {
   const std::vector<BuildPairing> pairings = differing_builds();
   const std::vector<RideCourse> courses = thesis_courses(context);
-  Steps steps(context.parallel, 2 * courses.size());
-  Claim claim{
-      .id = "balanced_trees_are_traversed_faster",
-      .statement = "A balanced tree is traversed faster than an unbalanced one",
-      .source =
-          "abstract: \"the speed of BVH tree traversal algorithm dropped for "
-          "unbalanced tree\"",
-      .nearest = "SOMS and spatial median under stop, whichever is more balanced over the other",
-      .why_nearest =
-          "The thesis compares these two rules and calls the balance of their trees the "
-          "reason; other rules and fallbacks, and trees that differ in nothing but "
-          "balance, are further readings.",
-      .why = std::string(kReason),
-      .settles =
-          "what the thesis calls balanced: the text counts leaves of fewer than "
-          "five triangles (tables 5.4 and 5.10) and speaks of balanced levels, but "
-          "defines neither; here the tree of the higher balanced level is the more "
-          "balanced one (ours)"};
+  Steps steps(context.limits, 2 * courses.size());
+  std::vector<ClaimRow> rows;
   std::vector<Ride> all;
   for (const RideCourse& course : courses) {
     std::vector<Ride> rides = ride(context, course, pairings, generic_traversal());
@@ -194,19 +180,20 @@ Result claim_balanced(const Context& context) {
       for (std::size_t more = 0; more < rides.size(); ++more) {
         for (std::size_t less = 0; less < rides.size(); ++less) {
           if (levels[more] > levels[less]) {
-            add_comparison(claim.rows, rides[more], rides[less]);
+            add_comparison(rows, rides[more], rides[less]);
           }
         }
       }
     }
     steps.done_one();
     if (rides[0].sum.root_overlap_frames > 0 && !context.races->times_only()) {
-      compare_shares(claim.rows, rides[0], context.counting());
+      compare_shares(rows, rides[0], context.counting());
     }
     std::move(rides.begin(), rides.end(), std::back_inserter(all));
     steps.done_one();
   }
-  judge_subjects(claim);
+  Claim claim = judged(kClaim, std::move(rows));
+  claim.why = kReason;
   return {.tables = {pairs_table(all, context)},
           .claims = {std::move(claim)},
           .remarks = object_remarks(context.models.objects)};

@@ -1,6 +1,6 @@
 // The claim that the tree of 948 triangles is built 8 % faster by SOMS than by spatial median.
 #include "apps/draw/chart.h"
-#include "thesis/claims/judged_subjects.h"
+#include "thesis/claims/thesis_claims.h"
 #include "thesis/experiments/experiments.h"
 #include "thesis/run/counts.h"
 #include "thesis/trees/build_race.h"
@@ -23,16 +23,8 @@ constexpr int kLeastLevel = 4;
 /// every level, other objects at these.
 constexpr std::array kRowLevels{kLeastLevel, 8, 10, 12, kObjectLevel};
 
-/// A range that "8 % faster" can mean.
-struct Meaning {
-  std::string_view words;
-  Demand demand;
-};
-
-/// The first takes 8 % as a floor that was rounded, the second as a hint of the size.
-constexpr std::array kMeanings{
-    Meaning{"at least 8 % (7.5)", {.above = 7.5}},
-    Meaning{"about 8 %, within 5 points (ours)", {.above = 3, .below = 13}}};
+/// Its demands take 8 % as a floor that was rounded, and as a hint of the size.
+constexpr const ThesisClaim& kClaim = thesis_claim("build_8_percent");
 
 int rounds_of_the_object(const Context& context) {
   return context.quick ? 30 : 400;
@@ -53,14 +45,14 @@ struct RacedObject {
   }
 };
 
-RacedObject subject_of(std::span<const Model> objects, const Parallel& parallel) {
+RacedObject subject_of(std::span<const Model> objects, const Limits& limits) {
   const Model* const given = named_model(objects, kObjectTriangles);
   const Model& model = given != nullptr ? *given : objects.front();
-  return {&model, balanced_level(model, thesis_rules(kObjectLevel).back(), parallel)};
+  return {&model, balanced_level(model, thesis_rules(kObjectLevel).back(), limits)};
 }
 
 std::vector<RaceTask> tasks_of(const Model& model, const RacedObject& subject,
-                               const Parallel& parallel) {
+                               const Limits& limits) {
   std::vector<RaceTask> tasks;
   for (int level = kLeastLevel; level <= kObjectLevel; ++level) {
     if (&model == subject.model || subject.has_row_at(level)) {
@@ -69,7 +61,7 @@ std::vector<RaceTask> tasks_of(const Model& model, const RacedObject& subject,
   }
   if (&model == subject.model) {
     for (const int level : std::set{subject.balanced_level, kObjectLevel}) {
-      if (has_empty_sides(model, level, parallel)) {
+      if (has_empty_sides(model, level, limits)) {
         for (const EmptySide empty_side : std::span(kFallbacks).subspan(1)) {
           tasks.push_back({&model, level, empty_side});
         }
@@ -99,30 +91,27 @@ std::vector<const Race*> races_in_rows(std::span<const Race> races, const RacedO
   return chosen;
 }
 
-ClaimRow row_of(const Race& race, const Meaning& meaning, const char* metric,
-                const Estimate& saved) {
-  ClaimRow row = measured_row(fmt::format("{}; {}", race_reading(race), meaning.words), metric, {},
-                              "%", meaning.demand, saved);
-  set_subject(row, *race.model);
-  return row;
+ClaimRow row_of(const Race& race, const Demanded& meaning, const char* metric,
+                const Estimate& saved, std::string_view unjudged = {}) {
+  return on_model(measured_row(fmt::format("{}; {}", race_reading(race), meaning.words), metric, {},
+                               "%", meaning.demand, saved),
+                  *race.model, unjudged);
 }
 
 std::vector<ClaimRow> rows_of(std::span<const Race> races, const RacedObject& subject) {
   std::vector<ClaimRow> rows;
   const std::vector<const Race*> chosen = races_in_rows(races, subject);
-  for (const Meaning& meaning : kMeanings) {
+  for (const Demanded& meaning : kClaim.demands) {
     for (const Race* const one : chosen) {
       rows.push_back(row_of(*one, meaning, "time of the tree, saved by SOMS", gain(*one)));
     }
   }
   for (const Race* const one : chosen) {
     if (one->level == kObjectLevel && one->empty_side == EmptySide::stop) {
-      rows.push_back(
-          row_of(*one, kMeanings[0], "time for a node, saved by SOMS", gain_per_node(*one)));
-      rows.back().unjudged =
-          "the abstract speaks of the tree; table 5.1 has the time for a node, and "
-          "build_levels.csv "
-          "has it at every level";
+      rows.push_back(row_of(*one, kClaim.demands[0], "time for a node, saved by SOMS",
+                            gain_per_node(*one),
+                            "the abstract speaks of the tree; table 5.1 has the time for a node, "
+                            "and build_levels.csv has it at every level"));
     }
   }
   return rows;
@@ -193,33 +182,19 @@ std::string draw_gain(std::span<const Race> races, const Model& object) {
 }
 
 Claim claim_of(std::span<const Race> races, const RacedObject& subject) {
-  Claim claim{
-      .id = "build_8_percent",
-      .statement = "SOMS builds the tree of 948 triangles 8 % faster than spatial median",
-      .source = "abstract",
-      .rows = rows_of(races, subject),
-      .scope = Scope::figure,
-      .named_triangles = kObjectTriangles,
-      .nearest = fmt::format("{}, level {}; {}", reading_of(Builder::thesis_like),
-                             subject.balanced_level, kMeanings[1].words),
-      .why_nearest =
-          "The captions of chapter 4 describe a builder that copies lists, figure 5.3 times "
-          "the objects at SOMS' balanced level, and a number said is a number meant; a "
-          "floor is another reading.",
-      .why = why(races, subject),
-      .settles =
-          "the thesis' program, or its chapter 5: the level, and what each rule's "
-          "builder does at a node",
-      .revision = Revision{Verdict::holds_under,
-                           "it timed one builder, in which spatial median pays for boxes "
-                           "that it does not use"}};
-  judge_subjects(claim);
+  Claim claim = judged(kClaim, rows_of(races, subject),
+                       fmt::format("{}, level {}; {}", reading_of(Builder::thesis_like),
+                                   subject.balanced_level, kClaim.demands[1].words));
+  claim.why = why(races, subject);
+  claim.revision = Revision{Verdict::holds_under,
+                            "it timed one builder, in which spatial median pays for boxes that it "
+                            "does not use"};
   return claim;
 }
 
 std::vector<Race> races_of(const Context& context, const RacedObject& subject) {
   const std::vector<Model>& objects = context.models.objects;
-  const Parallel quiet{1, context.parallel.stop, {}};
+  const Limits quiet = context.limits.alone();
   const auto rounds_of = [&](const Model& model) {
     return &model == subject.model ? rounds_of_the_object(context) : rounds_of_others(context);
   };
@@ -230,7 +205,7 @@ std::vector<Race> races_of(const Context& context, const RacedObject& subject) {
     tasks.insert(tasks.end(), of_model.begin(), of_model.end());
     count += of_model.size() * race_steps(*context.races, rounds_of(model));
   }
-  Steps steps(context.parallel, count);
+  Steps steps(context.limits, count);
   std::vector<Race> races;
   for (const RaceTask& task : tasks) {
     const std::vector<Race> of_task = race(*context.races, task, rounds_of(*task.model), steps);
@@ -243,7 +218,7 @@ std::vector<Race> races_of(const Context& context, const RacedObject& subject) {
 
 Result claim_build_8_percent(const Context& context) {
   const std::vector<Model>& objects = context.models.objects;
-  const RacedObject subject = subject_of(objects, {1, context.parallel.stop, {}});
+  const RacedObject subject = subject_of(objects, {.threads = 1, .stop = context.limits.stop});
   const std::vector<Race> races = races_of(context, subject);
   const std::string note = note_on_stand_ins(objects);
   return {

@@ -4,7 +4,7 @@
 #include "soms/tree/rule/rules.h"
 
 #include "apps/draw/interval_chart.h"
-#include "thesis/claims/judged_subjects.h"
+#include "thesis/claims/thesis_claims.h"
 #include "thesis/experiments/experiments.h"
 #include "thesis/run/counts.h"
 #include "thesis/trees/build_race.h"
@@ -19,7 +19,7 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr Demand kAnyGain{.above = 0};
+constexpr Demand kAnyGain = demand_of("build_city");
 
 constexpr std::array kCityRules{Rule::spatial_median, Rule::soms};
 
@@ -50,13 +50,13 @@ struct Balanced {
 };
 
 std::vector<Balanced> balanced_of(std::span<const Model> scenes, EmptySide empty_side,
-                                  const Parallel& parallel) {
+                                  const Limits& limits) {
   std::vector<Balanced> balanced;
   balanced.reserve(scenes.size());
   for (const Model& scene : scenes) {
     balanced.push_back(
         {&scene, balanced_level(scene, contender_of(Rule::spatial_median, kSceneLevel, empty_side),
-                                parallel)});
+                                limits)});
   }
   return balanced;
 }
@@ -90,9 +90,9 @@ struct Entrant {
 
 /// The entrants of one empty side, occasion by occasion. One race that two occasions ask for is one
 /// entrant; an empty side other than `stop` races only where a side is empty.
-void add_entrants(std::span<const Model> scenes, EmptySide empty_side, const Parallel& parallel,
+void add_entrants(std::span<const Model> scenes, EmptySide empty_side, const Limits& limits,
                   std::vector<Entrant>& entrants) {
-  const std::vector<Balanced> balanced = balanced_of(scenes, empty_side, parallel);
+  const std::vector<Balanced> balanced = balanced_of(scenes, empty_side, limits);
   for (const Occasion& occasion : kOccasions) {
     const std::string reading =
         fmt::format("{}; {}", occasion_words(occasion, balanced), fallback_words(empty_side));
@@ -101,17 +101,17 @@ void add_entrants(std::span<const Model> scenes, EmptySide empty_side, const Par
         continue;
       }
       const int level = occasion.level > 0 ? occasion.level : one.level;
-      if (empty_side == EmptySide::stop || has_empty_sides(*one.scene, level, parallel)) {
+      if (empty_side == EmptySide::stop || has_empty_sides(*one.scene, level, limits)) {
         entrants.push_back({reading, {one.scene, level, empty_side}});
       }
     }
   }
 }
 
-std::vector<Entrant> entrants_of(std::span<const Model> scenes, const Parallel& parallel) {
+std::vector<Entrant> entrants_of(std::span<const Model> scenes, const Limits& limits) {
   std::vector<Entrant> entrants;
   for (const EmptySide empty_side : kFallbacks) {
-    add_entrants(scenes, empty_side, parallel, entrants);
+    add_entrants(scenes, empty_side, limits, entrants);
   }
   return entrants;
 }
@@ -127,27 +127,28 @@ std::vector<ClaimRow> rows_of(std::span<const Entrant> entrants, std::span<const
   std::vector<ClaimRow> rows;
   for (const Entrant& one : entrants) {
     const Race& counted = *find_race(races, one.task, Builder::in_place);
-    rows.push_back(counted_row(one.reading, "midpoints compared with planes, saved by SOMS", {},
-                               "%", kAnyGain, gain_in_work(counted)));
-    set_subject(rows.back(), *one.task.model);
-    rows.back().unjudged =
-        "comparisons are a part of the work and not its time; they are the same on every machine";
+    rows.push_back(
+        on_model(counted_row(one.reading, "midpoints compared with planes, saved by SOMS", {}, "%",
+                             kAnyGain, gain_in_work(counted)),
+                 *one.task.model,
+                 "comparisons are a part of the work and not its time; they are the same on every "
+                 "machine"));
     for (const Builder builder : kBuilders) {
       const Race& timed = *find_race(races, one.task, builder);
-      rows.push_back(measured_row(
-          one.reading, fmt::format("time of the tree, saved by SOMS, {}", reading_of(builder)), {},
-          "%", kAnyGain, gain(timed)));
-      set_subject(rows.back(), *one.task.model);
-      rows.back().unjudged = unjudged_reason(timed);
+      rows.push_back(on_model(
+          measured_row(one.reading,
+                       fmt::format("time of the tree, saved by SOMS, {}", reading_of(builder)), {},
+                       "%", kAnyGain, gain(timed)),
+          *one.task.model, unjudged_reason(timed)));
     }
   }
   return rows;
 }
 
 /// The reading of level 7 in which a node stays whole.
-std::string nearest_reading(std::span<const Model> scenes, const Parallel& parallel) {
+std::string nearest_reading(std::span<const Model> scenes, const Limits& limits) {
   return fmt::format("{}; {}",
-                     occasion_words(kOccasions[1], balanced_of(scenes, EmptySide::stop, parallel)),
+                     occasion_words(kOccasions[1], balanced_of(scenes, EmptySide::stop, limits)),
                      fallback_words(EmptySide::stop));
 }
 
@@ -239,26 +240,16 @@ std::string draw_ratios(std::span<const Race> races) {
 }
 
 Claim claim_of(std::span<const Model> scenes, std::span<const Entrant> entrants,
-               std::span<const Race> races, const Parallel& quiet) {
-  Claim claim{
-      .id = "build_city",
-      .statement =
-          "SOMS builds the tree of the urban scene in less time than spatial "
-          "median",
-      .source = "chapter 1, 1.2; figures 5.4 and 5.5 and table 5.8 by their captions",
-      .rows = rows_of(entrants, races),
-      .why_nearest =
-          "Figure 5.5 times 1,000 builds at level 7, table 5.11 counts nodes that cannot be "
-          "divided, and the captions of chapter 4 describe a builder that copies lists.",
-      .why = why(scenes, races),
-      .settles = "the thesis' scene, and what its program does where a side is empty"};
+               std::span<const Race> races, const Limits& quiet) {
   const std::string nearest = nearest_reading(scenes, quiet);
   const std::string_view builder = reading_of(Builder::thesis_like);
-  claim.nearest = fmt::format("{}; {}", nearest, builder);
-  for (ClaimRow& row : claim.rows) {
+  std::vector<ClaimRow> rows = rows_of(entrants, races);
+  for (ClaimRow& row : rows) {
     row.is_nearest = row.reading == nearest && row.metric.find(builder) != std::string::npos;
   }
-  judge_subjects(claim);
+  Claim claim =
+      judged(thesis_claim("build_city"), std::move(rows), fmt::format("{}; {}", nearest, builder));
+  claim.why = why(scenes, races);
   return claim;
 }
 
@@ -266,10 +257,10 @@ Claim claim_of(std::span<const Model> scenes, std::span<const Entrant> entrants,
 
 Result claim_build_city(const Context& context) {
   const std::vector<Model>& scenes = context.models.scenes;
-  const Parallel quiet{1, context.parallel.stop, {}};
+  const Limits quiet{.threads = 1, .stop = context.limits.stop};
   const std::vector<Entrant> entrants = entrants_of(scenes, quiet);
   const int rounds = context.quick ? kQuickRounds : kRounds;
-  Steps steps(context.parallel, entrants.size() * race_steps(*context.races, rounds));
+  Steps steps(context.limits, entrants.size() * race_steps(*context.races, rounds));
   std::vector<Race> races;
   for (const Entrant& one : entrants) {
     const std::vector<Race> of_task = race(*context.races, one.task, rounds, steps);

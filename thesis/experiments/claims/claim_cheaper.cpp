@@ -1,7 +1,7 @@
 // A premise: a tree by SOMS is cheaper to query than one by spatial median.
 #include "soms/tree/option_names.h"
 
-#include "thesis/claims/judged_subjects.h"
+#include "thesis/claims/thesis_claims.h"
 #include "thesis/experiments/experiments.h"
 #include "thesis/races/rides.h"
 #include "thesis/races/traversal_match.h"
@@ -49,7 +49,7 @@ void add_rows(std::vector<ClaimRow>& rows, const Ride& soms, const Ride& spatial
   if (soms.sum.root_overlap_frames == 0) {
     return;
   }
-  const Demand less{.below = 1};
+  const Demand less = demand_of("soms_is_cheaper_to_query");
   const std::string reading = fmt::format("empty side {}, traversal {}", name(policy), traversal);
   ClaimRow boxes = counted_row(reading, "box tests, SOMS over spatial median", soms.subject, "",
                                less, over(soms.sum.counts.box_tests, spatial.sum.counts.box_tests));
@@ -123,36 +123,24 @@ Result claim_cheaper(const Context& context) {
   const std::vector<BuildPairing> pairings = builds_by_empty_side();
   const std::vector<RideCourse> courses = thesis_courses(context);
   const auto traversals = generic_traversals();
-  Steps steps(context.parallel, courses.size() * traversals.size());
-  Claim claim{
-      .id = "soms_is_cheaper_to_query",
-      .statement = "A tree by SOMS is cheaper to query than a tree by spatial median",
-      .source =
-          "chapter 1 (problem, aim): \"increase the efficiency in collision detection handling\"",
-      .nearest = "empty side stop, traversal ericson",
-      .why_nearest =
-          "Figures 5.6 to 5.8 time the generic traversal, which is Ericson's, and table 5.5 counts "
-          "nodes that cannot be divided.",
-      .why =
-          "SOMS divides where spatial median has stopped, so its leaves are smaller and fewer "
-          "pairs "
-          "of triangles are left to test, for which it may test more boxes. What that is worth "
-          "depends on how many triangles the leaves of spatial median keep, and so on the empty "
-          "side.",
-      .settles =
-          "what the thesis does with a node that spatial median cannot divide, and its scene"};
+  Steps steps(context.limits, courses.size() * traversals.size());
+  std::vector<ClaimRow> rows;
   std::vector<Ride> all;
   for (const RideCourse& course : courses) {
     for (const NamedTraversal& traversal : traversals) {
       std::vector<Ride> rides = ride(context, course, pairings, traversal);
       for (std::size_t i = 1; i < rides.size(); ++i) {
-        add_rows(claim.rows, rides[0], rides[i], traversal.name, kAllEmptySides[i - 1]);
+        add_rows(rows, rides[0], rides[i], traversal.name, kAllEmptySides[i - 1]);
       }
       std::move(rides.begin(), rides.end(), std::back_inserter(all));
       steps.done_one();
     }
   }
-  judge_subjects(claim);
+  Claim claim = judged(thesis_claim("soms_is_cheaper_to_query"), std::move(rows));
+  claim.why =
+      "SOMS divides where spatial median has stopped, so its leaves are smaller and fewer pairs of "
+      "triangles are left to test, for which it may test more boxes. What that is worth depends on "
+      "how many triangles the leaves of spatial median keep, and so on the empty side.";
   claim.note = untimed_words(all);
   return {.tables = {cheaper_table(all, context)},
           .claims = {std::move(claim)},

@@ -1,6 +1,6 @@
 // How early a traversal comes to the first overlap: "Earlier Node detection".
 #include "apps/draw/interval_chart.h"
-#include "thesis/claims/judged_subjects.h"
+#include "thesis/claims/thesis_claims.h"
 #include "thesis/experiments/experiments.h"
 #include "thesis/races/enode_racers.h"
 #include "thesis/races/until_hit.h"
@@ -17,7 +17,7 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr Demand kLess{.below = 1};
+constexpr Demand kLess = demand_of("enode_earlier");
 
 constexpr std::string_view kFewerEntered =
     "decided by construction: E-Node comes to the hit that its opponent finds first, or to another "
@@ -65,21 +65,21 @@ using Counter = std::uint64_t UntilHit::*;
 using Regime = std::vector<UntilHit> UpToHit::*;
 
 /// Counts of all racers. \errors std::logic_error where their frames with a hit differ.
-UpToHit counts_up_to_hit(const MovedTrip& moved, const HitWords& words, const Parallel& parallel) {
+UpToHit counts_up_to_hit(const MovedTrip& moved, const HitWords& words, const Limits& limits) {
   const std::span<const TripRacer> racers = enode_racers();
   const std::vector<std::size_t> all = moved.all_frames();
   UpToHit result;
   result.stopped.resize(racers.size());
   result.whole.resize(racers.size());
-  result.stopped[0] = until_hit(moved, racers[0], words.hit, true, all, parallel);
+  result.stopped[0] = until_hit(moved, racers[0], words.hit, true, all, limits);
   const std::vector<std::size_t>& hits = result.stopped[0].frames;
-  for_each_chunk(racers.size(), 1, parallel, [&](std::size_t i, std::size_t) {
+  for_each_chunk(racers.size(), 1, limits, [&](std::size_t i, std::size_t) {
     const bool goes_on = racers[i].options.traversal == Traversal::e_node_front;
     if (i > 0) {
-      result.stopped[i] = until_hit(moved, racers[i], words.hit, true, hits, parallel);
+      result.stopped[i] = until_hit(moved, racers[i], words.hit, true, hits, limits);
     }
     result.whole[i] =
-        goes_on ? until_hit(moved, racers[i], words.hit, false, all, parallel) : result.stopped[i];
+        goes_on ? until_hit(moved, racers[i], words.hit, false, all, limits) : result.stopped[i];
   });
   for (std::size_t i = 0; i < racers.size(); ++i) {
     require(
@@ -105,7 +105,7 @@ Decision to_time(const UpToHit& counts, const Context& context) {
 }
 
 UpToHit up_to_hit(const MovedTrip& moved, const HitWords& words, const Context& context,
-                  const Parallel& quiet) {
+                  const Limits& quiet) {
   if (moved.trip().rule != kEnodeRule) {
     return counts_up_to_hit(moved, words, context.counting());
   }
@@ -243,31 +243,20 @@ std::vector<ClaimRow> rows_of(const std::vector<Kind>& kinds) {
 }
 
 Claim claim_of(const std::vector<Kind>& kinds) {
-  Claim claim{
-      .id = "enode_earlier",
-      .statement =
-          "Earlier Node detection: E-Node comes to an overlap earlier than Larsson's "
-          "depth-first traversal",
-      .source = "name of E-Node: heading of section 5.5",
-      .rows = rows_of(kinds),
-      .nearest = std::string(kNearestEnode),
-      .why_nearest = std::string(kWhyNearestEnode),
-      .why =
-          "The text has neither E-Node nor its opponent: we take Larsson's traversal to descend "
-          "both nodes at once. A family is tested as a whole before one of its pairs is entered. "
-          "So up to the first hit fewer pairs are entered, while boxes are tested that a traversal "
-          "which goes down at once has not come to; by box tests it can come out either way. "
-          "Descending on makes the box tests of the family test in the same "
-          "order, so it has rows of time alone. The front of the last frame lies near the first "
-          "overlap of the next one, so a start from it may skip most of the way down; it may also "
-          "enter other pairs first. Sums are "
-          "over the frames that have a hit; from the front, counts of queries that go on take in "
-          "all frames before, and queries that stop go from one frame with a hit to the next. All "
-          "rows are of SOMS trees, which E-Node is designed for; the table of trips has counts on "
-          "other trees, and the larger node from the last front.",
-      .settles = "the pseudo code of E-Node in chapter 4: what it does earlier, and than what",
-  };
-  judge_subjects(claim);
+  Claim claim = judged(thesis_claim("enode_earlier"), rows_of(kinds));
+  claim.why =
+      "The text has neither E-Node nor its opponent: we take Larsson's traversal to descend "
+      "both nodes at once. A family is tested as a whole before one of its pairs is entered. "
+      "So up to the first hit fewer pairs are entered, while boxes are tested that a traversal "
+      "which goes down at once has not come to; by box tests it can come out either way. "
+      "Descending on makes the box tests of the family test in the same "
+      "order, so it has rows of time alone. The front of the last frame lies near the first "
+      "overlap of the next one, so a start from it may skip most of the way down; it may also "
+      "enter other pairs first. Sums are "
+      "over the frames that have a hit; from the front, counts of queries that go on take in "
+      "all frames before, and queries that stop go from one frame with a hit to the next. All "
+      "rows are of SOMS trees, which E-Node is designed for; the table of trips has counts on "
+      "other trees, and the larger node from the last front.";
   claim.note = ericson_words(claim.rows, fmt::format("box tests up to {}", kHits.front().until));
   claim.revision = revision_of(
       claim.rows,
@@ -360,7 +349,7 @@ Figure figure_of(const std::vector<Kind>& kinds) {
 
 Result claim_enode_earlier(const Context& context) {
   EnodeTrips trips = enode_trips(context);
-  Steps steps(context.parallel, kHits.size() * trips.trips());
+  Steps steps(context.limits, kHits.size() * trips.trips());
   std::vector<Kind> kinds;
   for (const TripKind& kind : trips.kinds) {
     kinds.push_back({&kind});

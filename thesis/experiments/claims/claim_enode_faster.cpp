@@ -1,6 +1,6 @@
 // E-Node against depth-first traversals that descend the same nodes: work and time.
 #include "apps/draw/interval_chart.h"
-#include "thesis/claims/judged_subjects.h"
+#include "thesis/claims/thesis_claims.h"
 #include "thesis/experiments/experiments.h"
 #include "thesis/races/enode_racers.h"
 #include "thesis/run/steps.h"
@@ -16,7 +16,7 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr Demand kFaster{.below = 1};
+constexpr Demand kFaster = demand_of("enode_faster");
 
 constexpr std::string_view kSameTests =
     "decided by construction: E-Node tests the boxes that its opponent tests, one for one";
@@ -71,11 +71,11 @@ struct RacerCounts {
   std::vector<std::uint64_t> leaf_pairs = {};  ///< by frame
 };
 
-RacerCounts racer_counts(const MovedTrip& moved, const TripRacer& racer, const Parallel& parallel) {
+RacerCounts racer_counts(const MovedTrip& moved, const TripRacer& racer, const Limits& limits) {
   FrameTraversal traversal(moved, racer);
   RacerCounts result;
   for (std::size_t k = 0; k < moved.frames(); ++k) {
-    check_stop(parallel);
+    check_stop(limits);
     const TraversalCounts counts = traversal.run(k);
     result.sum += counts;
     result.leaf_pairs.push_back(counts.leaf_pairs);
@@ -84,11 +84,11 @@ RacerCounts racer_counts(const MovedTrip& moved, const TripRacer& racer, const P
 }
 
 /// Counts of all racers. \errors std::logic_error where a frame's leaf pairs differ.
-std::vector<TraversalCounts> all_counts(const MovedTrip& moved, const Parallel& parallel) {
+std::vector<TraversalCounts> all_counts(const MovedTrip& moved, const Limits& limits) {
   const std::span<const TripRacer> racers = enode_racers();
   std::vector<RacerCounts> counted(racers.size());
-  for_each_chunk(racers.size(), 1, parallel, [&](std::size_t i, std::size_t) {
-    counted[i] = racer_counts(moved, racers[i], parallel);
+  for_each_chunk(racers.size(), 1, limits, [&](std::size_t i, std::size_t) {
+    counted[i] = racer_counts(moved, racers[i], limits);
   });
   std::vector<TraversalCounts> sums;
   for (std::size_t i = 0; i < racers.size(); ++i) {
@@ -106,7 +106,7 @@ Raced raced(const Trip& trip, const Context& context, Steps& steps) {
   if (context.races->times_only() && !timed) {
     return {&trip};
   }
-  const Parallel quiet = steps.quiet();
+  const Limits quiet = steps.quiet();
   const MovedTrip moved(trip, quiet);
   const std::vector<std::size_t> frames = timed_frames(moved, context.quick);
   Raced result{&trip, frames.size()};
@@ -201,28 +201,17 @@ std::vector<ClaimRow> rows_of(const std::vector<Kind>& kinds) {
 }
 
 Claim claim_of(const std::vector<Kind>& kinds) {
-  Claim claim{
-      .id = "enode_faster",
-      .statement = "E-Node is faster than Larsson's depth-first traversal",
-      .source = "abstract (\"more efficient and faster\"); the opponent: caption of figure 5.10",
-      .rows = rows_of(kinds),
-      .nearest = std::string(kNearestEnode),
-      .why_nearest = std::string(kWhyNearestEnode),
-      .why =
-          "The text has neither E-Node nor its opponent: we take Larsson's traversal to descend "
-          "both nodes at once. The family test makes the same box tests, one for one. It saves "
-          "entering pairs that are apart, and pays with gathering a family before it enters one "
-          "of it; so the ratio depends on what entering a pair costs, a step of an explicit stack "
-          "or a call of a function. The reading nearest to the text races in all four ways to "
-          "program both, the others like against like. A start from the last front keeps a list "
-          "of pairs from frame to frame, which costs time whether it saves box tests or not, and "
-          "has no recursive form. All rows are of SOMS trees, which E-Node is designed for; a "
-          "subject is all trips of a kind, summed. The table has each trip, and other trees.",
-      .settles =
-          "the pseudo code of E-Node and of Larsson's traversal in chapter 4, and whether "
-          "the program of the thesis recurses",
-  };
-  judge_subjects(claim);
+  Claim claim = judged(thesis_claim("enode_faster"), rows_of(kinds));
+  claim.why =
+      "The text has neither E-Node nor its opponent: we take Larsson's traversal to descend "
+      "both nodes at once. The family test makes the same box tests, one for one. It saves "
+      "entering pairs that are apart, and pays with gathering a family before it enters one "
+      "of it; so the ratio depends on what entering a pair costs, a step of an explicit stack "
+      "or a call of a function. The reading nearest to the text races in all four ways to "
+      "program both, the others like against like. A start from the last front keeps a list "
+      "of pairs from frame to frame, which costs time whether it saves box tests or not, and "
+      "has no recursive form. All rows are of SOMS trees, which E-Node is designed for; a "
+      "subject is all trips of a kind, summed. The table has each trip, and other trees.";
   claim.note = ericson_words(claim.rows, "time of the traversal");
   claim.revision = revision_of(
       claim.rows, [](const ClaimRow& row) { return row.reading.ends_with("stack / stack"); },
@@ -300,7 +289,7 @@ Figure figure_of(const std::vector<Kind>& kinds) {
 
 Result claim_enode_faster(const Context& context) {
   EnodeTrips trips = enode_trips(context);
-  Steps steps(context.parallel, 2 * trips.trips());
+  Steps steps(context.limits, 2 * trips.trips());
   std::vector<Kind> kinds;
   for (const TripKind& kind : trips.kinds) {
     kinds.push_back({&kind});

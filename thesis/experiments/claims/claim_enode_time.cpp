@@ -1,6 +1,6 @@
 // E-Node's time to detect an overlap in an urban scene, beside the 0.2 ms of the thesis.
 #include "apps/draw/interval_chart.h"
-#include "thesis/claims/judged_subjects.h"
+#include "thesis/claims/thesis_claims.h"
 #include "thesis/experiments/experiments.h"
 #include "thesis/races/enode_racers.h"
 #include "thesis/races/until_hit.h"
@@ -17,7 +17,7 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr double kClaimedMilliseconds = 0.2;
+constexpr Demand kClaimed = demand_of("enode_time");
 
 constexpr std::string_view kThesisUnavailable =
     "a time of a program on a machine of its time, and neither is available";
@@ -67,7 +67,7 @@ Estimate mean_of_frames(std::vector<double> rounds, std::size_t frames, int proc
 
 /// Frames with contact and the others are timed apart; all frames are the sum of both.
 void add_means(std::vector<Mean>& means, const std::string& subject, const MovedTrip& moved,
-               const Context& context, const Parallel& quiet) {
+               const Context& context, const Limits& quiet) {
   const std::vector<TripRacer> racers = racers_of_readings();
   std::vector<std::size_t> all = moved.all_frames();
   if (context.quick) {
@@ -111,27 +111,16 @@ void add_means(std::vector<Mean>& means, const std::string& subject, const Moved
 }
 
 Claim claim_of(const std::vector<Mean>& means) {
-  Claim claim{.id = "enode_time",
-              .statement =
-                  "E-Node detects the overlap of a moving and a static object in 0.2 ms on "
-                  "average, in the complex environment",
-              .source = "abstract",
-              .scope = Scope::figure,
-              .named_triangles = kSceneTriangles,
-              .nearest = std::string(kEnodeReadings[0].words),
-              .why_nearest =
-                  "Figure 5.10 compares E-Node with Larsson's traversal, which we take to descend "
-                  "both nodes; the larger node alone is a reading of ours.",
-              .why =
-                  "A time belongs to its scene, program and machine, and in a city to which of two "
-                  "nodes is descended. Boxes are moved beforehand.",
-              .settles = "the scene of the thesis and a machine of its time"};
+  std::vector<ClaimRow> rows;
   for (const Mean& mean : means) {
-    claim.rows.push_back(measured_row(mean.reading, mean.metric, mean.subject, "ms",
-                                      {.below = kClaimedMilliseconds}, mean.milliseconds));
-    claim.rows.back().unjudged = kThesisUnavailable;
+    rows.push_back(
+        measured_row(mean.reading, mean.metric, mean.subject, "ms", kClaimed, mean.milliseconds));
+    rows.back().unjudged = kThesisUnavailable;
   }
-  judge_subjects(claim);
+  Claim claim = judged(thesis_claim("enode_time"), std::move(rows));
+  claim.why =
+      "A time belongs to its scene, program and machine, and in a city to which of two nodes is "
+      "descended. Boxes are moved beforehand.";
   return claim;
 }
 
@@ -139,7 +128,7 @@ Figure figure_of(const std::vector<Mean>& means) {
   IntervalChart chart{.title = "E-Node's mean time of a frame, SOMS trees",
                       .x_label = "ms a frame, traversal and triangles; shaded: within the claim",
                       .scale = Scale::log,
-                      .below = kClaimedMilliseconds};
+                      .below = kClaimed.below};
   for (const Mean& mean : means) {
     const std::string_view triangles = "mean time of traversal and triangles, ";
     if (mean.metric.starts_with(triangles)) {
@@ -163,7 +152,7 @@ Result claim_enode_time(const Context& context) {
   std::erase_if(trips.kinds, [](const TripKind& kind) {
     return kind.tests == "orientation tests" || kind.rule != kEnodeRule;
   });
-  Steps steps(context.parallel, trips.trips());
+  Steps steps(context.limits, trips.trips());
   std::vector<Mean> means;
   for (const TripKind& kind : trips.kinds) {
     for (const Trip& trip : kind.trips) {

@@ -14,7 +14,7 @@
 
 #include "apps/draw/chart.h"
 #include "apps/draw/grouped_bars.h"
-#include "thesis/claims/judged_subjects.h"
+#include "thesis/claims/thesis_claims.h"
 #include "thesis/experiments/experiments.h"
 #include "thesis/run/counts.h"
 #include "thesis/run/steps.h"
@@ -26,6 +26,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 namespace soms::reproduce {
@@ -90,10 +91,10 @@ std::vector<StuckSubject> stuck_subjects(const Models& models) {
 }
 
 StuckNodes stuck(const StuckSubject& subject, Rule rule, const OpenOptions& open,
-                 const Parallel& parallel) {
+                 const Limits& limits) {
   const Mesh& mesh = *subject.model.mesh;
   const BuildOptions options = options_of(rule, subject.level, open);
-  return stuck_nodes(build(mesh, options, {1, parallel.stop, {}}), mesh, options);
+  return stuck_nodes(build(mesh, options, {.threads = 1, .stop = limits.stop}), mesh, options);
 }
 
 /// "stop, inner axis, midpoint thesis".
@@ -117,10 +118,10 @@ std::vector<OpenOptions> all_options() {
   return all;
 }
 
-std::vector<Stuck> count_stuck(std::span<const StuckSubject> subjects, const Parallel& parallel) {
+std::vector<Stuck> count_stuck(std::span<const StuckSubject> subjects, const Limits& limits) {
   std::vector<Stuck> all;
   const std::vector<OpenOptions> options = all_options();
-  Steps steps(parallel, options.size() * subjects.size());
+  Steps steps(limits, options.size() * subjects.size());
   for (const OpenOptions& open : options) {
     for (const StuckSubject& subject : subjects) {
       all.push_back({&subject, open, stuck(subject, Rule::soms, open, steps.quiet()),
@@ -145,7 +146,7 @@ ClaimRow row_of(const Stuck& one) {
   ClaimRow row =
       counted_row(open_reading(one.open),
                   "nodes where spatial median is stuck; if SOMS is stuck anywhere, minus its nodes",
-                  one.subject->name, "", {.above = 0},
+                  one.subject->name, "", demand_of("no_fallback"),
                   one.soms.partable == 0 ? count(one.spatial) : -count(one.soms));
   row.unjudged = unjudged_of(one);
   row.kind = one.subject->kind;
@@ -228,14 +229,14 @@ std::string totals_of(std::span<const Stuck> all) {
 }
 
 /// What spatial median does where only the sizes change: from one size to edges far apart.
-std::string spread_words(std::span<const StuckSubject> subjects, const Parallel& parallel) {
+std::string spread_words(std::span<const StuckSubject> subjects, const Limits& limits) {
   const auto is_spread = [](const StuckSubject& subject) {
     return subject.name.starts_with("spread");
   };
   const auto alike = std::find_if(subjects.begin(), subjects.end(), is_spread);
   const auto unlike = std::find_if(subjects.rbegin(), subjects.rend(), is_spread);
-  const StuckNodes from = stuck(*alike, Rule::spatial_median, {}, parallel);
-  const StuckNodes to = stuck(*unlike, Rule::spatial_median, {}, parallel);
+  const StuckNodes from = stuck(*alike, Rule::spatial_median, {}, limits);
+  const StuckNodes to = stuck(*unlike, Rule::spatial_median, {}, limits);
   return fmt::format(
       "Unlike sizes are not what it takes to stop spatial median, but they decide where it stops: "
       "on triangles of one size it is stuck at {} nodes of at most {} triangles, on the {} at {} "
@@ -245,22 +246,10 @@ std::string spread_words(std::span<const StuckSubject> subjects, const Parallel&
 }
 
 Claim claim_of(std::span<const StuckSubject> subjects, std::span<const Stuck> all,
-               const Parallel& parallel) {
-  Claim claim{.id = "no_fallback",
-              .statement =
-                  "Where triangles differ in size, spatial median stops and SOMS goes on "
-                  "without a fallback",
-              .source =
-                  "chapter 1 (problem); figures 4.3 and 4.6, tables 5.5 and 5.11 by their "
-                  "captions"};
-  for (const Stuck& one : all) {
-    claim.rows.push_back(row_of(one));
-  }
-  judge_subjects(claim);
-  claim.nearest = "stop, inner axis, midpoint thesis";
-  claim.why_nearest =
-      "Trying the other axes may be a fallback itself; the axis between the midpoints is that of "
-      "the abstract in Malay, and the midpoint that of figure 4.23.";
+               const Limits& limits) {
+  std::vector<ClaimRow> rows;
+  std::transform(all.begin(), all.end(), std::back_inserter(rows), row_of);
+  Claim claim = judged(thesis_claim("no_fallback"), std::move(rows));
   claim.note = note_of(all);
   claim.why = fmt::format(
       "A rule is stuck at a node if its plane leaves one side empty although the midpoints of the "
@@ -271,10 +260,7 @@ Claim claim_of(std::span<const StuckSubject> subjects, std::span<const Stuck> al
       "from all midpoints: one large triangle is enough. Over all subjects of unlike sizes, with "
       "the midpoint of the thesis:{} {} A reading names the empty side, the axis of SOMS and the "
       "midpoint.",
-      totals_of(all), spread_words(subjects, parallel));
-  claim.settles =
-      "whether trying the other axes is one of the heuristics that chapter 1 speaks of, or what "
-      "spatial median does without one: tables 5.5 and 5.11 have the counts";
+      totals_of(all), spread_words(subjects, limits));
   claim.revision =
       Revision{Verdict::holds, "spatial median was not judged where it tries the other axes"};
   return claim;
@@ -307,9 +293,9 @@ Figure figure_of(std::span<const Stuck> all) {
 
 Result claim_fallback(const Context& context) {
   const std::vector<StuckSubject> subjects = stuck_subjects(context.models);
-  const std::vector<Stuck> all = count_stuck(subjects, context.parallel);
+  const std::vector<Stuck> all = count_stuck(subjects, context.limits);
   Result result;
-  result.claims = {claim_of(subjects, all, context.parallel)};
+  result.claims = {claim_of(subjects, all, context.limits)};
   result.tables = {table_of(all)};
   result.figures = {figure_of(all)};
   return result;

@@ -7,7 +7,7 @@
 // is judged.
 #include "soms/tree/option_names.h"
 
-#include "thesis/claims/judged_subjects.h"
+#include "thesis/claims/thesis_claims.h"
 #include "thesis/experiments/experiments.h"
 #include "thesis/run/counts.h"
 #include "thesis/trees/open_options.h"
@@ -21,25 +21,22 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr int kClaimedLevel = 7;
 constexpr std::array kRootLevels{1, 0};
 
-std::vector<ClaimRow> rows_of(std::span<const Model> scenes, const Parallel& parallel) {
+std::vector<ClaimRow> rows_of(std::span<const Model> scenes, const Limits& limits) {
   std::vector<ClaimRow> rows;
   for (const int root : kRootLevels) {
     for (const AxisFrom axis : kSomsAxes) {
       for (const Model& scene : scenes) {
         const auto level = static_cast<double>(
-            counts_of(*scene.mesh, Rule::soms, kSceneLevel, {.soms_axis = axis}, parallel)
+            counts_of(*scene.mesh, Rule::soms, kSceneLevel, {.soms_axis = axis}, limits)
                 .balanced_level);
-        ClaimRow row = counted_row(fmt::format("{} axis, the root is level {}{}", name(axis), root,
-                                               root == 1 ? "" : " (ours)"),
-                                   "balanced level (complete and filled, ours)", {}, "",
-                                   {.above = kClaimedLevel - 0.5, .below = kClaimedLevel + 0.5},
-                                   level - (1 - root));
-        set_subject(row, scene);
-        row.unjudged = root == 1 ? axis_unjudged(axis) : "figure 4.30 has the root as level 1";
-        rows.push_back(std::move(row));
+        rows.push_back(on_model(
+            counted_row(fmt::format("{} axis, the root is level {}{}", name(axis), root,
+                                    root == 1 ? "" : " (ours)"),
+                        "balanced level (complete and filled, ours)", {}, "",
+                        demand_of("balanced_level_7"), level - (1 - root)),
+            scene, root == 1 ? axis_unjudged(axis) : "figure 4.30 has the root as level 1"));
       }
     }
   }
@@ -58,28 +55,16 @@ std::string levels_of(std::span<const ClaimRow> rows, std::size_t scenes) {
 }  // namespace
 
 Result claim_level_7(const Context& context) {
-  check_stop(context.parallel);
+  check_stop(context.limits);
   const std::span<const Model> scenes = context.models.scenes;
-  Claim claim{.id = "balanced_level_7",
-              .statement = "The balanced level of SOMS on the urban scene is 7",
-              .source = "figure 5.5 by its caption",
-              .rows = rows_of(scenes, {1, context.parallel.stop, {}}),
-              .scope = Scope::figure,
-              .named_triangles = kSceneTriangles};
-  judge_subjects(claim);
-  claim.nearest = "inner axis, the root is level 1";
-  claim.why_nearest =
-      "The axis between the midpoints is that of the abstract in Malay, and figure 4.30 has the "
-      "root as level 1.";
+  Claim claim = judged(thesis_claim("balanced_level_7"),
+                       rows_of(scenes, {.threads = 1, .stop = context.limits.stop}));
   claim.note =
       fmt::format("Inner axis, root at level 1: {}.", levels_of(claim.rows, scenes.size()));
   claim.why =
       "The balanced level is a property of the scene: it ends where the plane first leaves a "
       "single triangle, or none that can be parted, on one side. Figure 5.5 takes level 7 as "
       "given.";
-  claim.settles =
-      "the scene of the thesis, which is not available (put a SketchUp export of 5,672 triangles "
-      "into the folder of --models), and section 3.5.3, which defines the level";
   claim.revision = Revision{Verdict::cannot_be_checked,
                             "a scene of the thesis' size that you give is judged now"};
   return {.claims = {std::move(claim)}};

@@ -6,7 +6,7 @@
 // neither rule has a leaf with one triangle yet are left out: there is nothing to compare. What
 // becomes of a node that a rule cannot divide is open and decides by how much SOMS is ahead.
 #include "apps/draw/chart.h"
-#include "thesis/claims/judged_subjects.h"
+#include "thesis/claims/thesis_claims.h"
 #include "thesis/experiments/experiments.h"
 #include "thesis/run/counts.h"
 #include "thesis/run/steps.h"
@@ -38,17 +38,16 @@ struct Ladder {
   std::vector<Both> levels = {};  ///< [i] at level i + 1
 };
 
-Both both_of(const Model& model, int level, const OpenOptions& open, const Parallel& parallel) {
-  return {counts_of(*model.mesh, Rule::soms, level, open, parallel),
-          counts_of(*model.mesh, Rule::spatial_median, level, open, parallel)};
+Both both_of(const Model& model, int level, const OpenOptions& open, const Limits& limits) {
+  return {counts_of(*model.mesh, Rule::soms, level, open, limits),
+          counts_of(*model.mesh, Rule::spatial_median, level, open, limits)};
 }
 
-ClaimRow row_of(std::string reading, const Model& model, const Both& both, std::string unjudged) {
-  ClaimRow row = counted_row(std::move(reading), "lead of SOMS in leaves with one triangle", {}, "",
-                             {.above = 0}, both.lead());
-  set_subject(row, model);
-  row.unjudged = std::move(unjudged);
-  return row;
+ClaimRow row_of(std::string reading, const Model& model, const Both& both,
+                std::string_view unjudged) {
+  return on_model(counted_row(std::move(reading), "lead of SOMS in leaves with one triangle", {},
+                              "", demand_of("more_single_leaves"), both.lead()),
+                  model, unjudged);
 }
 
 std::vector<ClaimRow> rows_at_greatest(std::span<const Leveled> models, Steps& steps) {
@@ -240,26 +239,14 @@ Result claim_single_leaves(const Context& context) {
   for (const Leveled& one : models) {
     ladders.push_back({one.model});
   }
-  Steps steps(context.parallel, kEmptySides.size() * (1 + kObjectLevel));
+  Steps steps(context.limits, kEmptySides.size() * (1 + kObjectLevel));
   std::vector<ClaimRow> rows = rows_at_greatest(models, steps);
   const std::vector<ClaimRow> below = rows_below(models, ladders, steps);
   rows.insert(rows.end(), below.begin(), below.end());
-  Claim claim{
-      .id = "more_single_leaves",
-      .statement = "SOMS produces more leaf nodes with a single triangle than spatial median",
-      .source = "abstract; levels by the captions of tables 5.3 and 5.9",
-      .rows = std::move(rows),
-      .nearest = "greatest level, stop, inner axis",
-      .why_nearest =
-          "Tables 5.3 and 5.9 count at the greatest level, table 5.5 counts nodes that "
-          "cannot be divided, and the axis is that of the abstract in Malay.",
-      .note = note_of(ladders),
-      .why = why_of(ladders),
-      .settles =
-          "what the thesis' program does with a node that spatial median cannot "
-          "divide: tables 5.3 and 5.9 have the counts",
-      .revision = Revision{Verdict::holds, "it was judged on the objects alone, not on scenes"}};
-  judge_subjects(claim);
+  Claim claim = judged(thesis_claim("more_single_leaves"), std::move(rows));
+  claim.note = note_of(ladders);
+  claim.why = why_of(ladders);
+  claim.revision = Revision{Verdict::holds, "it was judged on the objects alone, not on scenes"};
   return {.figures = {difference_figure(ladders), ratio_figure(ladders)},
           .claims = {std::move(claim)}};
 }
