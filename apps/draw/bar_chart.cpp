@@ -1,5 +1,3 @@
-#include "soms/base/error.h"
-
 #include "apps/draw/axis.h"
 #include "apps/draw/chart.h"
 #include "apps/draw/chart_parts.h"
@@ -20,22 +18,18 @@ constexpr double kLyingBar = 19;
 constexpr double kMostBarNameWidth = 210;
 
 void check(const BarChart& chart) {
-  const auto refuse = [&](const std::string& what) {
-    throw Error(ErrorKind::usage, "chart \"" + chart.title + "\": " + what,
-                "correct the chart's data");
-  };
   for (const Bars& bars : chart.bars) {
     const auto fits = [&](const std::vector<double>& values) {
       return values.empty() || values.size() == chart.groups.size();
     };
     if (bars.values.size() != chart.groups.size() || !fits(bars.low) || !fits(bars.high) ||
         bars.low.size() != bars.high.size()) {
-      refuse("bars \"" + bars.name + "\" and groups differ in number");
+      refuse(chart.title, "bars \"" + bars.name + "\" and groups differ in number");
     }
     for (const auto* values : {&bars.values, &bars.low, &bars.high}) {
       for (const double value : *values) {
         if (chart.y_scale == Scale::log && std::isfinite(value) && !(value > 0)) {
-          refuse("bars \"" + bars.name + "\" have a value not above 0 on a log axis");
+          refuse(chart.title, "bars \"" + bars.name + "\" have a value not above 0 on a log axis");
         }
       }
     }
@@ -65,6 +59,14 @@ Axis axis_of(const BarChart& chart) {
       {log ? low * 0.8 : low, !log && low == high ? 1 : high, chart.y_scale, true, false, 6});
 }
 
+std::vector<std::string> names_of(const BarChart& chart) {
+  std::vector<std::string> names;
+  for (const Bars& bars : chart.bars) {
+    names.push_back(bars.name);
+  }
+  return names;
+}
+
 /// Bars stand where all names fit below them and all values above, else they lie.
 class BarDrawing {
  public:
@@ -73,13 +75,14 @@ class BarDrawing {
         axis_(axis_of(chart)),
         lying_(!fits_standing()),
         heading_(chart.title, ""),
-        legend_rows_(lay_legend()),
+        legend_(names_of(chart)),
         plot_(make_plot()),
         svg_(kChartWidth, page_height(), chart.title) {}
 
   std::string draw() {
     heading_.draw(svg_);
-    draw_legend();
+    legend_.draw(svg_, heading_.height(), 26,
+                 [this](std::size_t k, Spot corner) { fill_bar(k, corner, 20, 13); });
     draw_axis();
     for (std::size_t group = 0; group < chart_.groups.size(); ++group) {
       draw_name(group);
@@ -120,34 +123,6 @@ class BarDrawing {
     });
   }
 
-  /// Row and place in it of each name of the legend.
-  struct Entry {
-    std::size_t row;
-    double x;
-  };
-
-  [[nodiscard]] std::vector<Entry> lay_legend() const {
-    std::vector<Entry> entries;
-    Entry next{0, kChartMargin};
-    for (const Bars& bars : chart_.bars) {
-      const double width = text_width(bars.name, kNameSize) + 42;
-      if (next.x > kChartMargin && next.x + width > kChartWidth - kChartMargin) {
-        next = {next.row + 1, kChartMargin};
-      }
-      entries.push_back(next);
-      next.x += width;
-    }
-    return entries;
-  }
-
-  [[nodiscard]] bool has_legend() const {
-    return chart_.bars.size() > 1 || (chart_.bars.size() == 1 && !chart_.bars[0].name.empty());
-  }
-
-  [[nodiscard]] double legend_height() const {
-    return has_legend() ? kLegendRow * static_cast<double>(legend_rows_.back().row + 1) : 0;
-  }
-
   [[nodiscard]] std::vector<std::string> name_lines(std::size_t group) const {
     return wrapped(chart_.groups[group], kNameSize,
                    lying_ ? kMostBarNameWidth : plot_.width / groups() - 6);
@@ -155,7 +130,7 @@ class BarDrawing {
 
   [[nodiscard]] Plot make_plot() const {
     Plot plot;
-    plot.top = heading_.height() + legend_height() +
+    plot.top = heading_.height() + legend_.height() +
                (lying_                   ? 8
                 : chart_.y_label.empty() ? 20
                                          : 42);
@@ -213,37 +188,18 @@ class BarDrawing {
     return lying_ ? Spot{along_bar, across_bar} : Spot{across_bar, along_bar};
   }
 
-  void draw_legend() {
-    if (!has_legend()) {
+  void draw_axis() {
+    if (lying_) {
+      draw_ticks_below(svg_, plot_, axis_);
+      draw_label_below(svg_, plot_, chart_.y_label);
       return;
     }
-    for (std::size_t k = 0; k < chart_.bars.size(); ++k) {
-      const double y = heading_.height() + kLegendRow * static_cast<double>(legend_rows_[k].row);
-      fill_bar(k, {legend_rows_[k].x, y}, 20, 13);
-      svg_.text({legend_rows_[k].x + 26, y + 12}, chart_.bars[k].name, {.size = kNameSize});
-    }
-  }
-
-  void draw_axis() {
-    if (!lying_) {
-      svg_.text({kChartMargin, plot_.top - 24}, chart_.y_label,
-                {.size = kLabelSize, .faint = true});
-    }
+    svg_.text({kChartMargin, plot_.top - 24}, chart_.y_label, {.size = kLabelSize, .faint = true});
     for (const Tick& tick : axis_.ticks()) {
-      const double along = value_at(tick.value);
-      if (lying_) {
-        svg_.line({along, plot_.top}, {along, plot_.bottom()}, kGridLine);
-        svg_.text({along, plot_.bottom() + 19}, tick.label,
-                  {.size = kNameSize, .anchor = Anchor::middle, .faint = true});
-      } else {
-        svg_.line({plot_.left, along}, {plot_.right(), along}, kGridLine);
-        svg_.text({plot_.left - 8, along + 5}, tick.label,
-                  {.size = kNameSize, .anchor = Anchor::end, .faint = true});
-      }
-    }
-    if (lying_ && !chart_.y_label.empty()) {
-      svg_.text({plot_.left + plot_.width / 2, plot_.bottom() + 43}, chart_.y_label,
-                {.size = kLabelSize, .anchor = Anchor::middle, .faint = true});
+      const double y = value_at(tick.value);
+      svg_.line({plot_.left, y}, {plot_.right(), y}, kGridLine);
+      svg_.text({plot_.left - 8, y + 5}, tick.label,
+                {.size = kNameSize, .anchor = Anchor::end, .faint = true});
     }
   }
 
@@ -317,7 +273,7 @@ class BarDrawing {
   Axis axis_;
   bool lying_;
   Heading heading_;
-  std::vector<Entry> legend_rows_;
+  Legend legend_;
   Plot plot_;
   Svg svg_;
 };

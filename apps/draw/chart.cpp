@@ -1,7 +1,5 @@
 #include "apps/draw/chart.h"
 
-#include "soms/base/error.h"
-
 #include "apps/draw/axis.h"
 #include "apps/draw/chart_parts.h"
 #include "apps/draw/svg.h"
@@ -21,10 +19,6 @@ constexpr double kTickSize = 14;
 constexpr double kSwatch = 26;
 constexpr double kNameWidth = 170;
 constexpr std::size_t kMostMarkers = 40;
-
-[[noreturn]] void refuse(const std::string& chart, const std::string& what) {
-  throw Error(ErrorKind::usage, "chart \"" + chart + "\": " + what, "correct the chart's data");
-}
 
 /// Least and greatest of numbers; whether all are whole.
 struct Range {

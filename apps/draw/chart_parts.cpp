@@ -1,11 +1,14 @@
 #include "apps/draw/chart_parts.h"
 
+#include "soms/base/error.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace soms::reproduce {
 
@@ -55,6 +58,54 @@ void Heading::draw(Svg& svg) const {
   svg.lines({kChartMargin, kChartMargin + 0.9 * kTitleSize}, title,
             {.size = kTitleSize, .bold = true});
   svg.text({kChartMargin, height() - 10}, label, {.size = kLabelSize, .faint = true});
+}
+
+void refuse(const std::string& chart, const std::string& what) {
+  throw Error(ErrorKind::usage, "chart \"" + chart + "\": " + what, "correct the chart's data");
+}
+
+std::size_t place_of(std::vector<std::string>& names, const std::string& name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  const auto place = static_cast<std::size_t>(found - names.begin());
+  if (found == names.end()) {
+    names.push_back(name);
+  }
+  return place;
+}
+
+Legend::Legend(std::vector<std::string> names) : names_(std::move(names)) {
+  if (names_.empty() || (names_.size() == 1 && names_[0].empty())) {
+    return;
+  }
+  Spot next{kChartMargin, 0};
+  for (const std::string& name : names_) {
+    const double width = text_width(name, kNameSize) + 42;
+    if (next.x > kChartMargin && next.x + width > kChartWidth - kChartMargin) {
+      next = {kChartMargin, next.y + kLegendRow};
+    }
+    corners_.push_back(next);
+    next.x += width;
+  }
+}
+
+double Legend::height() const {
+  return corners_.empty() ? 0 : corners_.back().y + kLegendRow;
+}
+
+void draw_ticks_below(Svg& svg, const Plot& plot, const Axis& axis) {
+  for (const Tick& tick : axis.ticks()) {
+    const double x = plot.left + plot.width * axis.share(tick.value);
+    svg.line({x, plot.top}, {x, plot.bottom()}, kGridLine);
+    svg.text({x, plot.bottom() + 19}, tick.label,
+             {.size = kNameSize, .anchor = Anchor::middle, .faint = true});
+  }
+}
+
+void draw_label_below(Svg& svg, const Plot& plot, std::string_view label) {
+  if (!label.empty()) {
+    svg.text({plot.left + plot.width / 2, plot.bottom() + 43}, label,
+             {.size = kLabelSize, .anchor = Anchor::middle, .faint = true});
+  }
 }
 
 std::vector<double> spread(const std::vector<double>& wishes, const std::vector<double>& heights,

@@ -2,6 +2,7 @@
 /// What line charts and bar charts draw alike: title, labels beside lines, callouts, whiskers.
 #pragma once
 
+#include "apps/draw/axis.h"
 #include "apps/draw/chart.h"
 #include "apps/draw/svg.h"
 
@@ -81,5 +82,38 @@ class Clearings {
 
 /// Writes a callout where it covers least, with an arrow to `at`.
 void draw_callout(Svg& svg, Clearings& clearings, Spot at, std::string_view words);
+
+/// Says what is wrong with a chart's data. \errors ErrorKind::usage, always.
+[[noreturn]] void refuse(const std::string& chart, const std::string& what);
+
+/// The index of `name` in `names`, where it is put at the end if it is not there.
+[[nodiscard]] std::size_t place_of(std::vector<std::string>& names, const std::string& name);
+
+/// The names of series below a heading, in as many rows as they need; none where there is nothing
+/// to tell apart.
+class Legend {
+ public:
+  explicit Legend(std::vector<std::string> names);
+
+  [[nodiscard]] double height() const;
+
+  /// `swatch(k, corner)` draws what stands for series k; its name follows `indent` to the right.
+  template <typename Swatch>
+  void draw(Svg& svg, double top, double indent, const Swatch& swatch) const {
+    for (std::size_t k = 0; k < corners_.size(); ++k) {
+      const Spot corner{corners_[k].x, top + corners_[k].y};
+      swatch(k, corner);
+      svg.text({corner.x + indent, corner.y + 12}, names_[k], {.size = kNameSize});
+    }
+  }
+
+ private:
+  std::vector<std::string> names_;
+  std::vector<Spot> corners_;  ///< of those that are drawn, below the top
+};
+
+/// The axis below a plot: its lines with their numbers, and what they count.
+void draw_ticks_below(Svg& svg, const Plot& plot, const Axis& axis);
+void draw_label_below(Svg& svg, const Plot& plot, std::string_view label);
 
 }  // namespace soms::reproduce

@@ -17,6 +17,7 @@ set(SOMS_DRAW_FILES
   outline.cpp
   outline.h
   page_style.h
+  raster.h
   svg.cpp
   svg.h
 )

@@ -1,5 +1,7 @@
 #include "apps/draw/grouped_bars.h"
 
+#include "apps/draw/chart_parts.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -8,16 +10,6 @@
 namespace soms::reproduce {
 
 namespace {
-
-/// Position of a group, which is added at the end if it is new.
-std::size_t group_of(BarChart& chart, const std::string& name) {
-  const auto found = std::find(chart.groups.begin(), chart.groups.end(), name);
-  const auto at = static_cast<std::size_t>(found - chart.groups.begin());
-  if (found == chart.groups.end()) {
-    chart.groups.push_back(name);
-  }
-  return at;
-}
 
 Bars& bars_in_group(BarChart& chart, const std::string& name) {
   const auto found = std::find_if(chart.bars.begin(), chart.bars.end(),
@@ -34,7 +26,7 @@ BarChart grouped_bars(std::string title, std::string y_label, std::span<const Da
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   BarChart chart{.title = std::move(title), .y_label = std::move(y_label)};
   for (const Datum& datum : data) {
-    group_of(chart, datum.group);
+    (void)place_of(chart.groups, datum.group);
     bars_in_group(chart, datum.bar);
   }
   const bool spread = !data.empty() && std::isfinite(data.front().low);
@@ -46,7 +38,7 @@ BarChart grouped_bars(std::string title, std::string y_label, std::span<const Da
     }
   }
   for (const Datum& datum : data) {
-    const std::size_t group = group_of(chart, datum.group);
+    const std::size_t group = place_of(chart.groups, datum.group);
     Bars& bars = bars_in_group(chart, datum.bar);
     bars.values[group] = datum.value;
     if (spread) {

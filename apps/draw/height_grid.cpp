@@ -1,5 +1,7 @@
 #include "apps/draw/height_grid.h"
 
+#include "apps/draw/raster.h"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -34,21 +36,6 @@ std::vector<Surface> surfaces_of(const MeshView& mesh) {
     }
   }
   return surfaces;
-}
-
-/// Where a horizontal line crosses an edge, if it does.
-struct EdgeCut {
-  double x = 0;
-  double z = 0;
-};
-
-bool cross_edge(const Vec3& a, const Vec3& b, double y, EdgeCut& crossing) {
-  if ((a.y <= y) == (b.y <= y)) {
-    return false;
-  }
-  const double share = (y - a.y) / (b.y - a.y);
-  crossing = {a.x + share * (b.x - a.x), a.z + share * (b.z - a.z)};
-  return true;
 }
 
 }  // namespace
@@ -91,7 +78,7 @@ HeightGrid::HeightGrid(const Box& area, std::size_t cells) {
   tile_rows_ = count(extent.y, tile_);
 }
 
-void HeightGrid::add(const MeshView& mesh, const Parallel& parallel) {
+void HeightGrid::add(const MeshView& mesh, const Limits& limits) {
   constexpr std::size_t kCellsBetweenAsks = 1U << 20U;
   const std::vector<Surface> surfaces = surfaces_of(mesh);
   std::size_t cells = 0;
@@ -99,7 +86,7 @@ void HeightGrid::add(const MeshView& mesh, const Parallel& parallel) {
     const Triangle triangle = mesh.triangle(i);
     cells += 16 + add(triangle, surfaces[i]);
     if (cells >= kCellsBetweenAsks) {
-      check_stop(parallel);
+      check_stop(limits);
       cells = 0;
     }
     for (const Vec3& corner : {triangle.a, triangle.b, triangle.c}) {
@@ -115,52 +102,23 @@ void HeightGrid::add(const MeshView& mesh, const Parallel& parallel) {
 }
 
 std::size_t HeightGrid::add(const Triangle& t, Surface surface) {
-  std::size_t cells = 0;
-  const auto cell_of = [&](double at, double from, std::size_t count) {
-    // The first cell whose center is at or above `at`.
-    return static_cast<std::size_t>(
-        std::clamp(std::ceil((at - from) / cell_ - 0.5), 0.0, static_cast<double>(count)));
-  };
-  const auto [low, high] = std::minmax({t.a.y, t.b.y, t.c.y});
-  const std::size_t end = cell_of(high, origin_.y, rows_);
-  for (std::size_t row = cell_of(low, origin_.y, rows_); row < end; ++row) {
-    const double y = origin_.y + (static_cast<double>(row) + 0.5) * cell_;
-    std::array<EdgeCut, 3> at;
-    std::size_t count = 0;
-    for (const auto& [p, q] : {std::pair(t.a, t.b), std::pair(t.b, t.c), std::pair(t.c, t.a)}) {
-      count += cross_edge(p, q, y, at[count]) ? 1U : 0U;
-    }
-    if (count < 2) {
-      continue;
-    }
-    if (at[1].x < at[0].x) {
-      std::swap(at[0], at[1]);
-    }
-    const double width = at[1].x - at[0].x;
-    const std::size_t first = cell_of(at[0].x, origin_.x, columns_);
-    const std::size_t last = cell_of(at[1].x, origin_.x, columns_);
-    cells += 1 + (last > first ? last - first : 0);
-    for (std::size_t column = first; column < last; ++column) {
-      const double x = origin_.x + (static_cast<double>(column) + 0.5) * cell_;
-      const double share = width > 0 ? std::clamp((x - at[0].x) / width, 0.0, 1.0) : 0;
-      const double z = at[0].z + share * (at[1].z - at[0].z);
-      const std::size_t k = row * columns_ + column;
-      if (z > tops_[k]) {
-        tops_[k] = z;
-        surfaces_[k] = surface;
-      }
-    }
-  }
-  return cells;
+  return for_each_sample({origin_.x, origin_.y, cell_, columns_, rows_}, t.a, t.b, t.c,
+                         [&](std::size_t column, std::size_t row, double z) {
+                           const std::size_t k = row * columns_ + column;
+                           if (z > tops_[k]) {
+                             tops_[k] = z;
+                             surfaces_[k] = surface;
+                           }
+                         });
 }
 
-void HeightGrid::find_ground(const Parallel& parallel) {
+void HeightGrid::find_ground(const Limits& limits) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   ground_.assign(tile_columns_ * tile_rows_, kUnknown);
   std::uint32_t queried = 0;
-  std::sort(lowest_.begin(), lowest_.end(), [&queried, &parallel](const auto& a, const auto& b) {
+  std::sort(lowest_.begin(), lowest_.end(), [&queried, &limits](const auto& a, const auto& b) {
     if (++queried % (1U << 20U) == 0) {
-      check_stop(parallel);
+      check_stop(limits);
     }
     return a < b;
   });

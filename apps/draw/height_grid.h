@@ -30,11 +30,11 @@ class HeightGrid {
   HeightGrid(const Box& area, std::size_t cells);
 
   /// \errors ErrorKind::cancelled.
-  void add(const MeshView& mesh, const Parallel& parallel = {});
+  void add(const MeshView& mesh, const Limits& limits = {});
 
   /// Estimates the ground below every cell from the lowest vertices around it. Call it once, after
   /// the last `add`. \errors ErrorKind::cancelled.
-  void find_ground(const Parallel& parallel = {});
+  void find_ground(const Limits& limits = {});
 
   [[nodiscard]] std::size_t columns() const { return columns_; }
 

@@ -1,7 +1,5 @@
 #include "apps/draw/interval_chart.h"
 
-#include "soms/base/error.h"
-
 #include "apps/draw/axis.h"
 #include "apps/draw/chart_parts.h"
 #include "apps/draw/svg.h"
@@ -25,16 +23,6 @@ constexpr double kLogRim = 1.15;
 constexpr std::string_view kEnd =
     "class=\"axis\" stroke=\"#6b6f74\" stroke-width=\"1.4\" stroke-dasharray=\"5 4\"";
 
-/// The index of `name` in `names`, where it is put at the end if it is not there.
-std::size_t place_of(std::vector<std::string>& names, const std::string& name) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  const auto place = static_cast<std::size_t>(found - names.begin());
-  if (found == names.end()) {
-    names.push_back(name);
-  }
-  return place;
-}
-
 /// The numbers of a mark that has a dot.
 std::vector<double> numbers_of(const IntervalMark& mark) {
   if (!std::isfinite(mark.value)) {
@@ -45,24 +33,20 @@ std::vector<double> numbers_of(const IntervalMark& mark) {
 }
 
 void check(const IntervalChart& chart) {
-  const auto refuse = [&](const std::string& what) {
-    throw Error(ErrorKind::usage, "chart \"" + chart.title + "\": " + what,
-                "correct the chart's data");
-  };
   const bool log = chart.scale == Scale::log;
   for (const IntervalMark& mark : chart.marks) {
     for (const double number : numbers_of(mark)) {
       if (!std::isfinite(number)) {
-        refuse("\"" + mark.label + "\" has an interval without an end");
+        refuse(chart.title, "\"" + mark.label + "\" has an interval without an end");
       }
       if (log && !(number > 0)) {
-        refuse("\"" + mark.label + "\" has a value not above 0 on a log axis");
+        refuse(chart.title, "\"" + mark.label + "\" has a value not above 0 on a log axis");
       }
     }
   }
   for (const double end : {chart.above, chart.below}) {
     if (log && std::isfinite(end) && !(end > 0)) {
-      refuse("the range demanded has an end not above 0 on a log axis");
+      refuse(chart.title, "the range demanded has an end not above 0 on a log axis");
     }
   }
 }
@@ -108,7 +92,7 @@ class IntervalDrawing {
         axis_(axis_of(chart)),
         heading_(chart.title, ""),
         rows_(make_rows()),
-        legend_(make_legend()),
+        legend_(series_),
         plot_(make_plot()),
         svg_(kChartWidth, plot_.bottom() + (chart.x_label.empty() ? 34 : 56), chart.title) {}
 
@@ -116,7 +100,9 @@ class IntervalDrawing {
     heading_.draw(svg_);
     draw_range();
     draw_axis();
-    draw_legend();
+    legend_.draw(svg_, heading_.height(), 22, [this](std::size_t k, Spot corner) {
+      draw_marker(svg_, k, {corner.x + 8, corner.y + 7});
+    });
     for (std::size_t k = 0; k < rows_.size(); ++k) {
       if (begins_group(k)) {
         svg_.text({kChartMargin, rows_[k].middle - row_height() / 2 - 7}, rows_[k].group,
@@ -128,11 +114,6 @@ class IntervalDrawing {
   }
 
  private:
-  struct Entry {
-    std::size_t row;
-    double x;
-  };
-
   [[nodiscard]] double row_height() const {
     return kDotHeight * static_cast<double>(std::max<std::size_t>(1, series_.size())) + kRowGap;
   }
@@ -140,10 +121,6 @@ class IntervalDrawing {
   /// The row at `k` has the heading of a group above it.
   [[nodiscard]] bool begins_group(std::size_t k) const {
     return !rows_[k].group.empty() && (k == 0 || rows_[k].group != rows_[k - 1].group);
-  }
-
-  [[nodiscard]] bool has_legend() const {
-    return series_.size() > 1 || (series_.size() == 1 && !series_[0].empty());
   }
 
   /// Rows by group, then by label; `series_` on the way.
@@ -171,26 +148,9 @@ class IntervalDrawing {
     return rows;
   }
 
-  [[nodiscard]] std::vector<Entry> make_legend() const {
-    std::vector<Entry> entries;
-    Entry next{0, kChartMargin};
-    for (const std::string& name : series_) {
-      const double width = text_width(name, kNameSize) + 42;
-      if (next.x > kChartMargin && next.x + width > kChartWidth - kChartMargin) {
-        next = {next.row + 1, kChartMargin};
-      }
-      entries.push_back(next);
-      next.x += width;
-    }
-    return entries;
-  }
-
   [[nodiscard]] Plot make_plot() {
     Plot plot;
-    plot.top = heading_.height() + 8;
-    if (has_legend()) {
-      plot.top += kLegendRow * static_cast<double>(legend_.back().row + 1);
-    }
+    plot.top = heading_.height() + 8 + legend_.height();
     double labels = 0;
     double y = plot.top;
     for (std::size_t k = 0; k < rows_.size(); ++k) {
@@ -231,32 +191,13 @@ class IntervalDrawing {
   }
 
   void draw_axis() {
-    for (const Tick& tick : axis_.ticks()) {
-      const double x = x_of(tick.value);
-      svg_.line({x, plot_.top}, {x, plot_.bottom()}, kGridLine);
-      svg_.text({x, plot_.bottom() + 19}, tick.label,
-                {.size = kNameSize, .anchor = Anchor::middle, .faint = true});
-    }
+    draw_ticks_below(svg_, plot_, axis_);
     for (const double end : {chart_.above, chart_.below}) {
       if (std::isfinite(end)) {
         svg_.line({x_of(end), plot_.top}, {x_of(end), plot_.bottom()}, kEnd);
       }
     }
-    if (!chart_.x_label.empty()) {
-      svg_.text({plot_.left + plot_.width / 2, plot_.bottom() + 43}, chart_.x_label,
-                {.size = kLabelSize, .anchor = Anchor::middle, .faint = true});
-    }
-  }
-
-  void draw_legend() {
-    if (!has_legend()) {
-      return;
-    }
-    for (std::size_t k = 0; k < series_.size(); ++k) {
-      const double y = heading_.height() + kLegendRow * static_cast<double>(legend_[k].row);
-      draw_marker(svg_, k, {legend_[k].x + 8, y + 7});
-      svg_.text({legend_[k].x + 22, y + 12}, series_[k], {.size = kNameSize});
-    }
+    draw_label_below(svg_, plot_, chart_.x_label);
   }
 
   void draw_row(const Row& row) {
@@ -311,7 +252,7 @@ class IntervalDrawing {
   Heading heading_;
   std::vector<std::string> series_;
   std::vector<Row> rows_;
-  std::vector<Entry> legend_;
+  Legend legend_;
   Plot plot_;
   Svg svg_;
 };

@@ -10,6 +10,7 @@ namespace soms::command {
 
 namespace {
 
+using namespace std::string_literals;
 using namespace std::string_view_literals;
 
 constexpr char kUp = 2;  // each byte less the one above it
@@ -31,27 +32,55 @@ std::string png_chunk(std::string_view type, std::string_view data) {
   return chunk;
 }
 
+/// `row(y)` gives the bytes of a row, `channels` a pixel.
+template <typename Row>
+std::string packed_rows(std::size_t width, std::size_t height, std::size_t channels,
+                        const Row& row) {
+  Deflater deflater(DeflateForm::zlib);
+  std::string above(channels * width, '\0');
+  std::string filtered(1 + above.size(), kUp);
+  for (std::size_t y = 0; y < height; ++y) {
+    const std::string now = row(y);
+    for (std::size_t k = 0; k < now.size(); ++k) {
+      filtered[k + 1] = static_cast<char>(now[k] - above[k]);
+    }
+    deflater.add(filtered);
+    above = now;
+  }
+  // 8 bits each of red, green and blue, and of opacity; deflate, the five filters, not interlaced.
+  return "\x89PNG\r\n\x1a\n" +
+         png_chunk("IHDR",
+                   big_endian(width) + big_endian(height) +
+                       (channels == 3 ? "\x08\x02\x00\x00\x00"s : "\x08\x06\x00\x00\x00"s)) +
+         png_chunk("sRGB", "\x00"sv) + png_chunk("IDAT", deflater.finish()) + png_chunk("IEND", "");
+}
+
 }  // namespace
 
 std::string png_bytes(const RgbPicture& picture) {
-  const std::size_t row = 3 * picture.width;
-  std::string filtered;
-  filtered.reserve((row + 1) * picture.height);
-  for (std::size_t y = 0; y < picture.height; ++y) {
-    filtered += kUp;
-    for (std::size_t x = 0; x < row; ++x) {
-      const std::uint8_t above = y == 0 ? std::uint8_t{0} : picture.rgb[(y - 1) * row + x];
-      filtered += static_cast<char>(picture.rgb[y * row + x] - above);
-    }
+  const std::size_t size = 3 * picture.width;
+  return packed_rows(picture.width, picture.height, 3, [&](std::size_t y) {
+    const auto begin = picture.rgb.begin() + static_cast<std::ptrdiff_t>(y * size);
+    return std::string(begin, begin + static_cast<std::ptrdiff_t>(size));
+  });
+}
+
+std::string png_bytes(std::size_t width, std::size_t height, std::span<const std::uint8_t> rgba,
+                      const std::function<void(std::size_t)>& after_row) {
+  std::size_t channels = 3;
+  for (std::size_t k = 3; k < rgba.size(); k += 4) {
+    channels = rgba[k] == 255 ? channels : 4;
   }
-  std::string bytes("\x89PNG\r\n\x1a\n"sv);
-  // 8 bits each of red, green and blue; deflate, the five filters, not interlaced.
-  bytes += png_chunk("IHDR", big_endian(picture.width) + big_endian(picture.height) +
-                                 std::string("\x08\x02\x00\x00\x00"sv));
-  bytes += png_chunk("sRGB", "\x00"sv);
-  bytes += png_chunk("IDAT", deflated(filtered, DeflateForm::zlib));
-  bytes += png_chunk("IEND", "");
-  return bytes;
+  return packed_rows(width, height, channels, [&](std::size_t y) {
+    std::string row;
+    row.reserve(channels * width);
+    for (std::size_t x = 0; x < width; ++x) {
+      const auto pixel = rgba.subspan(4 * (y * width + x), channels);
+      row.append(pixel.begin(), pixel.end());
+    }
+    after_row(y + 1);
+    return row;
+  });
 }
 
 }  // namespace soms::command

@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,5 +22,11 @@ struct RgbPicture {
 /// \pre `picture.rgb` has 3 * width * height bytes, and there is at least one pixel.
 /// \source W3C, Portable Network Graphics (PNG) Specification, second edition.
 [[nodiscard]] std::string png_bytes(const RgbPicture& picture);
+
+/// The same of red, green, blue and opacity, which the file has only where a pixel is not opaque.
+/// `after_row` is called with the number of rows that are packed; it may throw.
+[[nodiscard]] std::string png_bytes(std::size_t width, std::size_t height,
+                                    std::span<const std::uint8_t> rgba,
+                                    const std::function<void(std::size_t)>& after_row);
 
 }  // namespace soms::command

@@ -116,7 +116,7 @@ struct Facts {
   bool cost_cut = false;                 ///< time ran out: costs are of a part of the traversal
   /// What found no room in the last picture, a line each: "2,000 of 12,345 contacts".
   std::vector<std::string> left_out;
-  Limits limits;
+  ViewLimits limits;
   std::optional<std::size_t> orientation_test;  ///< that runs; moving the object by hand ends it
   Box bounds;                                   ///< of all that is shown
   Box framed;                                   ///< what the first picture frames; empty: all
@@ -141,19 +141,19 @@ class Subject {
   /// Numbers as of now.
   [[nodiscard]] virtual Facts facts(const ViewState& state) const = 0;
 
-  /// Goes on by frames; backward (a negative number) only where `Limits::can_seek`.
+  /// Goes on by frames; backward (a negative number) only where `ViewLimits::can_seek`.
   virtual void advance(int frames) = 0;
 
-  /// To a frame. \pre Limits::can_seek.
+  /// To a frame. \pre ViewLimits::can_seek.
   virtual void seek(std::uint64_t frame) = 0;
 
   /// Back to the first frame.
   virtual void restart() = 0;
 
-  /// Puts the object somewhere and counts its contacts. \pre Limits::has_object.
+  /// Puts the object somewhere and counts its contacts. \pre ViewLimits::has_object.
   virtual void place_object(const Pose& pose) = 0;
 
-  /// Puts the object back to where it was at first. \pre Limits::has_object.
+  /// Puts the object back to where it was at first. \pre ViewLimits::has_object.
   virtual void object_home() = 0;
 
   /// What is seen first along a ray: a contact, or a triangle of any body.

@@ -48,7 +48,7 @@ struct Shown {
 };
 
 /// What the thing shown allows. Filled from it before each frame.
-struct Limits {
+struct ViewLimits {
   int city_levels = 1;       ///< levels of the city's tree
   int mover_levels = 1;      ///< levels of the object's tree
   std::uint64_t frames = 0;  ///< frames that there are; 0: without end
@@ -120,7 +120,7 @@ struct ViewState {
   std::uint64_t learn_step = 0;      ///< the test that is shown
   bool panels = true;
   bool selected = false;  ///< something is picked
-  Limits limits;
+  ViewLimits limits;
   Requests requests;
 };
 

@@ -55,7 +55,7 @@ std::array<Run, 2> split(const Mesh& mesh, Order& order, const Run& run) {
 }
 
 std::vector<Run> runs_of(const Mesh& mesh, Order& order, const TileOptions& options,
-                         const Parallel& parallel) {
+                         const Limits& limits) {
   const std::size_t count = order.size();
   const std::size_t wanted = (count + options.triangles - 1) / std::max(options.triangles, 1U);
   std::vector<Run> open{
@@ -68,7 +68,7 @@ std::vector<Run> runs_of(const Mesh& mesh, Order& order, const TileOptions& opti
       done.push_back(run);
       continue;
     }
-    check_stop(parallel);
+    check_stop(limits);
     const auto halves = split(mesh, order, run);
     open.push_back(halves[1]);
     open.push_back(halves[0]);
@@ -174,19 +174,19 @@ Tile make_tile(const Mesh& mesh, const Run& run, std::span<const std::uint32_t> 
 }  // namespace
 
 TiledMesh cut_in_tiles(const Mesh& mesh, std::span<const Color> colors, const TileOptions& options,
-                       const Parallel& parallel) {
+                       const Limits& limits) {
   TiledMesh result;
   if (mesh.triangles.empty()) {
     return result;
   }
   Order order(mesh.triangles.size());
   std::iota(order.begin(), order.end(), 0U);
-  const std::vector<Run> runs = runs_of(mesh, order, options, parallel);
+  const std::vector<Run> runs = runs_of(mesh, order, options, limits);
   result.vertices.reserve(mesh.vertices.size());
   result.indices.reserve(3 * order.size());
   VertexWriter writer(mesh, colors, result);
   for (const Run& run : runs) {
-    check_stop(parallel);
+    check_stop(limits);
     const std::span<std::uint32_t> mine = std::span(order).subspan(run.first, run.count);
     put_large_first(mesh, mine);
     Tile tile = make_tile(mesh, run, mine);

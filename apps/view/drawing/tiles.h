@@ -55,7 +55,6 @@ struct TileOptions {
 /// \errors ErrorKind::cancelled.
 /// \cost O(n log tiles).
 [[nodiscard]] TiledMesh cut_in_tiles(const Mesh& mesh, std::span<const Color> colors,
-                                     const TileOptions& options = {},
-                                     const Parallel& parallel = {});
+                                     const TileOptions& options = {}, const Limits& limits = {});
 
 }  // namespace soms::view

@@ -108,7 +108,7 @@ double front_of(const Box& box, const Camera& camera) {
 /// of sides that are about alike the first. With `cut` what lies before the surroundings is left
 /// out.
 Aimed aimed(const ViewScene& scene, const Aim& aim, const Sides& sides, const FitCamera& fit,
-            bool cut, const Parallel& parallel) {
+            bool cut, const Limits& limits) {
   constexpr double kAimSurroundings = 1.5;  // half of the picture's box, in extents of the subject
   constexpr double kMuchBetter = 0.2;
   const Vec3 half = aim.around.extent() * kAimSurroundings;
@@ -126,7 +126,7 @@ Aimed aimed(const ViewScene& scene, const Aim& aim, const Sides& sides, const Fi
   best.free = -1;
   for (const double elevation : {25.0, 45.0, 65.0}) {
     for (int turn = 0; turn < 16; ++turn) {
-      check_stop(parallel);
+      check_stop(limits);
       const Aimed here = from(sides.bearing + 22.5 * turn, elevation);
       if (here.free > best.free + kMuchBetter || best.free < 0) {
         best = here;
@@ -139,14 +139,14 @@ Aimed aimed(const ViewScene& scene, const Aim& aim, const Sides& sides, const Fi
 /// Of many aims the one that is seen well, from a single side that is not hidden, the first such;
 /// else the one that is seen best.
 std::pair<Aimed, Box> best_of(const ViewScene& scene, std::span<const Aim> aims, const Sides& sides,
-                              const FitCamera& fit, bool cut, const Parallel& parallel) {
+                              const FitCamera& fit, bool cut, const Limits& limits) {
   constexpr double kWell = 0.45;    // of its curve, whose rear the mover itself hides
   constexpr double kIndoors = 0.2;  // what a contact indoors counts
   const double enough = sides.all_around ? kWell : kHidden;
   std::pair<Aimed, Box> best;
   best.first.free = -2;
   for (const Aim& aim : aims) {
-    Aimed here = aimed(scene, aim, sides, fit, cut, parallel);
+    Aimed here = aimed(scene, aim, sides, fit, cut, limits);
     here.free *= cut ? 1 : kIndoors + (1 - kIndoors) * open_sky(aim, scene);
     if (here.free > best.first.free) {
       best = {here, aim.around};
@@ -166,10 +166,10 @@ Aim aim_at_touches(const ViewScene& scene, BodyRef body, const std::vector<Touch
 }
 
 AimedCamera aimed_camera(const ViewScene& scene, std::span<const Aim> aims, const Sides& sides,
-                         const FitCamera& fit, const Parallel& parallel) {
-  const auto whole = best_of(scene, aims, sides, fit, false, parallel);
+                         const FitCamera& fit, const Limits& limits) {
+  const auto whole = best_of(scene, aims, sides, fit, false, limits);
   if (sides.may_cut && sides.all_around && whole.first.free < kHidden) {
-    const auto cut = best_of(scene, aims, sides, fit, true, parallel);
+    const auto cut = best_of(scene, aims, sides, fit, true, limits);
     if (cut.first.free > whole.first.free) {
       return {cut.first.camera, cut.second};
     }

@@ -51,7 +51,7 @@ struct AimedCamera {
 /// \cost    Some 50 cameras an aim, a ray each for every point of the aim.
 [[nodiscard]] AimedCamera aimed_camera(const ViewScene& scene, std::span<const Aim> aims,
                                        const Sides& sides, const FitCamera& fit,
-                                       const Parallel& parallel = {});
+                                       const Limits& limits = {});
 
 /// The direction from a subject to an eye, of length 1: degrees from north (+y) to east (+x), and
 /// above the horizon.

@@ -32,8 +32,7 @@ std::vector<Pose> poses_of(const ViewScene& scene) {
 
 }  // namespace
 
-const std::optional<CountedStep>& StepCounter::find(const ViewScene& scene,
-                                                    const Parallel& parallel) {
+const std::optional<CountedStep>& StepCounter::find(const ViewScene& scene, const Limits& limits) {
   if (scene.trees().traversal.traversal == Traversal::fast) {
     step_.reset();
     queries_.clear();  // trees stay for who comes back
@@ -50,7 +49,7 @@ const std::optional<CountedStep>& StepCounter::find(const ViewScene& scene,
   step_.emplace();
   try {
     for (const auto& [a, b] : pairs_of(scene)) {
-      run(scene, a, b, parallel);
+      run(scene, a, b, limits);
       if (step_->cut) {
         break;
       }
@@ -75,19 +74,19 @@ void StepCounter::set_choice(const TreeChoice& choice) {
   choice_ = choice;
 }
 
-const Shape& StepCounter::shape_of(const Body& body, const Parallel& parallel) {
+const Shape& StepCounter::shape_of(const Body& body, const Limits& limits) {
   const auto& mesh = body.shape.shared_mesh();
   const auto known = shapes_.find(mesh.get());
   if (known != shapes_.end()) {
     return known->second;
   }
   const ShapeOptions options{choice_->build, true, Layout::compact};  // only the tree is traversed
-  return shapes_.emplace(mesh.get(), Shape(mesh, options, parallel)).first->second;
+  return shapes_.emplace(mesh.get(), Shape(mesh, options, limits)).first->second;
 }
 
 /// Bodies that share meshes share a query, so that boxes of the city are moved once.
 thesis::NamedOverlap& StepCounter::query_of(const ViewScene& scene, BodyRef a, BodyRef b,
-                                            const Parallel& parallel) {
+                                            const Limits& limits) {
   const Body& first = scene.body(a);
   const Body& second = scene.body(b);
   const Key key{&first.shape.mesh(), a.role == Role::city ? std::optional(a.index) : std::nullopt,
@@ -99,8 +98,7 @@ thesis::NamedOverlap& StepCounter::query_of(const ViewScene& scene, BodyRef a, B
   if (known != queries_.end()) {
     return known->second;
   }
-  thesis::NamedOverlap query(shape_of(first, parallel), shape_of(second, parallel),
-                             choice_->traversal);
+  thesis::NamedOverlap query(shape_of(first, limits), shape_of(second, limits), choice_->traversal);
   query.move(first.pose, Pose::identity());
   return queries_.emplace(key, std::move(query)).first->second;
 }
@@ -126,16 +124,16 @@ std::vector<std::pair<BodyRef, BodyRef>> StepCounter::pairs_of(const ViewScene& 
   return pairs;
 }
 
-void StepCounter::run(const ViewScene& scene, BodyRef a, BodyRef b, const Parallel& parallel) {
-  thesis::NamedOverlap& query = query_of(scene, a, b, parallel);
+void StepCounter::run(const ViewScene& scene, BodyRef a, BodyRef b, const Limits& limits) {
+  thesis::NamedOverlap& query = query_of(scene, a, b, limits);
   CountedStep& step = *step_;
   const auto begin = Clock::now();
-  OverlapOptions options;
+  Limits patient = limits;
   if (patience_) {
     const std::chrono::duration<double, std::milli> taken(step.milliseconds);
-    options.deadline = begin + *patience_ - std::chrono::duration_cast<Clock::duration>(taken);
+    patient.deadline = begin + *patience_ - std::chrono::duration_cast<Clock::duration>(taken);
   }
-  const Overlap answer = query(scene.body(a).pose, scene.body(b).pose, options, parallel);
+  const Overlap answer = query(scene.body(a).pose, scene.body(b).pose, {}, patient);
   step.milliseconds += std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
   step.cut = answer.coverage == Coverage::cut;
   step.cost += answer.cost;

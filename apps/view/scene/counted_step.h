@@ -55,18 +55,18 @@ class StepCounter {
   /// \errors As `NamedOverlap` and `Shape`.
   /// \cost   Builds a tree for each mesh, once for each choice of trees; queries on one thread.
   [[nodiscard]] const std::optional<CountedStep>& find(const ViewScene& scene,
-                                                       const Parallel& parallel = {});
+                                                       const Limits& limits = {});
 
  private:
   /// A body of the city with one mesh of movers, or two meshes of movers.
   using Key = std::tuple<const MeshView*, std::optional<std::uint32_t>, const MeshView*>;
 
   void set_choice(const TreeChoice& choice);
-  [[nodiscard]] const Shape& shape_of(const Body& body, const Parallel& parallel);
+  [[nodiscard]] const Shape& shape_of(const Body& body, const Limits& limits);
   [[nodiscard]] thesis::NamedOverlap& query_of(const ViewScene& scene, BodyRef a, BodyRef b,
-                                               const Parallel& parallel);
+                                               const Limits& limits);
   [[nodiscard]] std::vector<std::pair<BodyRef, BodyRef>> pairs_of(const ViewScene& scene);
-  void run(const ViewScene& scene, BodyRef a, BodyRef b, const Parallel& parallel);
+  void run(const ViewScene& scene, BodyRef a, BodyRef b, const Limits& limits);
 
   std::optional<std::chrono::steady_clock::duration> patience_;
   std::optional<TreeChoice> choice_;

@@ -346,7 +346,7 @@ class Drawing {
       const Distance& near = gap->distance;
       const Color tint = with_alpha(options_.colors.gap, kNearTint);
       for (const auto& [body, i] :
-           {std::pair(gap->a, near.triangles->first), std::pair(gap->b, near.triangles->second)}) {
+           {std::pair(gap->a, near.triangles->a), std::pair(gap->b, near.triangles->b)}) {
         add_mark(body, i, tint, false);
         const Triangle t = scene_.triangle(body, i);
         for (const auto& [from, to] :

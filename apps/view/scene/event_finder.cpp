@@ -18,7 +18,7 @@ namespace soms::view {
 /// The scene is made when the search begins: most windows never search.
 struct EventFinder::State {
   SceneContent content;
-  Parallel parallel;
+  Limits limits;
   std::optional<Scene> scene;
   std::vector<PartsOf> parts;  ///< of each body of the city
   ContactSpans spans;
@@ -77,7 +77,7 @@ struct EventFinder::State {
     }
     place_movers();
     const StepReport report =
-        as_recorded() ? report_of(recording()->frame(searched)) : scene->step({}, parallel);
+        as_recorded() ? report_of(recording()->frame(searched)) : scene->step({}, limits);
     ContactBodies bodies = contact_bodies(*scene);
     bodies.part = [this](const SceneBody& body, TriangleId triangle) {
       return body.kind == SceneBodyKind::environment ? parts[body.id](triangle) : Part::kNoParent;
@@ -97,11 +97,11 @@ struct EventFinder::State {
   }
 };
 
-EventFinder::EventFinder(SceneContent content, const Parallel& parallel)
+EventFinder::EventFinder(SceneContent content, const Limits& limits)
     : state_(std::make_unique<State>()) {
   state_->content = std::move(content);
-  state_->parallel.threads = parallel.threads;
-  state_->parallel.stop = parallel.stop;
+  state_->limits.threads = limits.threads;
+  state_->limits.stop = limits.stop;
 }
 
 EventFinder::~EventFinder() = default;

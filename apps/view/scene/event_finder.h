@@ -16,10 +16,10 @@ namespace soms::view {
 
 /// Steps through the frames of a content once, from the first, and gathers contacts in spans. What
 /// a step finds is what `soms simulate` finds in that frame; of a recording, what it holds.
-/// \threads One caller at a time; uses the threads of `Parallel`.
+/// \threads One caller at a time; uses the threads of `Limits`.
 class EventFinder {
  public:
-  explicit EventFinder(SceneContent content, const Parallel& parallel = {});
+  explicit EventFinder(SceneContent content, const Limits& limits = {});
   ~EventFinder();
   EventFinder(EventFinder&&) noexcept;
   EventFinder& operator=(EventFinder&&) noexcept;

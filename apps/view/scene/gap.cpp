@@ -62,7 +62,7 @@ std::optional<GapQuestion> gap_question(const std::optional<std::pair<BodyRef, B
 }
 
 const std::optional<Gap>& GapStore::find(const GapQuestion& question, const BodyOf& body,
-                                         const Parallel& parallel) {
+                                         const Limits& limits) {
   std::vector<Pose> poses;
   poses.reserve(question.a.size() + 1);
   for (const BodyRef a : question.a) {
@@ -75,12 +75,13 @@ const std::optional<Gap>& GapStore::find(const GapQuestion& question, const Body
   question_.reset();  // an error leaves no answer of other poses
   gap_.reset();
   DistanceOptions options;
+  Limits patient = limits;
   if (patience_) {
-    options.deadline = std::chrono::steady_clock::now() + *patience_;
+    patient.deadline = std::chrono::steady_clock::now() + *patience_;
   }
   Coverage coverage = Coverage::complete;
   for (const BodyRef a : question.a) {
-    Distance answer = distance(body(a), body(question.b), options, parallel);
+    Distance answer = distance(body(a), body(question.b), options, patient);
     ++queries_;
     coverage = answer.coverage == Coverage::complete ? coverage : answer.coverage;
     // An upper end of 0 is a shared point; a gap may be so small that its lower end rounds to 0.

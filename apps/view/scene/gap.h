@@ -66,7 +66,7 @@ class GapStore {
 
   /// Nothing where they share a point, or where a mesh is empty. \errors As `distance`.
   [[nodiscard]] const std::optional<Gap>& find(const GapQuestion& question, const BodyOf& body,
-                                               const Parallel& parallel);
+                                               const Limits& limits);
 
   /// Distance queries so far.
   [[nodiscard]] std::uint64_t queries() const { return queries_; }

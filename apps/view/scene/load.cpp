@@ -70,7 +70,7 @@ SceneContent load_recording(const std::filesystem::path& path, const command::Wo
     }
   }
   Replay recording = console.run("reading " + path.string(),
-                                 [&](const Parallel& parallel) { return Replay(path, parallel); });
+                                 [&](const Limits& limits) { return Replay(path, limits); });
   command::World world = command::load_recorded_world(recording.head(), path, options, console);
   return content_of(std::move(world), std::move(recording));
 }
@@ -83,8 +83,8 @@ SceneContent two_bodies(Body still, Body moving) {
   return content;
 }
 
-DroppedBody read_body(const std::filesystem::path& path, const Parallel& parallel) {
-  Mesh mesh = read_mesh(path, {}, parallel);
+DroppedBody read_body(const std::filesystem::path& path, const Limits& limits) {
+  Mesh mesh = read_mesh(path, {}, limits);
   const MeshView one = mesh;
   std::vector<std::string> notes = command::notes_of({&one, 1});
   const UpAxis up = mesh.up;
@@ -97,7 +97,7 @@ DroppedBody read_body(const std::filesystem::path& path, const Parallel& paralle
     notes.push_back(
         fmt::format("{}: the unit is {:.9g} m; assuming meters", path.string(), mesh.unit));
   }
-  return {Body(Shape(std::move(mesh), {}, parallel), {}, command::short_name(path.string())),
+  return {Body(Shape(std::move(mesh), {}, limits), {}, command::short_name(path.string())),
           std::move(notes)};
 }
 

@@ -42,7 +42,6 @@ struct DroppedBody {
 /// A body from a file that was dropped: where the file puts it, turned to z up where the file
 /// states another axis, named after the file. The notes are those of the file, of the turn, and of
 /// a unit other than a meter, which is not converted. \errors As `read_mesh` and `Shape`.
-[[nodiscard]] DroppedBody read_body(const std::filesystem::path& path,
-                                    const Parallel& parallel = {});
+[[nodiscard]] DroppedBody read_body(const std::filesystem::path& path, const Limits& limits = {});
 
 }  // namespace soms::view

@@ -72,8 +72,8 @@ std::string describe(const ViewScene& scene, const Picked& p) {
 }  // namespace
 
 std::vector<SurfaceHit> ViewScene::first_hits(std::span<const Ray> rays, bool with_movers,
-                                              const Parallel& parallel) const {
-  const SceneHitBatch found = scene().closest_hit(rays, {}, {.movers = with_movers}, parallel);
+                                              const Limits& limits) const {
+  const SceneHitBatch found = scene().closest_hit(rays, {}, {.movers = with_movers}, limits);
   const std::vector<EnvironmentId> parts = scene().environments();
   const std::vector<MoverId> moving = scene().movers();
   const auto ref_of = [&](const SceneBody& body) {

@@ -12,9 +12,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// Ends a traversal after a number of box tests.
-std::function<bool()> limit(std::uint64_t most_tests, const Parallel& parallel, bool& cut) {
-  return [queried = std::uint64_t{0}, most_tests, &parallel, &cut]() mutable {
-    check_stop(parallel);
+std::function<bool()> limit(std::uint64_t most_tests, const Limits& limits, bool& cut) {
+  return [queried = std::uint64_t{0}, most_tests, &limits, &cut]() mutable {
+    check_stop(limits);
     queried += kBoxTestsBetweenAsks;
     cut = queried >= most_tests;
     return !cut;
@@ -24,7 +24,7 @@ std::function<bool()> limit(std::uint64_t most_tests, const Parallel& parallel, 
 }  // namespace
 
 TraversalTrace watch(const PosedTree& a, const PosedTree& b, const TraversalOptions& options,
-                     std::uint64_t most_tests, const Parallel& parallel) {
+                     std::uint64_t most_tests, const Limits& limits) {
   TraversalTrace trace;
   trace.a.assign(a.tree->nodes.size(), Fate::untouched);
   trace.b.assign(b.tree->nodes.size(), Fate::untouched);
@@ -33,14 +33,14 @@ TraversalTrace watch(const PosedTree& a, const PosedTree& b, const TraversalOpti
     trace.b[p.b] = std::max(trace.b[p.b], fate);
   };
   TraversalVisitor plain;
-  plain.keep_going = limit(most_tests, parallel, trace.cut);
+  plain.keep_going = limit(most_tests, limits, trace.cut);
   TraversalWorkspace workspace;
   const auto begin = Clock::now();
   trace.counts = traverse(a, b, options, plain, workspace);
   trace.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
 
   TraversalVisitor watched;
-  watched.keep_going = limit(most_tests, parallel, trace.cut);
+  watched.keep_going = limit(most_tests, limits, trace.cut);
   watched.tested = [&](NodePair p, bool overlap) {
     ++(overlap ? trace.overlapping : trace.apart);
     const bool leaves = a.tree->nodes[p.a].is_leaf() && b.tree->nodes[p.b].is_leaf();

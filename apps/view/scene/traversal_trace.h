@@ -53,7 +53,7 @@ inline constexpr std::uint64_t kMostWatchedTests = 2'000'000;
 [[nodiscard]] TraversalTrace watch(const PosedTree& a, const PosedTree& b,
                                    const TraversalOptions& options,
                                    std::uint64_t most_tests = kMostWatchedTests,
-                                   const Parallel& parallel = {});
+                                   const Limits& limits = {});
 
 [[nodiscard]] FateCounts count_fates(const std::vector<Fate>& fates);
 

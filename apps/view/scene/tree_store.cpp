@@ -12,12 +12,12 @@ constexpr std::size_t kKeptBodies = 3;
 }  // namespace
 
 const Tree& TreeStore::tree(const std::shared_ptr<const Mesh>& mesh, const BuildOptions& options,
-                            const Parallel& parallel) {
+                            const Limits& limits) {
   const auto known = trees_.find(mesh.get());
   if (known != trees_.end()) {
     return *known->second.tree;
   }
-  Kept kept{mesh, std::make_unique<const Tree>(build(*mesh, options, parallel)), {}};
+  Kept kept{mesh, std::make_unique<const Tree>(build(*mesh, options, limits)), {}};
   kept.statistics = soms::statistics(*kept.tree, options);
   return *trees_.emplace(mesh.get(), std::move(kept)).first->second.tree;
 }
@@ -28,8 +28,8 @@ const TreeStatistics* TreeStore::statistics(const Mesh& mesh) const {
 }
 
 const PosedBoxes& TreeStore::boxes(BodyRef ref, const Body& body, const BuildOptions& options,
-                                   BoxUpdate update, const Parallel& parallel) {
-  const Tree& of_body = tree(body.shape.shared_mesh(), options, parallel);
+                                   BoxUpdate update, const Limits& limits) {
+  const Tree& of_body = tree(body.shape.shared_mesh(), options, limits);
   auto known = boxes_.find(ref);
   if (known == boxes_.end()) {
     if (boxes_.size() >= kKeptBodies) {

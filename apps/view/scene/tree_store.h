@@ -21,14 +21,14 @@ class TreeStore {
  public:
   /// The tree of a mesh; kept until `clear`. \errors As `build`.
   [[nodiscard]] const Tree& tree(const std::shared_ptr<const Mesh>& mesh,
-                                 const BuildOptions& options, const Parallel& parallel);
+                                 const BuildOptions& options, const Limits& limits);
 
   /// Counts of the tree where it was built, else nullptr.
   [[nodiscard]] const TreeStatistics* statistics(const Mesh& mesh) const;
 
   /// The tree's boxes at the pose of the body.
   [[nodiscard]] const PosedBoxes& boxes(BodyRef ref, const Body& body, const BuildOptions& options,
-                                        BoxUpdate update, const Parallel& parallel);
+                                        BoxUpdate update, const Limits& limits);
 
   void clear();
 

@@ -54,7 +54,7 @@ struct ViewScene::State {
   std::vector<std::string> notes;
   std::vector<command::FrameWarning> warnings;
   Georeference georeference;
-  Parallel parallel;
+  Limits limits;
   Scene scene;
   std::vector<EnvironmentId> city;
   std::vector<Mover> movers;
@@ -134,7 +134,7 @@ struct ViewScene::State {
   void find_contacts() {
     const bool recorded = as_recorded();
     report = recorded ? report_of(recording->frame(frame))
-                      : scene.step({.clearance = clearance_of(recording.get())}, parallel);
+                      : scene.step({.clearance = clearance_of(recording.get())}, limits);
     replayed = recorded;
     touches = touches_of(report);
     frame_gaps = gaps_of(report);
@@ -169,15 +169,15 @@ struct ViewScene::State {
   }
 };
 
-ViewScene::ViewScene(SceneContent content, const Parallel& parallel)
+ViewScene::ViewScene(SceneContent content, const Limits& limits)
     : state_(std::make_unique<State>()) {
   State& s = *state_;
   s.title = std::move(content.title);
   s.notes = std::move(content.notes);
   s.warnings = std::move(content.warnings);
   s.georeference = std::move(content.georeference);
-  s.parallel.threads = parallel.threads;
-  s.parallel.stop = parallel.stop;
+  s.limits.threads = limits.threads;
+  s.limits.stop = limits.stop;
   s.unit = command::common_unit(content.city);
   for (Body& body : content.city) {
     s.add_city(std::move(body));
@@ -185,7 +185,7 @@ ViewScene::ViewScene(SceneContent content, const Parallel& parallel)
   for (MovingBody& mover : content.movers) {
     s.add_mover(std::move(mover));
     if (s.movers.size() % 1024 == 0) {
-      check_stop(parallel);
+      check_stop(limits);
     }
   }
   if (content.recording != nullptr && content.recording->frames() > 0) {
@@ -386,7 +386,7 @@ const std::optional<Gap>& ViewScene::gap() const {
   const auto question = gap_question(state_->pair, city_parts(), movers(), state_->touches);
   return question ? state_->gaps.find(
                         *question, [this](BodyRef ref) -> const Body& { return state_->body(ref); },
-                        state_->parallel)
+                        state_->limits)
                   : kNone;
 }
 
@@ -438,13 +438,13 @@ std::uint64_t ViewScene::trees_version() const {
 const Tree& ViewScene::tree(BodyRef body) {
   State& s = *state_;
   s.check_body(body);
-  return s.trees.tree(s.body(body).shape.shared_mesh(), s.choice.build, s.parallel);
+  return s.trees.tree(s.body(body).shape.shared_mesh(), s.choice.build, s.limits);
 }
 
 std::span<const Box> ViewScene::world_boxes(BodyRef body) {
   State& s = *state_;
   s.check_body(body);
-  return s.trees.boxes(body, s.body(body), s.choice.build, s.choice.traversal.update, s.parallel)
+  return s.trees.boxes(body, s.body(body), s.choice.build, s.choice.traversal.update, s.limits)
       .boxes();
 }
 
@@ -464,7 +464,7 @@ const TraversalTrace& ViewScene::trace() {
   const std::span<const Box> boxes_b = world_boxes(b);
   const std::span<const Box> boxes_a = world_boxes(a);
   s.trace = watch({&tree(a), boxes_a}, {&tree(b), boxes_b}, s.choice.traversal, kMostWatchedTests,
-                  s.parallel);
+                  s.limits);
   s.trace_key = key;
   ++s.trace_version;
   return s.trace;

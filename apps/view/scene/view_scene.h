@@ -83,11 +83,11 @@ struct SceneStatistics {
 /// Time: `step` brings the movers to the next frame of their motions, of an orientation test or of
 /// a recording. A mover that is held stays where the hand put it.
 /// The pair: a body of the city or a mover, and a mover, whose trees are shown and traversed.
-/// \threads One caller at a time; uses the threads of `Parallel`.
+/// \threads One caller at a time; uses the threads of `Limits`.
 class ViewScene {
  public:
   /// Finds the contacts of frame 0. \errors As `Scene` for poses; ErrorKind::cancelled.
-  explicit ViewScene(SceneContent content, const Parallel& parallel = {});
+  explicit ViewScene(SceneContent content, const Limits& limits = {});
   ~ViewScene();
   ViewScene(ViewScene&&) noexcept;
   ViewScene& operator=(ViewScene&&) noexcept;
@@ -192,7 +192,7 @@ class ViewScene {
   /// \errors As `Scene::closest_hit`.
   [[nodiscard]] std::vector<SurfaceHit> first_hits(std::span<const Ray> rays,
                                                    bool with_movers = true,
-                                                   const Parallel& parallel = {}) const;
+                                                   const Limits& limits = {}) const;
 
   /// The first triangle that a ray meets, with facts for people. \errors As `first_hits`.
   [[nodiscard]] std::optional<Picked> pick(const Ray& ray, bool with_movers = true) const;

@@ -65,26 +65,26 @@ std::vector<Aim> aims_at_contacts(const ViewScene& scene) {
 
 /// The camera on one of the aims, as chosen.
 AimedCamera on_one_of(const std::vector<Aim>& aims, const CameraChoice& choice,
-                      const ViewScene& scene, Size size, const Parallel& parallel) {
+                      const ViewScene& scene, Size size, const Limits& limits) {
   const FitCamera fit = [&](const Box& box, const Vec3& toward) {
     return dollied(fitted(box, toward, size), 1 / choice.zoom);
   };
   return aimed_camera(scene, aims,
                       {choice.bearing, choice.elevation, choice.free_side, choice.may_cut}, fit,
-                      parallel);
+                      limits);
 }
 
 }  // namespace
 
 AimedCamera at_mover(const CameraChoice& choice, const ViewScene& scene, Size size,
-                     const Parallel& parallel) {
+                     const Limits& limits) {
   return on_one_of({aim_at_mover(choice.mover, choice.with_gap, scene)}, choice, scene, size,
-                   parallel);
+                   limits);
 }
 
 AimedCamera at_contact(const CameraChoice& choice, const ViewScene& scene, Size size,
-                       const Parallel& parallel) {
-  return on_one_of(aims_at_contacts(scene), choice, scene, size, parallel);
+                       const Limits& limits) {
+  return on_one_of(aims_at_contacts(scene), choice, scene, size, limits);
 }
 
 }  // namespace soms::view

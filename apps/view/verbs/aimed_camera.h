@@ -11,13 +11,13 @@ namespace soms::view {
 /// is one, or with what is before it cut away. \errors ErrorKind::usage for a mover that is not
 /// there.
 [[nodiscard]] AimedCamera at_mover(const CameraChoice& choice, const ViewScene& scene, Size size,
-                                   const Parallel& parallel);
+                                   const Limits& limits);
 
 /// A camera on the mover with most contacts of those that are seen well, in the open, from the side
 /// that was named or any other; else on the one that is seen best; where next to nothing of them is
 /// seen from any side, with what is before it cut away.
 /// \errors ErrorKind::usage where nothing touches.
 [[nodiscard]] AimedCamera at_contact(const CameraChoice& choice, const ViewScene& scene, Size size,
-                                     const Parallel& parallel);
+                                     const Limits& limits);
 
 }  // namespace soms::view

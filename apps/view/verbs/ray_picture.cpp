@@ -45,17 +45,17 @@ PixelPoint sample_place(int k, int count) {
 /// Calls `use(first_pixel, rays, hits)` for the pixels of a picture in order, some rows at a time:
 /// `samples` rays a pixel, and what each hits.
 void for_pixels(const ViewScene& scene, const Camera& camera, Size size, int samples,
-                const Parallel& parallel,
+                const Limits& limits,
                 const std::function<void(std::size_t, std::span<const Ray>,
                                          std::span<const SurfaceHit>)>& use) {
   const auto width = static_cast<std::size_t>(size.width);
   const auto height = static_cast<std::size_t>(size.height);
   const std::size_t a_row = width * static_cast<std::size_t>(samples);
   const std::size_t rows = std::max<std::size_t>(1, kRaysAtOnce / a_row);
-  const Parallel inner = without_progress(parallel);
+  const Limits inner = without_progress(limits);
   std::vector<Ray> rays;
   for (std::size_t y = 0; y < height; y += rows) {
-    check_stop(parallel);
+    check_stop(limits);
     rays.clear();
     for (std::size_t row = y; row < std::min(y + rows, height); ++row) {
       for (std::size_t x = 0; x < width; ++x) {
@@ -68,9 +68,9 @@ void for_pixels(const ViewScene& scene, const Camera& camera, Size size, int sam
       }
     }
     use(y * width, rays, scene.first_hits(rays, true, inner));
-    if (parallel.progress) {
-      parallel.progress(static_cast<double>(std::min(y + rows, height)) /
-                        static_cast<double>(height));
+    if (limits.progress) {
+      limits.progress(static_cast<double>(std::min(y + rows, height)) /
+                      static_cast<double>(height));
     }
   }
 }
@@ -201,7 +201,7 @@ void mark_observer(Picture& picture, const ViewScene& scene, const Camera& camer
 
 std::vector<std::uint8_t> seen_from(const ViewScene& scene, const Vec3& observer,
                                     std::span<const SurfaceHit> hits, std::span<const Ray> rays,
-                                    const Parallel& parallel) {
+                                    const Limits& limits) {
   std::vector<std::uint8_t> seen(hits.size(), 0);
   std::vector<std::size_t> number;
   std::vector<Ray> ways;
@@ -218,7 +218,7 @@ std::vector<std::uint8_t> seen_from(const ViewScene& scene, const Vec3& observer
       ways.push_back({observer, way, 1});
     }
   }
-  const std::vector<SurfaceHit> first = scene.first_hits(ways, true, parallel);
+  const std::vector<SurfaceHit> first = scene.first_hits(ways, true, limits);
   for (std::size_t i = 0; i < first.size(); ++i) {
     const SurfaceHit& hit = hits[number[i]];
     const bool same = first[i].body == hit.body && first[i].triangle == hit.triangle;
@@ -227,9 +227,9 @@ std::vector<std::uint8_t> seen_from(const ViewScene& scene, const Vec3& observer
   return seen;
 }
 
-Parallel without_progress(Parallel parallel) {
-  parallel.progress = {};
-  return parallel;
+Limits without_progress(Limits limits) {
+  limits.progress = {};
+  return limits;
 }
 
 std::string in_percent(std::uint64_t part, std::uint64_t whole) {
@@ -238,10 +238,10 @@ std::string in_percent(std::uint64_t part, std::uint64_t whole) {
 }
 
 DepthPicture draw_depth(const ViewScene& scene, const Camera& camera, Size size, int samples,
-                        const Parallel& parallel) {
+                        const Limits& limits) {
   DepthPicture drawn;
   drawn.nearest = std::numeric_limits<double>::infinity();
-  for_pixels(scene, camera, size, 1, without_progress(parallel), [&](std::size_t, auto, auto hits) {
+  for_pixels(scene, camera, size, 1, without_progress(limits), [&](std::size_t, auto, auto hits) {
     for (const SurfaceHit& hit : hits) {
       if (hit.body) {
         drawn.nearest = std::min(drawn.nearest, hit.t);
@@ -259,7 +259,7 @@ DepthPicture draw_depth(const ViewScene& scene, const Camera& camera, Size size,
   const double nearest = std::max(drawn.nearest, 1e-9 * drawn.farthest);
   const Scale scale(nearest, drawn.farthest);
   std::vector<Color> colors;
-  for_pixels(scene, camera, size, samples, parallel, [&](std::size_t first, auto, auto hits) {
+  for_pixels(scene, camera, size, samples, limits, [&](std::size_t first, auto, auto hits) {
     colors.clear();
     for (const SurfaceHit& hit : hits) {
       colors.push_back(hit.body ? ordered_color(scale.at(hit.t)) : kSky);
@@ -271,13 +271,13 @@ DepthPicture draw_depth(const ViewScene& scene, const Camera& camera, Size size,
 }
 
 SightPicture draw_sight(const ViewScene& scene, const Camera& camera, const Vec3& observer,
-                        Size size, int samples, const Parallel& parallel) {
+                        Size size, int samples, const Limits& limits) {
   SightPicture drawn;
   drawn.picture = filled(size, kSky);
   const CameraFrame f = frame(camera);
-  const Parallel inner = without_progress(parallel);
+  const Limits inner = without_progress(limits);
   std::vector<Color> colors;
-  for_pixels(scene, camera, size, samples, parallel,
+  for_pixels(scene, camera, size, samples, limits,
              [&](std::size_t first, std::span<const Ray> rays, std::span<const SurfaceHit> hits) {
                const auto seen = seen_from(scene, observer, hits, rays, inner);
                colors.clear();

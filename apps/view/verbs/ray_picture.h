@@ -29,7 +29,7 @@ struct DepthPicture {
 /// equal ratios of distances.
 /// \errors ErrorKind::cancelled; out_of_memory.
 [[nodiscard]] DepthPicture draw_depth(const ViewScene& scene, const Camera& camera, Size size,
-                                      int samples, const Parallel& parallel = {});
+                                      int samples, const Limits& limits = {});
 
 /// Surfaces that a point sees: what it sees is orange, what it does not is gray.
 struct SightPicture {
@@ -43,7 +43,7 @@ struct SightPicture {
 /// \errors As `draw_depth`.
 [[nodiscard]] SightPicture draw_sight(const ViewScene& scene, const Camera& camera,
                                       const Vec3& observer, Size size, int samples,
-                                      const Parallel& parallel = {});
+                                      const Limits& limits = {});
 
 /// Which of `hits` a point sees. It sees a point of a surface if nothing is hit before it on the
 /// way there but the triangle itself, the last 2^-30 of the way left out, for hits are rounded. The
@@ -53,10 +53,10 @@ struct SightPicture {
 [[nodiscard]] std::vector<std::uint8_t> seen_from(const ViewScene& scene, const Vec3& observer,
                                                   std::span<const SurfaceHit> hits,
                                                   std::span<const Ray> rays,
-                                                  const Parallel& parallel = {});
+                                                  const Limits& limits = {});
 
 /// For calls that are a part of one whose progress is reported.
-[[nodiscard]] Parallel without_progress(Parallel parallel);
+[[nodiscard]] Limits without_progress(Limits limits);
 
 /// A share, as "12.5 %"; of nothing "0.0 %".
 [[nodiscard]] std::string in_percent(std::uint64_t part, std::uint64_t whole);

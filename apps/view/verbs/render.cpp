@@ -209,7 +209,7 @@ command::Json gap_json(const Gap& gap) {
   const Distance& near = gap.distance;
   return {{"lower", near.distance.lower},
           {"upper", near.distance.upper},
-          {"triangles", command::Json::array({near.triangles->first, near.triangles->second})},
+          {"triangles", command::Json::array({near.triangles->a, near.triangles->b})},
           {"points", command::Json::array({point(near.point_a), point(near.point_b)})}};
 }
 
@@ -340,8 +340,8 @@ void check_effects(const command::Parser& parser, RenderOptions& options) {
 /// The scene at its frame, with its contacts.
 ViewScene make_scene(const RenderOptions& options, command::Console& console) {
   SceneContent content = load(options, console);
-  return console.run("finding what touches", [&](const Parallel& parallel) {
-    ViewScene scene(std::move(content), parallel);
+  return console.run("finding what touches", [&](const Limits& limits) {
+    ViewScene scene(std::move(content), limits);
     if (!options.test.empty()) {
       scene.start_test(options.test);
     }
@@ -371,13 +371,13 @@ double meters_of(const RenderOptions& options, const ViewScene& scene) {
 /// What is drawn, and from where.
 std::pair<DrawnScene, Camera> compose(const RenderOptions& options, ViewScene& scene,
                                       const command::Console& console) {
-  return console.run("choosing what is shown", [&](const Parallel& parallel) {
+  return console.run("choosing what is shown", [&](const Limits& limits) {
     const Vec3 origin = options.center ? scene_bounds(scene).center() : Vec3{};
     CameraChoice choice = options.camera;
     choice.with_gap = draws_gap(options, scene);
     choice.boxes = options.level || options.trace;
     choice.may_cut = true;
-    const auto [camera, around] = aimed_by(choice, scene, options.size, origin, parallel);
+    const auto [camera, around] = aimed_by(choice, scene, options.size, origin, limits);
     ViewOptions shown = what_is_shown(options, scene);
     if (choice.subject == CameraChoice::Subject::contact) {
       shown.focus = around;
@@ -399,8 +399,8 @@ std::pair<DrawnScene, Camera> compose(const RenderOptions& options, ViewScene& s
 /// Draws and reads in parts, so that a software driver can be interrupted, too.
 Picture draw_image(const RenderOptions& options, const DrawList& list, const Camera& camera,
                    GlRenderer& renderer, const command::Console& console) {
-  return console.run("drawing " + options.output, [&](const Parallel& parallel) {
-    renderer.watch(parallel);
+  return console.run("drawing " + options.output, [&](const Limits& limits) {
+    renderer.watch(limits);
     renderer.draw(list, camera, options.size,
                   // What is cut away would still cast its shadow.
                   {.samples = options.samples, .shadows = !options.no_shadow && camera.cut == 0});
@@ -492,7 +492,7 @@ int run_render(const RenderOptions& options, command::Console& console) {
   remark_cut(options, camera, console);
   const Picture picture = draw_image(options, drawn.list, camera, *renderer, console);
   file.stream() << console.run("writing " + options.output,
-                               [&](const Parallel& parallel) { return to_png(picture, parallel); });
+                               [&](const Limits& limits) { return to_png(picture, limits); });
   file.commit();
   for (const std::string& line : left_out(drawn.counts)) {
     console.note(options.output + ": " + line);

@@ -117,8 +117,7 @@ bool read_zoom(const std::string& word, CameraChoice& choice) {
 }
 
 /// A camera on a gap, from the side where most of the way is free and its segment looks longest.
-Camera at_gap(const CameraChoice& choice, const ViewScene& scene, Size size,
-              const Parallel& parallel) {
+Camera at_gap(const CameraChoice& choice, const ViewScene& scene, Size size, const Limits& limits) {
   const std::optional<Gap> gap = choice.with_gap ? scene.gap() : std::nullopt;
   if (!gap) {
     throw Error(ErrorKind::usage, "--camera gap: no gap is drawn in this picture",
@@ -134,7 +133,7 @@ Camera at_gap(const CameraChoice& choice, const ViewScene& scene, Size size,
   double most = -1;
   for (const double elevation : {25.0, 45.0, 65.0}) {
     for (int turn = 0; choice.free_side && turn < 8; ++turn) {
-      check_stop(parallel);
+      check_stop(limits);
       const Camera camera = from(choice.bearing + 45 * turn, elevation);
       const Vec3 line = around.center() - camera.eye;
       const double whole = length(line);
@@ -269,16 +268,16 @@ std::optional<DensePlace> place_in(const CameraChoice& choice, const ViewScene& 
 }
 
 AimedCamera aimed_by(const CameraChoice& choice, const ViewScene& scene, Size size,
-                     const Vec3& origin, const Parallel& parallel) {
+                     const Vec3& origin, const Limits& limits) {
   switch (choice.subject) {
     case CameraChoice::Subject::place:
       return {{choice.eye + origin, choice.target + origin}, {}};
     case CameraChoice::Subject::mover:
-      return at_mover(choice, scene, size, parallel);
+      return at_mover(choice, scene, size, limits);
     case CameraChoice::Subject::gap:
-      return {at_gap(choice, scene, size, parallel), {}};
+      return {at_gap(choice, scene, size, limits), {}};
     case CameraChoice::Subject::contact:
-      return at_contact(choice, scene, size, parallel);
+      return at_contact(choice, scene, size, limits);
     case CameraChoice::Subject::scene:
       break;
   }
@@ -302,8 +301,8 @@ AimedCamera aimed_by(const CameraChoice& choice, const ViewScene& scene, Size si
 }
 
 Camera place_camera(const CameraChoice& choice, const ViewScene& scene, Size size,
-                    const Vec3& origin, const Parallel& parallel) {
-  return aimed_by(choice, scene, size, origin, parallel).camera;
+                    const Vec3& origin, const Limits& limits) {
+  return aimed_by(choice, scene, size, origin, limits).camera;
 }
 
 }  // namespace soms::view

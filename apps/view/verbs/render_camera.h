@@ -50,11 +50,11 @@ struct CameraChoice {
 /// \errors ErrorKind::usage for a mover that is not there, and for contacts or a gap where there
 ///         are none; ErrorKind::cancelled; as `ViewScene::gap`.
 [[nodiscard]] AimedCamera aimed_by(const CameraChoice& choice, const ViewScene& scene, Size size,
-                                   const Vec3& origin, const Parallel& parallel = {});
+                                   const Vec3& origin, const Limits& limits = {});
 
 /// The camera of `aimed_by`.
 [[nodiscard]] Camera place_camera(const CameraChoice& choice, const ViewScene& scene, Size size,
-                                  const Vec3& origin, const Parallel& parallel = {});
+                                  const Vec3& origin, const Limits& limits = {});
 
 /// The place that a picture of a sparse scene is of, unless a side is named or boxes are drawn.
 [[nodiscard]] std::optional<DensePlace> place_in(const CameraChoice& choice,

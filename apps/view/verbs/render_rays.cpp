@@ -44,9 +44,9 @@ const char* name_of_mode(const RenderOptions& options) {
   return options.depth ? "--depth" : "--visible-from";
 }
 
-Camera camera_of(const RenderOptions& options, const ViewScene& scene, const Parallel& parallel) {
+Camera camera_of(const RenderOptions& options, const ViewScene& scene, const Limits& limits) {
   const Vec3 origin = options.center ? scene_bounds(scene).center() : Vec3{};
-  return place_camera(options.camera, scene, options.size, origin, parallel);
+  return place_camera(options.camera, scene, options.size, origin, limits);
 }
 
 std::string size_of(const RenderOptions& options) {
@@ -81,11 +81,10 @@ void say(const RenderOptions& options, const ViewScene& scene, const std::string
 
 void write_depth(const RenderOptions& options, ViewScene& scene, command::OutputFile& file,
                  command::Console& console) {
-  const DepthPicture drawn =
-      console.run("drawing " + options.output, [&](const Parallel& parallel) {
-        return draw_depth(scene, camera_of(options, scene, parallel), options.size, options.samples,
-                          parallel);
-      });
+  const DepthPicture drawn = console.run("drawing " + options.output, [&](const Limits& limits) {
+    return draw_depth(scene, camera_of(options, scene, limits), options.size, options.samples,
+                      limits);
+  });
   file.stream() << to_png(drawn.picture);
   file.commit();
   const std::string range =
@@ -106,8 +105,8 @@ void write_sight(const RenderOptions& options, ViewScene& scene, command::Output
   const Vec3 from = *options.visible_from;
   const command::Json place = command::Json::array({from.x, from.y, from.z});
   if (is_map(options)) {
-    const SightMap map = console.run("drawing " + options.output, [&](const Parallel& parallel) {
-      return draw_sight_map(scene, from, parallel);
+    const SightMap map = console.run("drawing " + options.output, [&](const Limits& limits) {
+      return draw_sight_map(scene, from, limits);
     });
     file.stream() << map.svg;
     file.commit();
@@ -121,11 +120,10 @@ void write_sight(const RenderOptions& options, ViewScene& scene, command::Output
         console);
     return;
   }
-  const SightPicture drawn =
-      console.run("drawing " + options.output, [&](const Parallel& parallel) {
-        return draw_sight(scene, camera_of(options, scene, parallel), from, options.size,
-                          options.samples, parallel);
-      });
+  const SightPicture drawn = console.run("drawing " + options.output, [&](const Limits& limits) {
+    return draw_sight(scene, camera_of(options, scene, limits), from, options.size, options.samples,
+                      limits);
+  });
   file.stream() << to_png(drawn.picture);
   file.commit();
   say(options, scene,

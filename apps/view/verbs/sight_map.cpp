@@ -47,11 +47,11 @@ std::vector<Ray> rays_down(const command::HeightGrid& grid, std::size_t row, dou
 }
 
 CellFlags look_down(const ViewScene& scene, const Vec3& observer, const command::HeightGrid& grid,
-                    double top, SightMap& map, const Parallel& parallel) {
+                    double top, SightMap& map, const Limits& limits) {
   CellFlags flags(grid.columns() * grid.rows());
-  const Parallel inner = without_progress(parallel);
+  const Limits inner = without_progress(limits);
   for (std::size_t row = 0; row < grid.rows(); ++row) {
-    check_stop(parallel);
+    check_stop(limits);
     const std::vector<Ray> rays = rays_down(grid, row, top);
     const std::vector<SurfaceHit> hits = scene.first_hits(rays, true, inner);
     const std::vector<std::uint8_t> seen = seen_from(scene, observer, hits, rays, inner);
@@ -67,8 +67,8 @@ CellFlags look_down(const ViewScene& scene, const Vec3& observer, const command:
       ++map.surface;
       map.in_sight += seen[column];
     }
-    if (parallel.progress) {
-      parallel.progress(static_cast<double>(row + 1) / static_cast<double>(grid.rows()));
+    if (limits.progress) {
+      limits.progress(static_cast<double>(row + 1) / static_cast<double>(grid.rows()));
     }
   }
   return flags;
@@ -98,7 +98,7 @@ void draw_observer(std::ostream& out, const command::MapPage& page, const Vec3& 
 
 }  // namespace
 
-SightMap draw_sight_map(const ViewScene& scene, const Vec3& observer, const Parallel& parallel) {
+SightMap draw_sight_map(const ViewScene& scene, const Vec3& observer, const Limits& limits) {
   SightMap map;
   Box bounds = scene_bounds(scene);
   bounds.grow(observer);
@@ -106,11 +106,11 @@ SightMap draw_sight_map(const ViewScene& scene, const Vec3& observer, const Para
   const command::MapPage page = command::make_map_page(bounds, scene.unit());
   command::HeightGrid grid(page.area, kMapCells);
   for (std::uint32_t k = 0; k < scene.city_parts(); ++k) {
-    grid.add(scene.body(city_part(k)).shape.mesh(), parallel);
+    grid.add(scene.body(city_part(k)).shape.mesh(), limits);
   }
-  grid.find_ground(parallel);
+  grid.find_ground(limits);
   map.cell = grid.cell();
-  const CellFlags flags = look_down(scene, observer, grid, top, map, parallel);
+  const CellFlags flags = look_down(scene, observer, grid, top, map, limits);
   const std::vector<command::MapLayer> layers = layers_of(flags, grid);
   std::ostringstream out;
   command::open_map(

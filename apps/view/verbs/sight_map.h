@@ -26,6 +26,6 @@ struct SightMap {
 /// Outlines are made straighter so that the file stays below about 400 KB. \errors As
 /// `ViewScene::first_hits`.
 [[nodiscard]] SightMap draw_sight_map(const ViewScene& scene, const Vec3& observer,
-                                      const Parallel& parallel = {});
+                                      const Limits& limits = {});
 
 }  // namespace soms::view

@@ -113,18 +113,18 @@ Timed load(const TimeFramesOptions& options, command::Console& console) {
 class FrameClock {
  public:
   FrameClock(const TimeFramesOptions& options, const Timed& timed, const Pose& first,
-             const Parallel& parallel)
+             const Limits& limits)
       : options_(options),
         still_pose_(timed.still.pose),
         query_(timed.still.shape, timed.mover, options.traversal),
-        scene_(two_bodies(timed.still, Body(timed.mover, first, timed.mover_name)), parallel),
-        camera_(place_camera({}, scene_, options.size, {}, parallel)) {}
+        scene_(two_bodies(timed.still, Body(timed.mover, first, timed.mover_name)), limits),
+        camera_(place_camera({}, scene_, options.size, {}, limits)) {}
 
-  CollisionTime find(const Pose& pose, const Parallel& parallel) {
+  CollisionTime find(const Pose& pose, const Limits& limits) {
     const auto start = Clock::now();
     query_.move(still_pose_, pose);
     const auto moved = Clock::now();
-    const Overlap answer = query_(still_pose_, pose, {}, parallel);
+    const Overlap answer = query_(still_pose_, pose, {}, limits);
     const auto found = Clock::now();
     return {milliseconds(start, moved), milliseconds(moved, found), answer.pairs.size()};
   }
@@ -179,17 +179,17 @@ FrameTime median_frame(const std::vector<FrameTime>& passes) {
 
 /// Medians over passes that do not draw and passes that do, in turn.
 std::vector<FrameTime> time_passes(FrameClock& clock, const std::vector<Pose>& poses, int passes,
-                                   const Parallel& parallel) {
-  (void)clock.find(poses.front(), parallel);
+                                   const Limits& limits) {
+  (void)clock.find(poses.front(), limits);
   (void)clock.draw(poses.front());  // uploads the models
   std::vector<std::vector<FrameTime>> times(poses.size());
   for (int pass = 0; pass < passes; ++pass) {
     for (std::size_t k = 0; k < poses.size(); ++k) {
-      times[k].push_back({.alone = clock.find(poses[k], parallel)});
+      times[k].push_back({.alone = clock.find(poses[k], limits)});
     }
     for (std::size_t k = 0; k < poses.size(); ++k) {
-      check_stop(parallel);
-      times[k].back().drawn = clock.find(poses[k], parallel);
+      check_stop(limits);
+      times[k].back().drawn = clock.find(poses[k], limits);
       times[k].back().draw = clock.draw(poses[k]);
     }
   }
@@ -285,8 +285,8 @@ int run_time_frames(const TimeFramesOptions& options, command::Console& console)
   const HeadlessContext context;
   const std::vector<Pose> poses = read_poses(options.pose, console);
   const Timed timed = load(options, console);
-  const std::vector<FrameTime> frames = console.run("timing frames", [&](const Parallel& parallel) {
-    const Parallel one_thread{1, parallel.stop, {}};
+  const std::vector<FrameTime> frames = console.run("timing frames", [&](const Limits& limits) {
+    const Limits one_thread = limits.alone();
     FrameClock clock(options, timed, poses.front(), one_thread);
     return time_passes(clock, poses, options.passes, one_thread);
   });

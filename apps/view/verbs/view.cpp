@@ -155,10 +155,10 @@ int run_view(const ViewVerbOptions& options, command::Console& console) {
   SceneContent content = options.test.empty()
                              ? load_content(std::move(world), options.pose, console)
                              : load_tested(std::move(world), options.pose, console);
-  SceneSubject subject(std::move(content), console.parallel());
+  SceneSubject subject(std::move(content), console.limits().without_deadline());
   subject.set_gap_patience(kGapPatience);
   subject.set_step_patience(kStepPatience);
-  run_viewer(subject, viewer, console.parallel().stop);
+  run_viewer(subject, viewer, console.limits().stop);
   if (console.interrupted()) {
     throw Error(ErrorKind::cancelled, "interrupted", "");
   }

@@ -107,11 +107,11 @@ ViewOptions options_of(const ViewState& state) {
   return options;
 }
 
-SceneSubject::SceneSubject(SceneContent content, const Parallel& parallel)
+SceneSubject::SceneSubject(SceneContent content, const Limits& limits)
     : has_motion_(motions_of(content)),
-      parallel_(parallel),
-      finder_(content, parallel),
-      scene_(std::move(content), parallel),
+      limits_(limits),
+      finder_(content, limits),
+      scene_(std::move(content), limits),
       place_(dense_place(scene_)) {
   if (place_) {
     scene_.add_notes({"of places far apart, the one that holds most is seen; Enter shows all"});
@@ -169,8 +169,8 @@ bool SceneSubject::moves() const {
   return false;
 }
 
-Limits SceneSubject::limits() const {
-  Limits limits;
+ViewLimits SceneSubject::limits() const {
+  ViewLimits limits;
   limits.city_levels = levels_of(TreeOf::city);
   limits.mover_levels = levels_of(TreeOf::mover);
   limits.frames = scene_.frames().value_or(0);
@@ -264,7 +264,7 @@ Facts SceneSubject::facts(const ViewState& state) const {
 
 /// Of the scene's own query, or of the traversal that was chosen in its place.
 void SceneSubject::add_costs(Facts& facts) const {
-  const std::optional<CountedStep>& step = counter_.find(scene_, parallel_);
+  const std::optional<CountedStep>& step = counter_.find(scene_, limits_);
   facts.cost = step ? step->cost : statistics().cost;
   facts.collision_ms = step ? step->milliseconds : statistics().step_milliseconds;
   if (step) {
@@ -289,8 +289,8 @@ std::optional<GapFacts> SceneSubject::gap_facts() const {
   }
   return GapFacts{.length = length_in_text(*gap),
                   .numbers = {{"Gap", fmt::format("{:.6g}", near.distance.lower)},
-                              {"from triangle", side(gap->a, near.triangles->first)},
-                              {"to triangle", side(gap->b, near.triangles->second)}},
+                              {"from triangle", side(gap->a, near.triangles->a)},
+                              {"to triangle", side(gap->b, near.triangles->b)}},
                   .surroundings = surroundings(*gap, scene_.bounds(gap->a), scene_.bounds(gap->b),
                                                scene_.bounds())};
 }
@@ -424,7 +424,7 @@ void SceneSubject::deselect() {
 }
 
 void SceneSubject::open(const std::string& path) {
-  auto [body, notes] = read_body(path, parallel_);
+  auto [body, notes] = read_body(path, limits_);
   changed();
   scene_.add_notes(notes);
   place_.reset();

@@ -25,7 +25,7 @@ namespace soms::view {
 /// body of the scene's pair; picking a mover makes it that.
 class SceneSubject final : public Subject {
  public:
-  explicit SceneSubject(SceneContent content, const Parallel& parallel = {});
+  explicit SceneSubject(SceneContent content, const Limits& limits = {});
 
   /// As `ViewScene::set_gap_patience`.
   void set_gap_patience(GapStore::Patience patience);
@@ -73,7 +73,7 @@ class SceneSubject final : public Subject {
   void prepare_fast_lesson(const ViewState& state);
   void add_lesson(DrawList& list);
   void add_fast_lesson(DrawList& list) const;
-  [[nodiscard]] Limits limits() const;
+  [[nodiscard]] ViewLimits limits() const;
   [[nodiscard]] const SceneStatistics& statistics() const;
 
   /// True while the contact still is one.
@@ -84,7 +84,7 @@ class SceneSubject final : public Subject {
   void start_test(const std::optional<std::size_t>& row);
 
   std::vector<bool> has_motion_;  ///< of each mover
-  Parallel parallel_;
+  Limits limits_;
   EventFinder finder_;
   EventList events_;
   ViewScene scene_;

@@ -62,8 +62,8 @@ Sight SceneSubject::show_event(std::size_t row, const FitCamera& fit) {
   scene_.go_to(span.most_step);
   const BodyRef a = ref_of(span.a.body);
   const BodyRef b = ref_of(span.b.body);
-  const Touch touch{a, b, span.pair.first, span.pair.second};
-  seen_ = Chosen{a, span.pair.first, touch};
+  const Touch touch{a, b, span.pair.a, span.pair.b};
+  seen_ = Chosen{a, span.pair.a, touch};
   selected_ = seen_;
   scene_.set_pair(b, a);
   std::vector<Touch> touches;
@@ -76,7 +76,7 @@ Sight SceneSubject::show_event(std::size_t row, const FitCamera& fit) {
   }
   PartBoxes part_boxes(scene_);
   const Aim aim = aim_at_touches(scene_, a, touches, part_boxes);
-  const AimedCamera aimed = aimed_camera(scene_, {&aim, 1}, {.may_cut = true}, fit, parallel_);
+  const AimedCamera aimed = aimed_camera(scene_, {&aim, 1}, {.may_cut = true}, fit, limits_);
   focus_ = aimed.around;
   return {contact_facts(touch), aimed.camera};
 }

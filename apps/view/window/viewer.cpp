@@ -223,7 +223,7 @@ class Loop {
                              const DrawOptions& options) {
     std::stop_source disturbed;
     if (care != Care::moving && !shot_) {
-      Parallel watched;
+      Limits watched;
       watched.stop = disturbed.get_token();
       watched.progress = [&](double) {
         if (window_.wants_answer()) {

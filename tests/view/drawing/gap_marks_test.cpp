@@ -1,6 +1,7 @@
 #include "apps/view/drawing/gap_marks.h"
 
 #include "tests/view/drawing/gl_support.h"
+#include "tests/view/pictures.h"
 
 #include <algorithm>
 #include <string>

@@ -2,6 +2,7 @@
 #include "apps/view/drawing/palette.h"
 #include "tests/support/support.h"
 #include "tests/view/drawing/gl_support.h"
+#include "tests/view/pictures.h"
 
 #include <cstdlib>
 

@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 
 #include "tests/support/support.h"
+#include "tests/view/pictures.h"
 
 #include <fstream>
 #include <stop_token>
@@ -55,28 +56,14 @@ TEST(Picture, IsWrittenWholeOrNotAtAll) {
   EXPECT_EQ(files, 1U) << "nothing half written stays behind";
 }
 
-TEST(Picture, RefusesWhatIsNoPng) {
-  EXPECT_THROW((void)from_png("not a picture"), Error);
-  EXPECT_THROW((void)from_png(""), Error);
-  const std::string whole = to_png(filled({30, 30}, {9, 9, 9, 255}));
-  for (std::size_t cut = 0; cut + 16 < whole.size(); ++cut) {
-    EXPECT_THROW((void)from_png(std::string_view(whole).substr(0, cut)), Error) << cut;
-  }
-  EXPECT_THROW((void)read_png("/nowhere/a.png"), Error);
-}
-
 TEST(Picture, CountsColorsAndDifferences) {
-  Picture a = filled({4, 4}, {10, 20, 30, 255});
+  const Picture a = filled({4, 4}, {10, 20, 30, 255});
   EXPECT_EQ(count_near(a, {12, 18, 30, 255}, 2), 16U);
   EXPECT_EQ(count_near(a, {13, 18, 30, 255}, 2), 0U);
   Picture b = a;
   b.bytes[0] = 20;
-  const PictureDifference d = difference(a, b, 5);
-  EXPECT_EQ(d.largest, 10);
-  EXPECT_EQ(d.beyond, 1U);
-  EXPECT_NEAR(d.mean, 10.0 / 64, 1e-12);
-  EXPECT_EQ(difference(a, a, 0).largest, 0);
-  EXPECT_THROW((void)difference(a, filled({4, 5}, {}), 0), Error);
+  EXPECT_EQ(difference(a, b, 5).beyond, 1U);
+  EXPECT_NEAR(difference(a, b, 5).mean, 10.0 / 64, 1e-12);
   EXPECT_EQ(b.at(0, 0), (Color{20, 20, 30, 255}));
   EXPECT_EQ(b.at(3, 3), (Color{10, 20, 30, 255}));
 }

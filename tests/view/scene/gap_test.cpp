@@ -46,8 +46,8 @@ TEST(Gap, TheDrawnEndsAreTheNearestPointsOfTheLibrary) {
       EXPECT_EQ(list.points[k].at, k % 2 == 0 ? truth.point_a : truth.point_b);
     }
     ASSERT_EQ(list.marks.size(), 2U);
-    EXPECT_EQ(list.marks[0].corners, scene.triangle(city_part(0), truth.triangles->first));
-    EXPECT_EQ(list.marks[1].corners, scene.triangle(mover(0), truth.triangles->second));
+    EXPECT_EQ(list.marks[0].corners, scene.triangle(city_part(0), truth.triangles->a));
+    EXPECT_EQ(list.marks[1].corners, scene.triangle(mover(0), truth.triangles->b));
     ASSERT_EQ(list.labels.size(), 1U);
     EXPECT_NEAR(std::stod(list.labels[0].text), truth.distance.lower, 6e-4 * truth.distance.lower);
   });

@@ -94,8 +94,8 @@ TEST(Load, PlaysARecording) {
     const Overlap requested = overlap(scene.body(mover(0)), scene.body(city_part(0)));
     ASSERT_EQ(scene.contacts().size(), requested.pairs.size());
     for (std::size_t n = 0; n < requested.pairs.size(); ++n) {
-      EXPECT_EQ(scene.contacts()[n], (Touch{mover(0), city_part(0), requested.pairs[n].first,
-                                            requested.pairs[n].second}));
+      EXPECT_EQ(scene.contacts()[n],
+                (Touch{mover(0), city_part(0), requested.pairs[n].a, requested.pairs[n].b}));
     }
     touching += requested.any ? 1U : 0U;
     scene.step();

@@ -7,6 +7,7 @@
 #include "apps/view/verbs/sight_map.h"
 #include "tests/support/bodies.h"
 #include "tests/support/support.h"
+#include "tests/view/pictures.h"
 
 #include <gtest/gtest.h>
 

@@ -9,6 +9,7 @@
 #include "apps/view/drawing/gl/headless_context.h"
 #include "apps/view/drawing/picture.h"
 #include "tests/support/support.h"
+#include "tests/view/pictures.h"
 
 #include <nlohmann/json.hpp>
 

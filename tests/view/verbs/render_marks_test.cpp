@@ -1,5 +1,6 @@
 // Markers, key, ground and shadows of `soms render`.
 #include "apps/view/drawing/palette.h"
+#include "tests/view/pictures.h"
 #include "tests/view/verbs/render_support.h"
 
 #include <nlohmann/json.hpp>

@@ -14,6 +14,7 @@
 #include "apps/view/drawing/palette.h"
 #include "apps/view/drawing/picture.h"
 #include "tests/support/support.h"
+#include "tests/view/pictures.h"
 #include "tests/view/verbs/render_support.h"
 
 #include <nlohmann/json.hpp>
@@ -116,7 +117,7 @@ TEST_F(Render, ReportsTheGapThatTheLibraryFinds) {
     EXPECT_EQ(gap.at("lower"), near.distance.lower);
     EXPECT_EQ(gap.at("upper"), near.distance.upper);
     EXPECT_EQ(gap.at("triangles"),
-              nlohmann::ordered_json::array({near.triangles->first, near.triangles->second}));
+              nlohmann::ordered_json::array({near.triangles->a, near.triangles->b}));
     EXPECT_EQ(gap.at("points").at(0),
               nlohmann::ordered_json::array({near.point_a.x, near.point_a.y, near.point_a.z}));
     EXPECT_EQ(gap.at("points").at(1),

@@ -108,7 +108,7 @@ TEST(SceneSubject, LevelsAreThoseOfTheTreeOnceItIsShown) {
     state.level = 3;
     EXPECT_EQ(subject.draw_list(state).box_groups[0].boxes.size(), 4U);
   }
-  const Limits limits = subject.facts(state).limits;
+  const ViewLimits limits = subject.facts(state).limits;
   EXPECT_GE(limits.city_levels, 7);
   EXPECT_LT(limits.city_levels, 20);
   EXPECT_GE(limits.mover_levels, 3);

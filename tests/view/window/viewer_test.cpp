@@ -9,6 +9,7 @@
 #include "tests/support/bodies.h"
 #include "tests/support/support.h"
 #include "tests/support/wait.h"
+#include "tests/view/pictures.h"
 #include "tests/view/window/display.h"
 #include "tests/view/window/drop.h"
 

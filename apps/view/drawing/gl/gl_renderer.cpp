@@ -203,8 +203,8 @@ void GlRenderer::draw(const DrawList& list, const Camera& camera, Size size,
   p.wanted = size;
 }
 
-void GlRenderer::watch(const Parallel& parallel) {
-  parts_->slicer.watch(parallel);
+void GlRenderer::watch(const Limits& limits) {
+  parts_->slicer.watch(limits);
 }
 
 void GlRenderer::present() {

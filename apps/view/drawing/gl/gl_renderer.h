@@ -27,7 +27,7 @@ class GlRenderer final : public Renderer {
             const DrawOptions& options = {}) override;
   /// Draws and reads in parts from here on, between which stop requests are checked and the share
   /// done is reported. \errors Of `draw` and `read_pixels` then: ErrorKind::cancelled.
-  void watch(const Parallel& parallel);
+  void watch(const Limits& limits);
   void present() override;
   [[nodiscard]] Picture read_pixels() override;
   [[nodiscard]] DrawStatistics statistics() const override;

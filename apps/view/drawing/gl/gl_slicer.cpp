@@ -16,9 +16,9 @@ constexpr double kPasses = 6;
 
 }  // namespace
 
-void GlSlicer::watch(const Parallel& parallel) {
-  parallel_ = parallel;
-  watched_ = parallel.stop.stop_possible() || parallel.progress != nullptr;
+void GlSlicer::watch(const Limits& limits) {
+  limits_ = limits;
+  watched_ = limits.stop.stop_possible() || limits.progress != nullptr;
 }
 
 void GlSlicer::begin(std::uint64_t triangles, Size size) {
@@ -52,9 +52,9 @@ void GlSlicer::in_bands(Size size, const std::function<void(int low, int high)>&
 
 void GlSlicer::wait() {
   glFinish();
-  check_stop(parallel_);
-  if (parallel_.progress) {
-    parallel_.progress(std::min(1.0, done_ / all_));
+  check_stop(limits_);
+  if (limits_.progress) {
+    limits_.progress(std::min(1.0, done_ / all_));
   }
 }
 

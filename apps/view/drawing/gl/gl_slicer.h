@@ -16,9 +16,9 @@ namespace soms::view {
 class GlSlicer {
  public:
   /// From here on frames are drawn in parts. No stop and no progress mean at one go.
-  void watch(const Parallel& parallel);
+  void watch(const Limits& limits);
 
-  [[nodiscard]] const Parallel& parallel() const { return parallel_; }
+  [[nodiscard]] const Limits& limits() const { return limits_; }
 
   /// A frame of so many triangles begins.
   void begin(std::uint64_t triangles, Size size);
@@ -36,7 +36,7 @@ class GlSlicer {
  private:
   void wait();
 
-  Parallel parallel_;
+  Limits limits_;
   bool watched_ = false;
   double all_ = 1;  ///< work of the frame: triangles, and pixels of each pass over the picture
   double done_ = 0;

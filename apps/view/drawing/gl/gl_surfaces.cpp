@@ -41,7 +41,7 @@ GlSurfaces::GlSurfaces() : program_("surface", shader::kSurfaceVertex, shader::k
 void GlSurfaces::upload(const DrawMesh& mesh, OnDevice& place, const GlSlicer& slicer) {
   TiledMesh cut = cut_in_tiles(
       *mesh.mesh, mesh.colors == nullptr ? std::span<const Color>{} : std::span(*mesh.colors), {},
-      slicer.parallel());
+      slicer.limits());
   place.version = mesh.version;
   place.vertices.fill(std::as_bytes(std::span(cut.vertices)));
   place.indices.fill(std::as_bytes(std::span(cut.indices)));
