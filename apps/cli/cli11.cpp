@@ -89,7 +89,7 @@ class Parser::Built {
 
  private:
   static bool is_shown(const Option& option) {
-    return option.list_ == nullptr && option.first_ == nullptr && option.group_ != kSharedGroup;
+    return option.new_form().empty() && option.first_ == nullptr && option.group_ != kSharedGroup;
   }
 
   /// "Shared options, explained by soms --help: --json, --threads N".

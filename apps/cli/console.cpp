@@ -86,15 +86,17 @@ bool Console::out_of_time() const {
   return deadline_ && std::chrono::steady_clock::now() >= *deadline_;
 }
 
-Parallel Console::parallel() const {
+Limits Console::limits() const {
   const bool narrow = shared_.max_memory != 0 && shared_.max_memory < kMemoryForThreads;
-  return {.threads = narrow ? 1 : shared_.threads, .stop = interrupts_.signalled(), .progress = {}};
+  return {.threads = narrow ? 1 : shared_.threads,
+          .stop = interrupts_.signalled(),
+          .deadline = deadline_};
 }
 
-Parallel Console::limited() const {
-  Parallel limits = parallel();
-  limits.stop = interrupts_.stopped();
-  return limits;
+Limits Console::limited() const {
+  Limits stopped = limits().without_deadline();
+  stopped.stop = interrupts_.stopped();
+  return stopped;
 }
 
 Progress Console::progress(const std::string& doing) const {

@@ -47,22 +47,18 @@ class Console {
   /// True if answers go to a terminal that shows colors.
   [[nodiscard]] bool colored() const { return colored_; }
 
-  /// Passes with --timeout; for queries, which answer what they have by then.
-  [[nodiscard]] std::optional<std::chrono::steady_clock::time_point> deadline() const {
-    return deadline_;
-  }
-
   /// True once Ctrl-C was pressed.
   [[nodiscard]] bool interrupted() const { return interrupts_.signalled().stop_requested(); }
 
   /// True once --timeout passed.
   [[nodiscard]] bool out_of_time() const;
 
-  /// Threads of --threads, stopped by Ctrl-C alone.
-  [[nodiscard]] Parallel parallel() const;
+  /// Threads of --threads, stopped by Ctrl-C, with --timeout as the deadline: for queries, which
+  /// answer what they have by then.
+  [[nodiscard]] Limits limits() const;
 
-  /// The same, stopped by --timeout, too.
-  [[nodiscard]] Parallel limited() const;
+  /// The same, stopped by --timeout, too: for what must be complete.
+  [[nodiscard]] Limits limited() const;
 
   /// A bar named `doing`, for work that reports by itself.
   [[nodiscard]] Progress progress(const std::string& doing) const;
@@ -75,7 +71,7 @@ class Console {
       throw_out_of_time(doing);
     }
     Progress bar = progress(doing);
-    Parallel limits = limited();
+    Limits limits = limited();
     limits.progress = [&bar](double share) { bar.show(share); };
     try {
       return work(limits);

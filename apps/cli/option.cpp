@@ -65,6 +65,16 @@ Option* Option::key_of(const Option* list) {
   return this;
 }
 
+Option* Option::old_name(std::string name, std::function<bool(const std::string&)> fits) {
+  old_names_.push_back({std::move(name), std::move(fits)});
+  return this;
+}
+
+Option* Option::old_name_of(std::string form) {
+  replaced_by_ = std::move(form);
+  return this;
+}
+
 Option* Option::shown_with(Option* first, std::string meaning) {
   first_ = first;
   first->shown_meaning_ = std::move(meaning);
@@ -74,6 +84,11 @@ Option* Option::shown_with(Option* first, std::string meaning) {
 Option* Option::choices(std::vector<std::string> words) {
   choices_ = std::move(words);
   return this;
+}
+
+std::string Option::new_form() const {
+  return list_ == nullptr ? replaced_by_
+                          : list_->name() + " " + name().substr(2) + "=" + option_text_;
 }
 
 std::string Option::name() const {

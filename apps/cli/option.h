@@ -28,6 +28,12 @@ class Option {
   /// Says what is wrong with a word; nothing if it is right.
   using Check = std::function<std::string(const std::string& word)>;
 
+  /// A name of an earlier release. It works for one release more, with a remark.
+  struct OldName {
+    std::string name;
+    std::function<bool(const std::string& value)> fits;  ///< no function: any value
+  };
+
   /// `names` are separated by commas: "-o,--output", or "FILE" for an argument.
   Option(const std::string& names, Takes takes, std::string meaning);
 
@@ -48,6 +54,12 @@ class Option {
   /// It is a key of a list, `--tree rule=soms`. --help shows the list alone; its own name is the
   /// old form, which still works.
   Option* key_of(const Option* list);
+  /// `name` ("--within") had its meaning in an earlier release. Where another option has that name
+  /// today, `fits` tells the values that are meant for this one. --help does not show it.
+  Option* old_name(std::string name, std::function<bool(const std::string& value)> fits = {});
+  /// It is an old name that still works, and stands neither in --help nor in man pages. `form` is
+  /// what replaces it: "-o FILE.csv".
+  Option* old_name_of(std::string form);
   /// --help shows it on the line of `first`, which then has this meaning.
   Option* shown_with(Option* first, std::string meaning);
   /// The words of which its value is one.
@@ -86,6 +98,14 @@ class Option {
   /// The list that it is a key of; nullptr for most options.
   [[nodiscard]] const Option* list() const { return list_; }
 
+  [[nodiscard]] const std::vector<OldName>& old_names() const { return old_names_; }
+
+  [[nodiscard]] bool is_old_name() const { return !replaced_by_.empty(); }
+
+  /// What is written in place of its own name: "-o FILE.csv" of an old name, "--tree rule=NAME" of
+  /// a key; empty for most options.
+  [[nodiscard]] std::string new_form() const;
+
   [[nodiscard]] const std::vector<std::string>& choices() const { return choices_; }
 
   /// The option on whose line --help shows it; nullptr for most options.
@@ -111,7 +131,9 @@ class Option {
   std::string description_;
   std::vector<const Option*> excluded_;
   std::vector<std::string> choices_;
+  std::vector<OldName> old_names_;
   Check check_;
+  std::string replaced_by_;  ///< of an old name
   const Option* list_ = nullptr;
   const Option* first_ = nullptr;  ///< on whose line --help shows it
   std::string shown_meaning_;      ///< in --help, if others are shown on its line

@@ -55,9 +55,9 @@ bool is_word_alone(std::string_view text) {
 
 }  // namespace
 
-Parser::Expanded::Expanded(const Parser& parser, const std::vector<std::string>& words)
-    : parser_(parser) {
+Parser::Expanded::Expanded(const Parser& parser, std::vector<std::string> words) : parser_(parser) {
   for (std::size_t i = 0; i < words.size(); ++i) {
+    rename(words, i);
     if (words[i] == "--") {
       words_.insert(words_.end(), words.begin() + static_cast<std::ptrdiff_t>(i), words.end());
       return;
@@ -78,6 +78,28 @@ Parser::Expanded::Expanded(const Parser& parser, const std::vector<std::string>&
       add_list(**list, words[++i]);
     } else {
       add_list(**list, std::string_view(words[i]).substr(name.size() + 1));
+    }
+  }
+}
+
+/// Gives the option that stands at `i` by an old name its name of today.
+void Parser::Expanded::rename(std::vector<std::string>& words, std::size_t i) {
+  const std::size_t end = std::min(words[i].find('='), words[i].size());
+  const std::string name = words[i].substr(0, end);
+  const bool with_value = end < words[i].size();
+  const std::string next = i + 1 < words.size() ? words[i + 1] : std::string();
+  const std::string value = with_value ? words[i].substr(end + 1) : next;
+  for (const auto& option : parser_.options_) {
+    for (const Option::OldName& old : option->old_names_) {
+      if (old.name == name && (!old.fits || old.fits(value))) {
+        words[i] = option->name() + words[i].substr(end);
+        const std::string shown =
+            option->option_text_.empty() ? std::string() : " " + option->option_text_;
+        remarks_.push_back(
+            fmt::format("{0}{2} is now {1}{2}; the old form ends with the next release", name,
+                        option->name(), shown));
+        return;
+      }
     }
   }
 }
@@ -140,10 +162,10 @@ void Parser::Expanded::add_word(const std::string& word) {
   words_.push_back(word);
   const std::string name = word.substr(0, word.find('='));
   for (const auto& option : parser_.options_) {
-    if (option->list_ != nullptr && option->name() == name) {
-      remarks_.push_back(fmt::format("{} is now {} {}={}; the old form ends with the next release",
-                                     name, option->list_->name(), name.substr(2),
-                                     option->option_text_));
+    const std::string form = option->new_form();
+    if (!form.empty() && option->name() == name) {
+      remarks_.push_back(
+          fmt::format("{} is now {}; the old form ends with the next release", name, form));
     }
   }
 }

@@ -1,5 +1,5 @@
 /// \file
-/// Lists of keys with values among the words of a command line.
+/// Lists of keys with values, and old names of options, among the words of a command line.
 #pragma once
 
 #include "soms/base/error.h"
@@ -13,15 +13,15 @@
 
 namespace soms::command {
 
-/// Takes the lists of a parser apart.
+/// Takes the lists of a parser apart, and gives options their names of today.
 class Parser::Expanded {
  public:
-  Expanded(const Parser& parser, const std::vector<std::string>& words);
+  Expanded(const Parser& parser, std::vector<std::string> words);
 
-  /// The words; each key as an option of its own.
+  /// The words; each key as an option of its own, no option by an old name.
   [[nodiscard]] const std::vector<std::string>& words() const { return words_; }
 
-  /// About keys that are given as options.
+  /// About keys that are given as options, and about old names.
   [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
 
   /// About an unknown key, or one without a value: the first of them.
@@ -31,6 +31,7 @@ class Parser::Expanded {
   [[nodiscard]] const std::string& keys() const { return keys_; }
 
  private:
+  void rename(std::vector<std::string>& words, std::size_t i);
   [[nodiscard]] bool takes_next(const std::string& word) const;
   void add_list(const Option& list, std::string_view text);
   void add_key(const Option& list, std::string_view item);

@@ -199,6 +199,10 @@ Option* add_repeatable(Parser& parser, const std::string& name, std::vector<std:
       ->option_text(kind);
 }
 
+bool has_comma(const std::string& value) {
+  return value.find(',') != std::string::npos;
+}
+
 std::string word_list(const std::vector<std::string>& words) {
   constexpr std::size_t kWidth = 64;
   std::string text;

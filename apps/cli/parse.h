@@ -79,6 +79,9 @@ Option* add_output(Parser& parser, const std::string& name, std::string& target,
 Option* add_repeatable(Parser& parser, const std::string& name, std::vector<std::string>& target,
                        const std::string& text, const std::string& kind);
 
+/// True of "A,B": tells pairs from patterns, for an option that had both (`Option::old_name`).
+[[nodiscard]] bool has_comma(const std::string& value);
+
 /// Names and the values they stand for.
 template <class T>
 using Choices = std::vector<std::pair<std::string, T>>;

@@ -14,7 +14,7 @@ ParsedVerb::ParsedVerb(std::string_view program, const Verb& verb)
 std::vector<std::string> ParsedVerb::option_names() const {
   std::vector<std::string> names;
   for (const Option* const option : parser_.options()) {
-    if (option->list() == nullptr) {
+    if (option->new_form().empty()) {
       const std::vector<std::string> dashed = option->dashed_names();
       names.insert(names.end(), dashed.begin(), dashed.end());
     }

@@ -57,12 +57,22 @@ OptionData option_data(const Parser& parser, const Option& option) {
   if (data.is_argument) {
     data.names = {option.names()};
   }
+  for (const Option::OldName& old : option.old_names()) {
+    data.old_names.push_back(old.name);
+  }
   return data;
+}
+
+/// Without old names.
+std::vector<const Option*> options_of(const Parser& parser) {
+  std::vector<const Option*> options = parser.options();
+  std::erase_if(options, [](const Option* option) { return option->is_old_name(); });
+  return options;
 }
 
 /// Short names first; those of options of a second model on the line of the first.
 void add_lines(const Parser& parser, std::vector<OptionData>& options) {
-  const std::vector<const Option*> all = parser.options();
+  const std::vector<const Option*> all = options_of(parser);
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Option* const on = all[k]->shown_on() == nullptr ? all[k] : all[k]->shown_on();
     const auto at = std::find(all.begin(), all.end(), on) - all.begin();
@@ -89,7 +99,7 @@ VerbData data_of(const Parser& parser) {
   VerbData data{.name = parser.name(),
                 .question = parser.question(),
                 .footer = parser.with_keys(parser.footer())};
-  for (const Option* const option : parser.options()) {
+  for (const Option* const option : options_of(parser)) {
     data.options.push_back(option_data(parser, *option));
   }
   add_lines(parser, data.options);
@@ -104,6 +114,7 @@ std::string data_as_json(const VerbData& data) {
                        {"value", option.value},
                        {"meaning", option.meaning},
                        {"choices", option.choices},
+                       {"old_names", option.old_names},
                        {"group", option.group},
                        {"list", option.list},
                        {"is_argument", option.is_argument},
@@ -133,6 +144,7 @@ std::optional<VerbData> data_from_json(std::string_view text) {
                               .value = text_of(option, "value"),
                               .meaning = text_of(option, "meaning"),
                               .choices = texts_of(option, "choices"),
+                              .old_names = texts_of(option, "old_names"),
                               .group = text_of(option, "group"),
                               .list = text_of(option, "list"),
                               .is_argument = option.at("is_argument").get<bool>(),

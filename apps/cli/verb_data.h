@@ -18,13 +18,14 @@ inline constexpr std::string_view kDataWord = "--verb-as-json";
 
 /// An option or an argument.
 struct OptionData {
-  std::vector<std::string> names = {};    ///< with their dashes, long ones first; or the argument
-  std::vector<std::string> line = {};     ///< names on its line of --help; none: on another's
-  std::string value = {};                 ///< what stands for its value; empty: it has none
-  std::string meaning = {};               ///< one paragraph
-  std::vector<std::string> choices = {};  ///< words of which the value is one; empty: anything
-  std::string group = {};                 ///< heading
-  std::string list = {};                  ///< the list that it is a key of: "--tree"
+  std::vector<std::string> names = {};      ///< with their dashes, long ones first; or the argument
+  std::vector<std::string> line = {};       ///< names on its line of --help; none: on another's
+  std::string value = {};                   ///< what stands for its value; empty: it has none
+  std::string meaning = {};                 ///< one paragraph
+  std::vector<std::string> choices = {};    ///< words of which the value is one; empty: anything
+  std::vector<std::string> old_names = {};  ///< of earlier releases, which still work
+  std::string group = {};                   ///< heading
+  std::string list = {};                    ///< the list that it is a key of: "--tree"
   bool is_argument = false;
   bool is_required = false;
   bool takes_several = false;

@@ -1,10 +1,14 @@
 set(SOMS_MODEL_FILES
+  file_numbers.cpp
+  file_numbers.h
   frame_warnings.cpp
   frame_warnings.h
   georeference.cpp
   georeference.h
   models.cpp
   models.h
+  part_filter.cpp
+  part_filter.h
   shapes.cpp
   shapes.h
   stated_options.cpp

@@ -11,6 +11,7 @@
 #include "apps/cli/kebab.h"
 #include "apps/cli/parse.h"
 #include "apps/cli/standard_input.h"
+#include "apps/model/part_filter.h"
 #include "apps/model/stated_options.h"
 
 #include <fmt/format.h>
@@ -227,10 +228,10 @@ std::string given_of_trees(const Parser& parser) {
 
 namespace {
 
-Mesh read_standard_input(const ReadOptions& options, const Parallel& parallel) {
+Mesh read_standard_input(const ReadOptions& options, const Limits& limits) {
   check_standard_input("a model");
   try {
-    Mesh mesh = read_mesh(kStandardInput, options, parallel);
+    Mesh mesh = read_mesh(kStandardInput, options, limits);
     mesh.source = kStandardInputName;
     return mesh;
   } catch (const Error& error) {
@@ -338,12 +339,12 @@ Mesh read_model(const std::string& path, const ModelOptions& options, const Cons
                          .surfaces = options.surfaces};
   refuse_tiles(path);
   const bool is_tree = is_tree_file(path);
-  Mesh mesh = console.run("reading " + printable(path), [&](const Parallel& parallel) {
+  Mesh mesh = console.run("reading " + printable(path), [&](const Limits& limits) {
     try {
       if (is_tree) {
-        return Mesh(open_shape(path, {}, parallel).mesh());
+        return Mesh(open_shape(path, {}, limits).mesh());
       }
-      return path == "-" ? read_standard_input(read, parallel) : read_mesh(path, read, parallel);
+      return path == "-" ? read_standard_input(read, limits) : read_mesh(path, read, limits);
     } catch (const Error& error) {
       throw in_words_of_options(error, path, options, console.shared());
     }
@@ -366,6 +367,15 @@ Mesh read_model(const std::string& path, const ModelOptions& options, const Cons
   return mesh;
 }
 
+Mesh read_only_model(const std::string& path, const ModelOptions& options, const Console& console) {
+  Mesh mesh = read_model(path, options, console);
+  if (options.parts) {
+    mesh = options.parts->left(std::move(mesh));
+    options.parts->finish(console);
+  }
+  return mesh;
+}
+
 std::vector<std::string> notes_of(std::span<const MeshView> meshes) {
   std::vector<std::string> notes;
   for (const MeshView& mesh : meshes) {
@@ -381,8 +391,8 @@ std::vector<std::string> notes_of(std::span<const MeshView> meshes) {
 
 Shape build_shape(Mesh mesh, const ShapeOptions& options, const Console& console) {
   const std::string doing = "building the tree of " + printable(mesh.source);
-  return console.run(
-      doing, [&](const Parallel& parallel) { return Shape(std::move(mesh), options, parallel); });
+  return console.run(doing,
+                     [&](const Limits& limits) { return Shape(std::move(mesh), options, limits); });
 }
 
 std::string part_name(const MeshView& mesh, TriangleId i) {

@@ -6,6 +6,8 @@
 #include "soms/tree/build_options.h"
 #include "soms/tree/shape.h"
 
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,6 +16,7 @@ namespace soms::command {
 
 class Console;
 class Parser;
+class PartFilter;
 
 /// How one model is read.
 struct ModelOptions {
@@ -27,6 +30,8 @@ struct ModelOptions {
   bool lists_notes = false;   ///< the verb prints the notes of the mesh itself
   std::optional<double> lod = std::nullopt;  ///< as ReadOptions
   bool surfaces = false;                     ///< as ReadOptions
+  /// --only and --ignore of the verb, for what takes the model apart; may be none.
+  std::shared_ptr<PartFilter> parts = nullptr;
 };
 
 /// Adds options named `scale_name` and `up_name` ("--scale", "--up"); beside "--up" and "--up-b" of
@@ -79,6 +84,11 @@ void refuse_tiles(const std::string& path);
 /// \errors As `read_mesh`; ErrorKind::timed_out.
 [[nodiscard]] Mesh read_model(const std::string& path, const ModelOptions& options,
                               const Console& console);
+
+/// The same of the only model of a verb, less the parts that `ModelOptions::parts` leaves out. Says
+/// how much is left.
+[[nodiscard]] Mesh read_only_model(const std::string& path, const ModelOptions& options,
+                                   const Console& console);
 
 /// What `read_model` says of a mesh that was not read: the limits of a verb, and notes.
 /// \errors ErrorKind::empty_mesh, usage; with --strict bad_file for a note.

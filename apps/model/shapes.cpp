@@ -6,6 +6,7 @@
 
 #include "apps/cli/console.h"
 #include "apps/cli/text.h"
+#include "apps/model/part_filter.h"
 
 #include <fmt/format.h>
 
@@ -42,8 +43,8 @@ void check_same_tree(const std::string& path, const Shape& shape, const BuildOpt
 }  // namespace
 
 Shape open_tree_file(const std::string& path, TreeCheck check, const Console& console) {
-  return console.run("opening " + printable(path), [&](const Parallel& parallel) {
-    return open_shape(path, {.check = check}, parallel);
+  return console.run("opening " + printable(path), [&](const Limits& limits) {
+    return open_shape(path, {.check = check}, limits);
   });
 }
 
@@ -60,6 +61,40 @@ Shape load_shape(const std::string& path, const ModelOptions& model, const Shape
   check_same_tree(path, opened, shape.build);
   check_statements(opened.mesh(), model, path, console);
   return opened;
+}
+
+ModelShape load_model_shape(const std::string& path, const ModelOptions& model,
+                            const ShapeOptions& shape, const Console& console) {
+  if (!model.parts || !model.parts->is_given()) {
+    return {load_shape(path, model, shape, console)};
+  }
+  Mesh mesh = read_model(path, model, console);
+  std::optional<PartsLeft> rest = model.parts->left_of(mesh);
+  const bool is_tree = is_tree_file(path);
+  if (!rest) {
+    return {is_tree ? load_shape(path, model, shape, console)
+                    : build_shape(std::move(mesh), shape, console)};
+  }
+  if (rest->mesh.triangles.empty()) {
+    throw Error(
+        ErrorKind::usage,
+        fmt::format("{}: no part of it is left by {}", printable(path), model.parts->options()),
+        "give other patterns; soms info lists the parts");
+  }
+  if (is_tree) {
+    console.note(fmt::format("{}: its tree is built again: parts are left out", printable(path)));
+  }
+  return {build_shape(std::move(rest->mesh), shape, console),
+          std::make_shared<const Mesh>(std::move(mesh)), FileNumbers(std::move(rest->numbers))};
+}
+
+ModelShape load_only_model(const std::string& path, const ModelOptions& model,
+                           const ShapeOptions& shape, const Console& console) {
+  ModelShape loaded = load_model_shape(path, model, shape, console);
+  if (model.parts) {
+    model.parts->finish(console);
+  }
+  return loaded;
 }
 
 }  // namespace soms::command

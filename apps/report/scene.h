@@ -19,6 +19,8 @@ namespace soms::report {
 struct SceneModel {
   MeshView mesh;
   std::string name;
+  /// What a page calls the triangles: their numbers in the file; empty: those in the mesh.
+  std::span<const TriangleId> numbers = {};
 };
 
 /// A model at a place; one that moves is at another place at every step.

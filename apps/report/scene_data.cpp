@@ -223,6 +223,12 @@ class SceneWriter {
     return step_of(box_.empty() ? 0 : length(box_.extent()) * scale_, kBitsOfPlace);
   }
 
+  /// What a triangle of a body is called.
+  [[nodiscard]] TriangleId named(std::size_t body, TriangleId triangle) const {
+    const std::span<const TriangleId> numbers = scene_.models[scene_.bodies[body].model].numbers;
+    return triangle < numbers.size() ? numbers[triangle] : triangle;
+  }
+
   void write_rows() {
     DataBlock block(out_, "rows");
     Base64Writer& data = block.data();
@@ -231,8 +237,8 @@ class SceneWriter {
            {number_[row.a], number_[row.b], row.part_a, row.part_b,
             static_cast<std::uint32_t>(row.count & kNone),
             static_cast<std::uint32_t>(row.count >> 32), short_number(row.steps),
-            short_number(row.begin), short_number(row.end), row.first.first, row.first.second,
-            short_number(row.most_pairs), short_number(row.most_step)}) {
+            short_number(row.begin), short_number(row.end), named(row.a, row.first.a),
+            named(row.b, row.first.b), short_number(row.most_pairs), short_number(row.most_step)}) {
         data.put(value);
       }
       put(data, row.box.empty() ? Vec3{} : place(row.box.center()));
@@ -316,8 +322,8 @@ class SceneWriter {
       const Pose pose_b = scene_.pose(contact.b, contact.begin);
       for (std::size_t n = 0; n < pairs_of(k); ++n) {
         const auto& [i, j] = contact.pairs[n];
-        put_unsigned(data, i);
-        put_unsigned(data, j);
+        put_unsigned(data, named(contact.a, i));
+        put_unsigned(data, named(contact.b, j));
         const Triangle a = triangle(contact.a, i, pose_a);
         const Triangle b = triangle(contact.b, j, pose_b);
         const auto [from, to] = crossing_line(a, b);

@@ -1,12 +1,18 @@
 set(SOMS_ROWS_FILES
+  answer_outputs.cpp
+  answer_outputs.h
+  csv_file.h
   json_list.cpp
   json_list.h
+  json_rows.cpp
+  json_rows.h
   npy_part.cpp
   npy_part.h
   point_source.cpp
   point_source.h
   pose_source.cpp
   pose_source.h
+  question.h
   ray_source.cpp
   ray_source.h
   row_run.cpp
@@ -15,4 +21,6 @@ set(SOMS_ROWS_FILES
   row_source.h
   shard.cpp
   shard.h
+  sinks.cpp
+  sinks.h
 )

@@ -111,13 +111,24 @@ JsonListWriter::JsonListWriter(std::ostream& out, const std::string& name)
 }
 
 void JsonListWriter::add_text(std::string_view row) {
-  if (is_document_) {
+  put(row);
+  end_row();
+}
+
+void JsonListWriter::put(std::string_view piece) {
+  if (is_document_ && !in_row_) {
     *out_ << (has_rows_ ? ",\n" : "{\"rows\":[\n");
-    *out_ << row;
-  } else {
-    *out_ << row << '\n';
+  }
+  in_row_ = true;
+  *out_ << piece;
+}
+
+void JsonListWriter::end_row() {
+  if (!is_document_) {
+    *out_ << '\n';
   }
   has_rows_ = true;
+  in_row_ = false;
 }
 
 void JsonListWriter::finish(Json totals) {
@@ -128,6 +139,12 @@ void JsonListWriter::finish(Json totals) {
   // The members of the totals follow the rows in one object.
   *out_ << (has_rows_ ? "\n],\n" : "{\"rows\":[],\n")
         << std::string_view(json_line(totals)).substr(1);
+}
+
+void JsonListWriter::finish() {
+  if (is_document_) {
+    *out_ << (has_rows_ ? "\n]}\n" : "{\"rows\":[]}\n");
+  }
 }
 
 const Json* ListedObject::find(std::string_view member) const {

@@ -27,13 +27,21 @@ class JsonListWriter {
   /// A row as `json_text` made it.
   void add_text(std::string_view row);
 
+  /// A piece of a row, which `end_row` ends.
+  void put(std::string_view piece);
+  void end_row();
+
   /// Ends the list. `totals` has no member `rows`.
   void finish(Json totals);
+
+  /// Ends a list of rows alone.
+  void finish();
 
  private:
   std::ostream* out_;
   bool is_document_;
   bool has_rows_ = false;
+  bool in_row_ = false;
 };
 
 /// An object of a list that was read. A member of another type than requested is an error that

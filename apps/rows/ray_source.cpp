@@ -46,12 +46,12 @@ SegmentSource::SegmentSource(const std::string& path, const Console& console)
                 console) {
 }
 
-std::optional<Segment> SegmentSource::next() {
+std::optional<Ray> SegmentSource::next() {
   const auto row = next_row();
   if (!row) {
     return std::nullopt;
   }
-  return Segment{point_of(*row, 0), point_of(*row, 3)};
+  return Ray::between(point_of(*row, 0), point_of(*row, 3));
 }
 
 }  // namespace soms::command

@@ -30,7 +30,7 @@ class RaySource : public RowSource {
 /// Segments of a file whose header is x0, y0, z0, x1, y1 and z1, in any order.
 class SegmentSource : public RowSource {
  public:
-  using Row = Segment;
+  using Row = Ray;
   static constexpr std::string_view kNoun = "segment";
 
   /// \errors As `RowSource`.
@@ -39,7 +39,7 @@ class SegmentSource : public RowSource {
   /// The next segment, or nothing at the end.
   /// \errors As `RowReader::next`; ErrorKind::bad_file for a file without rows; out_of_range
   ///         beyond 2^300; timed_out.
-  [[nodiscard]] std::optional<Segment> next();
+  [[nodiscard]] std::optional<Ray> next();
 };
 
 }  // namespace soms::command

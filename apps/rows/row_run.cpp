@@ -4,6 +4,7 @@
 #include "apps/cli/exit_status.h"
 #include "apps/cli/text.h"
 #include "apps/output/block_size.h"
+#include "apps/rows/sinks.h"
 
 #include <fmt/format.h>
 
@@ -12,9 +13,14 @@
 
 namespace soms::command {
 
-RowRun::RowRun(RowRunOptions options, Console& console)
-    : options_(std::move(options)), console_(console) {
-  if (options_.has_files || options_.verify || options_.fail_if_found) {
+RowRun::RowRun(RowRunOptions options, Rows& rows, Question& question, Sinks& sinks,
+               Console& console)
+    : options_(std::move(options)),
+      rows_(rows),
+      question_(question),
+      sinks_(sinks),
+      console_(console) {
+  if (sinks_.has_files() || options_.verify || options_.fail_if_found) {
     console_.go_on_without_reader();
   }
 }
@@ -31,10 +37,16 @@ int RowRun::run() {
     std::rethrow_exception(error_);
   }
   if (totals_.wrong == 0 && !interrupted) {
-    doubt();
+    rows_.doubt();
   }
   if (!interrupted || totals_.rows > 0) {
-    finish(interrupted ? End::interrupted : late_ ? End::out_of_time : End::complete);
+    const RunEnd end = interrupted ? RunEnd::interrupted
+                       : late_     ? RunEnd::out_of_time
+                                   : RunEnd::complete;
+    if (rows_.end(end)) {
+      sinks_.finish(question_, totals_);
+      rows_.finish();
+    }
   }
   if (interrupted) {
     throw Error(ErrorKind::cancelled, "interrupted", answered() + " answered");
@@ -50,13 +62,15 @@ std::string RowRun::answered() const {
 /// False if it was interrupted.
 bool RowRun::answer_all() {
   try {
-    begin();
+    sinks_.begin(question_);
+    rows_.begin();
+    const ShowProgress show = [this](double share) { show_progress(share); };
     BlockSize size;
     while (!over_) {
       const auto begin = std::chrono::steady_clock::now();
       read_block(size.value());
-      const std::uint64_t held = answer_block();
-      print_block();
+      const std::uint64_t held = question_.answer(show);
+      report_block();
       size.learn(std::chrono::steady_clock::now() - begin, held);
     }
   } catch (const Error& error) {
@@ -72,11 +86,11 @@ bool RowRun::answer_all() {
 /// A faulty row ends the reading, as the end of time does; the rows before it are answered first,
 /// and also before a row that is not there yet: its writer may wait for the answers.
 void RowRun::read_block(std::size_t size) {
-  clear_block();
+  rows_.clear();
   in_block_ = 0;
   try {
-    while (in_block_ < size && (in_block_ == 0 || ready())) {
-      if (!read_row()) {
+    while (in_block_ < size && (in_block_ == 0 || rows_.ready())) {
+      if (!rows_.read()) {
         over_ = true;
         return;
       }
@@ -92,7 +106,23 @@ void RowRun::read_block(std::size_t size) {
   }
 }
 
-void RowRun::print_block() {
+void RowRun::report_block() {
+  std::size_t reported = 0;
+  try {
+    report_rows(reported);
+  } catch (...) {
+    sinks_.add_columns(question_, reported);
+    throw;
+  }
+  sinks_.add_columns(question_, reported);
+  if (starved_ && !late_) {
+    end_by_time();
+  }
+  console_.flush();
+  show_progress(0);
+}
+
+void RowRun::report_rows(std::size_t& reported) {
   for (std::size_t k = 0; k < in_block_; ++k) {
     bool right = true;
     try {
@@ -102,24 +132,23 @@ void RowRun::print_block() {
         throw;
       }
       end_by_time();
-      break;
+      return;
     }
-    const Outcome known = outcome(k);
+    const RowOutcome known = question_.outcome(k);
     const bool last = known.cut && console_.out_of_time();
-    print_row(k, right, last);
+    const AnsweredRow row{k, options_.first + totals_.rows, right, last};
+    rows_.report(row);
+    question_.count(row);
+    sinks_.add(question_, row, rows_.is_single(), rows_.are_listed());
+    ++reported;
     ++totals_.rows;
     totals_.found += known.found ? 1U : 0U;
     totals_.undecided += known.undecided ? 1U : 0U;
     if (last) {
       end_by_time();
-      break;
+      return;
     }
   }
-  if (starved_ && !late_) {
-    end_by_time();
-  }
-  console_.flush();
-  show_progress(0);
 }
 
 void RowRun::end_by_time() {
@@ -130,17 +159,18 @@ void RowRun::end_by_time() {
 }
 
 bool RowRun::verify(std::size_t k) {
-  const std::optional<std::string> found = difference(k);
+  const std::optional<std::string> found = question_.difference(k);
   if (found) {
     ++totals_.wrong;
-    print_error("soms " + options_.verb, fmt::format("{} {}: {}", options_.noun, number(), *found));
+    print_error("soms " + options_.verb,
+                fmt::format("{} {}: {}", options_.noun, options_.first + totals_.rows, *found));
   }
   return !found;
 }
 
 void RowRun::show_progress(double share) {
   const bool perhaps_alone = totals_.rows == 0 && in_block_ == 1;
-  if (is_single() || perhaps_alone) {
+  if (rows_.is_single() || perhaps_alone) {
     bar_->show(share);
   } else {
     bar_->show(counted(totals_.rows, options_.noun));
@@ -148,7 +178,9 @@ void RowRun::show_progress(double share) {
 }
 
 void RowRun::print_end() {
-  print_totals();
+  if (!rows_.is_single()) {
+    sinks_.print_totals(question_, totals_, options_.noun);
+  }
   if (options_.verify) {
     console_.print(fmt::format("verified by brute force: {} of {} equal\n",
                                with_commas(totals_.rows - totals_.wrong),

@@ -5,6 +5,7 @@
 #include "soms/tree/build_options.h"
 
 #include "apps/model/models.h"
+#include "apps/rows/answer_outputs.h"
 #include "apps/rows/shard.h"
 
 #include <memory>
@@ -25,6 +26,7 @@ struct PosedModels {
   ModelOptions model_b;
   BuildOptions build;
   bool verify = false;
+  AnswerOutputs outputs = {};
   std::optional<Shard> shard = {};               ///< of the rows; unset: all
   std::shared_ptr<const ShardFiles> files = {};  ///< of that share, once the verb has begun
 };

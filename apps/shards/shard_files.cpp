@@ -7,6 +7,7 @@
 #include "apps/cli/console.h"
 #include "apps/cli/parser.h"
 #include "apps/model/models.h"
+#include "apps/model/part_filter.h"
 #include "apps/output/output.h"
 #include "apps/shards/receipt.h"
 
@@ -24,43 +25,56 @@ namespace soms::command {
 namespace {
 
 constexpr const char* kOption = "--shard";
+constexpr const char* kCsv = ".csv";
+constexpr const char* kNpz = ".npz";
 
 std::optional<std::uint64_t> count(const std::string& option,
                                    const std::optional<std::string>& text, const Console& console) {
   return text ? count_poses(option, *text, console) : std::nullopt;
 }
 
-/// The folder of --csv and --binary. \errors ErrorKind::usage.
-std::filesystem::path folder_of(const std::string& csv, const std::string& binary,
-                                const Shard& shard) {
-  const std::string& folder = binary.empty() ? csv : binary;
-  if (folder.empty()) {
+/// DIR/shard of DIR/shard.npz. An old name of -o names the folder alone.
+std::filesystem::path name_of(const std::string& path, const char* extension) {
+  return extension_of(path) == extension ? std::filesystem::path(path).replace_extension()
+                                         : std::filesystem::path(path) / "shard";
+}
+
+/// What the names of the files of all shards begin with; makes their folder.
+/// \errors ErrorKind::usage.
+std::filesystem::path common_name(const AnswerOutputs& outputs, const Shard& shard) {
+  if (outputs.csv.empty() && outputs.npz.empty()) {
     throw Error(ErrorKind::usage,
                 fmt::format("{} {}: nothing says where its answers go", kOption, shard.text()),
-                "also give --binary DIR or --csv DIR, the folder of all shards");
+                "also give -o DIR/shard.npz or -o DIR/shard.csv, in the folder of all shards");
   }
-  if (!csv.empty() && !binary.empty() && csv != binary) {
+  const std::filesystem::path name =
+      outputs.npz.empty() ? name_of(outputs.csv, kCsv) : name_of(outputs.npz, kNpz);
+  if (!outputs.csv.empty() && !outputs.npz.empty() && name_of(outputs.csv, kCsv) != name) {
     throw Error(ErrorKind::usage,
-                fmt::format("{} with --csv {} and --binary {}", kOption, csv, binary),
-                "give both the same folder");
+                fmt::format("{} with {} and {}", kOption, outputs.csv, outputs.npz),
+                "give both the same folder and name");
   }
+  const std::filesystem::path folder = name.parent_path();
   std::error_code failed;
-  if (!std::filesystem::is_directory(folder, failed)) {
+  if (!folder.empty() && !std::filesystem::is_directory(folder, failed)) {
     std::filesystem::create_directories(folder, failed);
     if (failed) {
       throw Error(ErrorKind::cannot_write,
-                  fmt::format("{}: cannot be made a folder: {}", folder, failed.message()),
+                  fmt::format("{}: cannot be made a folder: {}", folder.string(), failed.message()),
                   "give the folder of all shards");
     }
   }
-  return folder;
+  return name;
 }
 
 /// A share is one of several runs, of which some may find their answers there.
-void refuse_others(const PosedModels& options, const ShardedOutputs& outputs) {
-  for (const auto& [given, name] :
-       {std::pair(options.verify, "--verify"), std::pair(outputs.has_condition, "--fail-if"),
-        std::pair(!outputs.report.empty(), "--report")}) {
+void refuse_others(const PosedModels& options, bool has_condition) {
+  const AnswerOutputs& outputs = options.outputs;
+  for (const auto& [given, name] : {std::pair(options.verify, std::string("--verify")),
+                                    std::pair(has_condition, std::string("--fail-if")),
+                                    std::pair(!outputs.page.empty(), "-o " + outputs.page),
+                                    std::pair(!outputs.json.empty(), "-o " + outputs.json),
+                                    std::pair(!outputs.lines.empty(), "-o " + outputs.lines)}) {
     if (given) {
       throw Error(ErrorKind::usage, fmt::format("{} does not go with {}", name, kOption),
                   "leave one of them out");
@@ -82,17 +96,19 @@ Json entry_of(const std::string& path, const ModelOptions& model, const Console&
 
 }  // namespace
 
-ShardFiles::ShardFiles(const PosedModels& options, Json question, const ShardedOutputs& outputs,
+ShardFiles::ShardFiles(const PosedModels& options, Json question, AnswerOutputs& outputs,
                        const Console& console)
     : shard_(options.shard.value()),
       question_(std::move(question)),
       csv_(!outputs.csv.empty()),
-      binary_(!outputs.binary.empty()) {
-  refuse_others(options, outputs);
+      npz_(!outputs.npz.empty()) {
   if (options.build != BuildOptions()) {
     std::ostringstream tree;
     tree << options.build;
     question_["tree"] = tree.str();
+  }
+  if (options.model_a.parts && options.model_a.parts->is_given()) {
+    question_["parts"] = options.model_a.parts->text();
   }
   rows_a_ = count("--pose", options.pose_a, console);
   rows_b_ = count("--pose-b", options.pose_b, console);
@@ -110,9 +126,10 @@ ShardFiles::ShardFiles(const PosedModels& options, Json question, const ShardedO
   rows_ = shard_.rows_of(of_);
   poses_ = {{"a", poses_entry(options.pose_a, rows_a_)},
             {"b", poses_entry(options.pose_b, rows_b_)}};
-  stem_ = folder_of(outputs.csv, outputs.binary, shard_) / fmt::format("shard-{}", shard_.number);
+  stem_ = common_name(outputs, shard_);
+  stem_ += fmt::format("-{}", shard_.number);
   for (const auto& [wanted, name, kind] :
-       {std::tuple(csv_, &outputs.csv, ".csv"), std::tuple(binary_, &outputs.binary, ".npz")}) {
+       {std::tuple(csv_, &outputs.csv, kCsv), std::tuple(npz_, &outputs.npz, kNpz)}) {
     if (wanted) {
       *name = stem_.string() + kind;
     }
@@ -145,7 +162,7 @@ bool ShardFiles::are_there(const PosedModels& options, const Console& console) c
                 fmt::format("{}: is of another run: its {} differs", path, *other),
                 "give another folder, or remove what is in this one");
   }
-  if ((csv_ && !there.is_whole("csv")) || (binary_ && !there.is_whole("npz"))) {
+  if ((csv_ && !there.is_whole("csv")) || (npz_ && !there.is_whole("npz"))) {
     return false;
   }
   console.note(fmt::format("{}: is there and whole", printable(path)));
@@ -165,7 +182,7 @@ PosePairs ShardFiles::poses(const PosedModels& options, const Console& console) 
 
 void ShardFiles::finish(const Json& a, const Json& b, const Console& console) const {
   Json files = Json::object();
-  for (const auto& [written, kind] : {std::pair(csv_, "csv"), std::pair(binary_, "npz")}) {
+  for (const auto& [written, kind] : {std::pair(csv_, "csv"), std::pair(npz_, "npz")}) {
     if (written) {
       const std::string path = fmt::format("{}.{}", stem_.string(), kind);
       make_durable(path);
@@ -184,12 +201,13 @@ void ShardFiles::finish(const Json& a, const Json& b, const Console& console) co
       fmt::format("{}: rows {} to {} of {}", printable(path), rows_.begin, rows_.end, of_));
 }
 
-bool begin_shard(PosedModels& options, Json question, const ShardedOutputs& outputs,
-                 const Console& console) {
+bool begin_shard(PosedModels& options, Json question, bool has_condition, const Console& console) {
   if (!options.shard) {
     return true;
   }
-  const auto files = std::make_shared<ShardFiles>(options, std::move(question), outputs, console);
+  refuse_others(options, has_condition);
+  const auto files =
+      std::make_shared<ShardFiles>(options, std::move(question), options.outputs, console);
   options.files = files;
   return !files->are_there(options, console);
 }
@@ -199,7 +217,7 @@ void add_shard(Parser& parser, PosedModels& options, const char* heading) {
       .add_option_function(
           kOption,
           [&options](const std::string& word) { options.shard = parse_shard(kOption, word); },
-          "answer share K of N of the rows, into the folder DIR of --binary and --csv")
+          "answer share K of N of the rows; its number goes behind the names of -o")
       ->option_text("K/N")
       ->group(heading);
 }

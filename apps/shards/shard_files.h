@@ -3,6 +3,7 @@
 #pragma once
 
 #include "apps/output/json.h"
+#include "apps/rows/answer_outputs.h"
 #include "apps/rows/pose_source.h"
 #include "apps/rows/shard.h"
 #include "apps/shards/posed_models.h"
@@ -18,23 +19,15 @@ namespace soms::command {
 class Console;
 class Parser;
 
-/// What a verb does with its answers: the files of --csv and --binary, which are folders with
-/// --shard, and what does not go with it.
-struct ShardedOutputs {
-  std::string& csv;
-  std::string& binary;
-  const std::string& report;
-  bool has_condition = false;  ///< --fail-if
-};
-
-/// A share of the rows on its way into a folder: DIR/shard-K.npz, DIR/shard-K.csv, and
-/// DIR/shard-K.json, the receipt, which appears last.
+/// A share of the rows on its way into files whose names end with its number: DIR/shard-K.npz and
+/// DIR/shard-K.csv of -o DIR/shard.npz and -o DIR/shard.csv. DIR/shard-K.json is the receipt, which
+/// appears last.
 class ShardFiles {
  public:
-  /// Finds out which rows they are, makes the folder, and changes `outputs` to the files in it.
-  /// `question` is what the verb asks, as far as its options say.
+  /// Finds out which rows they are, makes the folder, and changes `outputs` to the files of the
+  /// share. `question` is what the verb asks, as far as its options say.
   /// \errors ErrorKind::usage for options that do not go with --shard; those of poses.
-  ShardFiles(const PosedModels& options, Json question, const ShardedOutputs& outputs,
+  ShardFiles(const PosedModels& options, Json question, AnswerOutputs& outputs,
              const Console& console);
 
   /// Whether the answers are there and whole. Reads the models if there is a receipt.
@@ -62,15 +55,16 @@ class ShardFiles {
   Json question_;
   Json poses_;
   bool csv_ = false;
-  bool binary_ = false;
+  bool npz_ = false;
 };
 
 /// Adds --shard, under a heading.
 void add_shard(Parser& parser, PosedModels& options, const char* heading);
 
-/// Sets `files` of the options if they have --shard; `question` is what the verb asks. False if
-/// the answers are there already. \errors As `ShardFiles`.
-[[nodiscard]] bool begin_shard(PosedModels& options, Json question, const ShardedOutputs& outputs,
+/// Sets `files` of the options if they have --shard; `question` is what the verb asks, and
+/// `has_condition` is true of --fail-if. False if the answers are there already.
+/// \errors As `ShardFiles`.
+[[nodiscard]] bool begin_shard(PosedModels& options, Json question, bool has_condition,
                                const Console& console);
 
 }  // namespace soms::command

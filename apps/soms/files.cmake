@@ -1,10 +1,8 @@
 set(SOMS_COMMAND_FILES
-  answers/answer_columns.cpp
-  answers/answer_columns.h
-  answers/answer_csv.cpp
-  answers/answer_csv.h
   answers/answer_fields.cpp
   answers/answer_fields.h
+  answers/array_columns.h
+  answers/batch_question.h
   answers/page_plots.cpp
   answers/page_plots.h
   clash/bcf_guid.cpp
@@ -45,8 +43,6 @@ set(SOMS_COMMAND_FILES
   clash/clash_sight.h
   clearance/clearance.cpp
   clearance/clearance.h
-  clearance/clearance_city.cpp
-  clearance/clearance_city.h
   clearance/clearance_map.cpp
   clearance/clearance_map.h
   clearance/clearance_output.cpp
@@ -81,19 +77,15 @@ set(SOMS_COMMAND_FILES
   pairs/near_output.h
   pairs/near_page.cpp
   pairs/near_page.h
-  pairs/near_run.h
+  pairs/near_question.h
   pairs/overlap.cpp
   pairs/overlap.h
-  pairs/overlap_by_part.cpp
-  pairs/overlap_by_part.h
-  pairs/overlap_csv.cpp
-  pairs/overlap_csv.h
-  pairs/overlap_output.cpp
-  pairs/overlap_output.h
   pairs/overlap_page.cpp
   pairs/overlap_page.h
   pairs/overlap_parts.cpp
   pairs/overlap_parts.h
+  pairs/overlap_question.cpp
+  pairs/overlap_question.h
   pairs/overlap_report.cpp
   pairs/overlap_report.h
   pairs/overlap_rows.cpp
@@ -104,34 +96,37 @@ set(SOMS_COMMAND_FILES
   pairs/pair_options.h
   pairs/pair_page.cpp
   pairs/pair_page.h
+  pairs/pair_question.h
   pairs/pair_report.cpp
   pairs/pair_report.h
-  pairs/pose_run.cpp
-  pairs/pose_run.h
+  pairs/pose_rows.cpp
+  pairs/pose_rows.h
   pairs/traversal_by_name.h
   pairs/within.cpp
   pairs/within.h
   probes/closest.cpp
   probes/closest.h
+  probes/closest_model.cpp
+  probes/closest_model.h
   probes/closest_output.cpp
   probes/closest_output.h
   probes/contains.cpp
   probes/contains.h
   probes/contains_by_part.cpp
   probes/contains_by_part.h
-  probes/contains_output.cpp
-  probes/contains_output.h
   probes/contains_winding.cpp
   probes/contains_winding.h
+  probes/crossings_question.h
   probes/probe_options.cpp
   probes/probe_options.h
-  probes/probe_run.h
+  probes/probe_rows.cpp
+  probes/probe_rows.h
   probes/ray.cpp
   probes/ray.h
   probes/ray_output.cpp
   probes/ray_output.h
-  probes/ray_run.h
-  probes/side_run.h
+  probes/ray_question.h
+  probes/side_question.h
   probes/winding_verify.cpp
   probes/winding_verify.h
   robot/robot.cpp
@@ -197,8 +192,6 @@ set(SOMS_COMMAND_FILES
   solid/closed_body.h
   solid/solid.cpp
   solid/solid.h
-  solid/solid_output.cpp
-  solid/solid_output.h
   solid/solid_parts.cpp
   solid/solid_parts.h
   solid/solid_text.cpp

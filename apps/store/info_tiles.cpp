@@ -71,8 +71,8 @@ void print_tiles(const std::string& folder, ModelOptions model, bool verify, Con
   model.allow_empty = true;
   const TileSet tiles = open_tiles(folder, model, {}, console);
   if (verify) {
-    console.run("looking at the tiles of " + printable(folder), [&](const Parallel& parallel) {
-      verify_tiles(folder, parallel);
+    console.run("looking at the tiles of " + printable(folder), [&](const Limits& limits) {
+      verify_tiles(folder, limits);
       return 0;
     });
   }

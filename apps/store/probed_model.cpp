@@ -12,8 +12,9 @@ ProbedModel::ProbedModel(const std::string& path, const ModelOptions& reading,
     tiles_ = TiledBody{open_tiles(path, reading, build, console), pose};
     mesh_ = tiles_->tiles.manifest().statements;
   } else {
-    body_ = Body(load_shape(path, reading, {.build = build}, console), pose);
-    mesh_ = body_.shape.mesh();
+    model_ = load_only_model(path, reading, {.build = build}, console);
+    body_ = Body(model_.shape, pose);
+    mesh_ = model_.file_mesh();
   }
 }
 

@@ -5,6 +5,7 @@
 #include "soms/query/body.h"
 #include "soms/tiles/tile_set.h"
 
+#include "apps/model/file_numbers.h"
 #include "apps/store/tiles.h"
 
 #include <optional>
@@ -17,12 +18,15 @@ namespace soms::command {
 class ProbedModel {
  public:
   /// `refused` has no meaning where the model is a folder of tiles.
-  /// \errors As `load_shape` and `open_tiles`.
+  /// \errors As `load_only_model` and `open_tiles`.
   ProbedModel(const std::string& path, const ModelOptions& reading, const BuildOptions& build,
               const Pose& pose, const std::vector<RefusedOfTiles>& refused, const Console& console);
 
-  /// Of tiles: what they state, without triangles.
+  /// As the file is: triangles of answers have its numbers (`numbers`). Of tiles: what they state,
+  /// without triangles.
   [[nodiscard]] const MeshView& mesh() const { return mesh_; }
+
+  [[nodiscard]] const FileNumbers& numbers() const { return model_.numbers; }
 
   /// \pre The model is no folder of tiles.
   [[nodiscard]] const Body& body() const { return body_; }
@@ -39,7 +43,8 @@ class ProbedModel {
 
  private:
   std::optional<TiledBody> tiles_;
-  Body body_;
+  ModelShape model_;
+  Body body_;  ///< of what takes part
   MeshView mesh_;
 };
 

@@ -86,9 +86,8 @@ int run_tile(const TileVerbOptions& options, Console& console) {
   std::uint64_t cut = 0;
   for (const std::string& input : options.inputs) {
     const Mesh mesh = read_model(input, reading, console);
-    const bool is_new = console.run("cutting " + printable(input), [&](const Parallel& parallel) {
-      return cutter.add(mesh, parallel);
-    });
+    const bool is_new = console.run("cutting " + printable(input),
+                                    [&](const Limits& limits) { return cutter.add(mesh, limits); });
     cut += is_new ? 1 : 0;
     if (!is_new) {
       console.note(printable(input) + ": its tiles are there and whole");

@@ -4,10 +4,17 @@
 
 #include "apps/cli/console.h"
 #include "apps/cli/text.h"
+#include "apps/model/part_filter.h"
 
 #include <fmt/format.h>
 
 namespace soms::command {
+
+RefusedOfTiles refused_parts(const ModelOptions& model) {
+  const bool given = model.parts && model.parts->is_given();
+  return {given, given ? model.parts->options() : std::string(),
+          "a part may lie in several of them"};
+}
 
 void refuse_of_tiles(const std::string& folder, const std::vector<RefusedOfTiles>& refused) {
   for (const auto& [given, option, reason] : refused) {
@@ -30,6 +37,7 @@ TileSet open_tiles(const std::string& folder, const ModelOptions& model, const B
                    {!model.crs.empty(), of("--crs"), kCut},
                    {model.lod.has_value(), "--lod", kCut},
                    {model.surfaces, "--surfaces", kCut},
+                   refused_parts(model),
                    {build != BuildOptions(), "--tree", "trees are built, and soms tile takes it"}});
   TileOptions options;
   if (console.shared().max_memory != 0) {

@@ -28,6 +28,9 @@ struct RefusedOfTiles {
   return {given, "--verify", "brute force needs the whole model"};
 }
 
+/// --only and --ignore, likewise.
+[[nodiscard]] RefusedOfTiles refused_parts(const ModelOptions& model);
+
 /// \errors ErrorKind::usage for what was given.
 void refuse_of_tiles(const std::string& folder, const std::vector<RefusedOfTiles>& refused);
 

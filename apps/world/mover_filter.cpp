@@ -21,8 +21,8 @@ constexpr std::size_t kMostPairs = 1'000'000;
 
 [[noreturn]] void refuse(const NamedPair& pair, const std::string& fault,
                          const std::string& remedy) {
-  throw Error(ErrorKind::usage, fmt::format("--ignore {},{}: {}", pair.first, pair.second, fault),
-              remedy);
+  throw Error(ErrorKind::usage,
+              fmt::format("--ignore-pair {},{}: {}", pair.first, pair.second, fault), remedy);
 }
 
 /// A number in plain digits.
@@ -71,7 +71,7 @@ NamedPair parse_pair(const std::string& text) {
   const std::size_t comma = text.find(',');
   if (comma == std::string::npos || comma == 0 || comma + 1 == text.size() ||
       text.find(',', comma + 1) != std::string::npos) {
-    throw Error(ErrorKind::usage, fmt::format("--ignore {}", text),
+    throw Error(ErrorKind::usage, fmt::format("--ignore-pair {}", text),
                 "give two movers, A,B, by their numbers or the names of their models");
   }
   return {text.substr(0, comma), text.substr(comma + 1)};

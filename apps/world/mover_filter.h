@@ -12,7 +12,7 @@ namespace soms::command {
 
 struct World;
 
-/// Two movers as `--ignore` names them: by number, or by the name of their model.
+/// Two movers as `--ignore-pair` names them: by number, or by the name of their model.
 using NamedPair = std::pair<std::string, std::string>;
 
 /// Movers that are not tested against each other.

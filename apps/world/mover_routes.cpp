@@ -59,12 +59,12 @@ MoverRoute street_mover_route(const City& city, const Model& model, std::uint64_
 /// Draws level lines through a city of which nothing is known but its triangles.
 class Lines {
  public:
-  Lines(const World& world, const Parallel& parallel)
+  Lines(const World& world, const Limits& limits)
       : grid_(world.bounds, kGridCells), box_(world.bounds) {
     for (const Body& body : world.city) {
-      grid_.add(body.shape.mesh(), parallel);
+      grid_.add(body.shape.mesh(), limits);
     }
-    grid_.find_ground(parallel);
+    grid_.find_ground(limits);
     double ground_radius = 0;
     for (const Model& model : world.models) {
       ground_radius = std::max(ground_radius, model.ground_radius);
@@ -77,11 +77,11 @@ class Lines {
   }
 
   [[nodiscard]] MoverRoute draw(const Model& model, std::uint64_t seed,
-                                const Parallel& parallel) const {
+                                const Limits& limits) const {
     Rng rng(seed);
     Vec3 start;
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
-      check_stop(parallel);  // a large mover stands on many cells
+      check_stop(limits);  // a large mover stands on many cells
       start.x = rng.uniform(box_.lower.x, box_.upper.x);
       start.y = rng.uniform(box_.lower.y, box_.upper.y);
       start.z = grid_.standing(start.x, start.y, model.ground_radius);
@@ -112,8 +112,8 @@ using Draw = std::function<MoverRoute(std::uint64_t mover, std::uint64_t attempt
 /// Moves whoever touches something to another route until all are free; gives up on the rest.
 class FreeWays {
  public:
-  FreeWays(World& world, const Draw& draw, const Parallel& parallel)
-      : world_(world), draw_(draw), parallel_(parallel) {}
+  FreeWays(World& world, const Draw& draw, const Limits& limits)
+      : world_(world), draw_(draw), limits_(limits) {}
 
   void find() {
     for (const Body& body : world_.city) {
@@ -129,7 +129,7 @@ class FreeWays {
     for (std::uint64_t round = 1; left_ > 0 && round < kRounds && idle < kPatience; ++round) {
       for (std::uint32_t k = 0; k < touches_.size(); ++k) {
         if (touches_[k]) {
-          check_stop(parallel_);
+          check_stop(limits_);
           world_.routes[k] = draw_(k, round);
           scene_.set_pose(k, world_.routes[k].at(0));
         }
@@ -147,8 +147,8 @@ class FreeWays {
 
   /// Asks who touches something; of two movers it is the later one.
   void look() {
-    const StepReport report = scene_.step({.mode = OverlapMode::any},
-                                          {.threads = parallel_.threads, .stop = parallel_.stop});
+    const StepReport report =
+        scene_.step({.mode = OverlapMode::any}, {.threads = limits_.threads, .stop = limits_.stop});
     touches_.assign(world_.routes.size(), false);
     for (const EnvironmentContact& contact : report.environment) {
       touches_[contact.mover] = true;
@@ -174,15 +174,15 @@ class FreeWays {
   }
 
   void tell(double share) const {
-    check_stop(parallel_);
-    if (parallel_.progress) {
-      parallel_.progress(share);
+    check_stop(limits_);
+    if (limits_.progress) {
+      limits_.progress(share);
     }
   }
 
   World& world_;
   const Draw& draw_;
-  const Parallel& parallel_;
+  const Limits& limits_;
   Scene scene_;
   std::vector<bool> touches_;
   std::size_t left_ = 0;
@@ -204,23 +204,23 @@ void check_place(const PoseReader& reader, const Vec3& place) {
 }
 
 /// A file is opened once: a pipe has no second time.
-RouteRows read_route(const std::string& path, const Parallel& parallel) {
+RouteRows read_route(const std::string& path, const Limits& limits) {
   constexpr std::size_t kRowsPerLook = 4096;
   if (path == "-") {
     check_standard_input("a route");
     try {
-      return read_route(std::string(kStandardInput), parallel);
+      return read_route(std::string(kStandardInput), limits);
     } catch (const Error& error) {
       throw of_standard_input(error);
     }
   }
-  PoseReader reader(path, parallel);
+  PoseReader reader(path, limits);
   std::vector<Pose> rows;
   while (const auto pose = reader.next()) {
     check_place(reader, pose->shift());
     rows.push_back(*pose);
     if (rows.size() % kRowsPerLook == 0) {
-      check_stop(parallel);
+      check_stop(limits);
     }
   }
   if (rows.empty()) {
@@ -248,16 +248,16 @@ MoverRoute along_points(const std::vector<Pose>& rows, const Model& model, doubl
   return mover_route;
 }
 
-void plan_given_routes(World& world, const WorldOptions& options, const Parallel& parallel) {
+void plan_given_routes(World& world, const WorldOptions& options, const Limits& limits) {
   std::vector<RouteRows> given;
   for (const std::string& path : options.routes) {
-    given.push_back(read_route(path, parallel));
-    check_stop(parallel);
+    given.push_back(read_route(path, limits));
+    check_stop(limits);
   }
   // One mover a route; of the models that were named none is left out.
   world.requested = options.count.value_or(std::max(given.size(), options.movers.size()));
   for (std::uint64_t k = 0; k < world.requested; ++k) {
-    check_stop(parallel);
+    check_stop(limits);
     const std::size_t which = k % given.size();
     const std::uint64_t turn = k / given.size();
     const std::uint64_t turns = (world.requested - which - 1) / given.size() + 1;
@@ -309,27 +309,27 @@ void MoverRoute::fetch(std::size_t line) const {
 void plan_routes(World& world, const WorldOptions& options, const City* city, Console& console) {
   if (!options.routes.empty()) {
     console.run("reading routes",
-                [&](const Parallel& parallel) { plan_given_routes(world, options, parallel); });
+                [&](const Limits& limits) { plan_given_routes(world, options, limits); });
     return;
   }
   world.requested = options.count.value_or(kDefaultMovers);
   if (world.requested == 0) {
     return;
   }
-  console.run("finding free places", [&](const Parallel& parallel) {
+  console.run("finding free places", [&](const Limits& limits) {
     const std::optional<Lines> lines =
-        city == nullptr ? std::optional<Lines>(std::in_place, world, parallel) : std::nullopt;
+        city == nullptr ? std::optional<Lines>(std::in_place, world, limits) : std::nullopt;
     const Draw draw = [&](std::uint64_t mover, std::uint64_t attempt) {
       const std::size_t model = model_of(world, mover);
       const std::uint64_t seed = seed_of(console.shared().seed, mover, attempt);
       MoverRoute mover_route = city == nullptr
-                                   ? lines->draw(world.models[model], seed, parallel)
+                                   ? lines->draw(world.models[model], seed, limits)
                                    : street_mover_route(*city, world.models[model], seed);
       mover_route.model = model;
       mover_route.foot = world.models[model].foot;
       return mover_route;
     };
-    FreeWays(world, draw, parallel).find();
+    FreeWays(world, draw, limits).find();
   });
   if (world.routes.size() < world.requested) {
     console.note(fmt::format("{} of {} movers found no free place and were left out",

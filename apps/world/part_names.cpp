@@ -79,9 +79,10 @@ Json body_as_json(const MeshView& mesh, std::uint32_t part, std::span<const std:
   return json;
 }
 
-std::string triangle_label(const MeshView& mesh, TriangleId i) {
+std::string triangle_label(const MeshView& mesh, TriangleId i, const FileNumbers& numbers) {
   const std::string part = part_name(mesh, i);
-  return part.empty() ? fmt::format("{}", i) : fmt::format("{} ({})", i, printable(part));
+  return part.empty() ? fmt::format("{}", numbers(i))
+                      : fmt::format("{} ({})", numbers(i), printable(part));
 }
 
 std::string part_csv_fields(const MeshView& mesh, std::uint32_t part) {

@@ -5,6 +5,7 @@
 #include "soms/geometry/mesh.h"
 #include "soms/geometry/parts_of.h"
 
+#include "apps/model/file_numbers.h"
 #include "apps/output/json.h"
 
 #include <cstddef>
@@ -46,8 +47,10 @@ namespace soms::command {
                                 std::span<const std::uint32_t> joined);
 
 /// The number of a triangle as people read it: "12", or "12 (wall)" where its part has a name.
+/// `numbers` are those of the file, where the mesh is what is left of it.
 /// \cost O(p) for p parts.
-[[nodiscard]] std::string triangle_label(const MeshView& mesh, TriangleId i);
+[[nodiscard]] std::string triangle_label(const MeshView& mesh, TriangleId i,
+                                         const FileNumbers& numbers = {});
 
 /// Number and name of a part as two fields of CSV, empty for Part::kNoParent.
 [[nodiscard]] std::string part_csv_fields(const MeshView& mesh, std::uint32_t part);

@@ -70,7 +70,7 @@ MoverKind mover_named(const RecordedMesh& recorded) {
 }
 
 /// The city of a recording, once it is plain that it can be the one that was recorded.
-Mesh make_city(const RecordedMesh& recorded, const Parallel& parallel) {
+Mesh make_city(const RecordedMesh& recorded, const Limits& limits) {
   const auto refuse = [](const std::string& fault) {
     throw Error(ErrorKind::bad_file, "an invalid city: " + fault, "record again");
   };
@@ -83,7 +83,7 @@ Mesh make_city(const RecordedMesh& recorded, const Parallel& parallel) {
     city = generate_city({.triangles = recorded.city_triangles,
                           .size = recorded.city_size,
                           .seed = recorded.city_seed},
-                         parallel);
+                         limits);
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::usage) {
       throw;
@@ -98,7 +98,7 @@ Mesh find_mesh(const RecordedMesh& recorded, const std::filesystem::path& record
   switch (recorded.origin) {
     case RecordedMesh::Origin::city:
       return console.run("making " + recorded.name,
-                         [&](const Parallel& parallel) { return make_city(recorded, parallel); });
+                         [&](const Limits& limits) { return make_city(recorded, limits); });
     case RecordedMesh::Origin::mover:
       return transformed(generate_mover(mover_named(recorded)), recorded.scale, recorded.up);
     case RecordedMesh::Origin::file:

@@ -7,6 +7,7 @@
 #include "apps/cli/standard_input.h"
 #include "apps/model/georeference.h"
 #include "apps/model/models.h"
+#include "apps/model/part_filter.h"
 #include "apps/model/stated_options.h"
 #include "apps/model/up_guess.h"
 #include "apps/world/mover_routes.h"
@@ -135,9 +136,8 @@ Upright read_upright(const std::string& path, const Role& role, Console& console
 Shape build_named(Mesh mesh, const std::string& name, const WorldOptions& options,
                   Console& console) {
   const ShapeOptions shape{.build = options.build, .keep_tree = options.keep_trees};
-  return console.run("building " + name, [&](const Parallel& parallel) {
-    return Shape(std::move(mesh), shape, parallel);
-  });
+  return console.run("building " + name,
+                     [&](const Limits& limits) { return Shape(std::move(mesh), shape, limits); });
 }
 
 /// A car is as fast as a town allows; what comes from files is taken for one.
@@ -204,11 +204,18 @@ void note_large_movers(World& world, const Console& console) {
 }
 
 void build_into_city(World& world, Upright model, const WorldOptions& options, Console& console) {
+  FileNumbers numbers;
+  if (PartFilter* const parts = options.city_model.parts.get()) {
+    if (std::optional<PartsLeft> rest = parts->left_of(model.mesh)) {
+      model.mesh = std::move(rest->mesh);
+      numbers = FileNumbers(std::move(rest->numbers));
+    }
+  }
   const auto begin = Clock::now();
   Shape shape = build_named(std::move(model.mesh), model.origin.name, options, console);
   world.build_ms += milliseconds_since(begin);
   Body body(std::move(shape), Pose{}, model.origin.name);
-  add_to_city(world, std::move(body), std::move(model.origin));
+  add_to_city(world, std::move(body), std::move(model.origin), std::move(numbers));
 }
 
 /// Reads or makes the city; adds the frame of each of its models to `frames`.
@@ -265,11 +272,12 @@ void check_count(const WorldOptions& options) {
   }
 }
 
-void add_to_city(World& world, Body body, RecordedMesh origin) {
+void add_to_city(World& world, Body body, RecordedMesh origin, FileNumbers numbers) {
   world.triangles += body.shape.mesh().triangles.size();
   world.bounds.grow(body.shape.bounds());
   world.city.push_back(std::move(body));
   world.origins.push_back(std::move(origin));
+  world.numbers.push_back(std::move(numbers));
 }
 
 Model make_model(Shape shape, std::string name, Kind kind) {
@@ -295,14 +303,14 @@ std::string short_name(const std::string& path) {
   return stem.empty() ? path : stem;
 }
 
-Scene make_scene(const World& world, const Parallel& parallel) {
+Scene make_scene(const World& world, const Limits& limits) {
   Scene scene;
   for (const Body& body : world.city) {
     scene.add_environment(body);
   }
   for (const MoverRoute& mover_route : world.routes) {
     const Model& model = world.models[mover_route.model];
-    check_stop(parallel);
+    check_stop(limits);
     scene.add_mover(Body(model.shape, mover_route.at(0), model.name));
   }
   for (const auto& [a, b] : world.filter.ignored) {
@@ -349,6 +357,9 @@ World load_world(const WorldOptions& options, Console& console) {
   std::vector<NamedFrame> mover_frames;
   world.models = load_models(options, mover_frames, console);
   const std::optional<City> city = load_city(world, options, city_frames, console);
+  if (options.city_model.parts) {
+    options.city_model.parts->finish(console);
+  }
   std::vector<MeshView> meshes;
   for (const Body& body : world.city) {
     meshes.push_back(body.shape.mesh());

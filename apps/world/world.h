@@ -13,6 +13,7 @@
 #include "soms/scene/scene.h"
 
 #include "apps/cli/console.h"
+#include "apps/model/file_numbers.h"
 #include "apps/model/frame_warnings.h"
 #include "apps/world/mover_filter.h"
 #include "apps/world/world_options.h"
@@ -64,6 +65,7 @@ struct MoverRoute {
 struct World {
   std::string title;  ///< name of the city
   std::vector<Body> city;
+  std::vector<FileNumbers> numbers;   ///< of each body of the city: those in its file
   std::vector<RecordedMesh> origins;  ///< of each body of the city; without triangles and hash
   std::vector<Model> models;
   std::vector<MoverRoute> routes;
@@ -88,14 +90,14 @@ struct World {
 void check_count(const WorldOptions& options);
 
 /// Adds a body to the city; its bounds and triangles count from here on.
-void add_to_city(World& world, Body body, RecordedMesh origin);
+void add_to_city(World& world, Body body, RecordedMesh origin, FileNumbers numbers = {});
 
 /// A model of a shape, with what follows from its box and kind.
 [[nodiscard]] Model make_model(Shape shape, std::string name, Kind kind);
 
 /// The city and all movers at their places of frame 0; movers are numbered as their routes.
 /// \errors ErrorKind::cancelled.
-[[nodiscard]] Scene make_scene(const World& world, const Parallel& parallel = {});
+[[nodiscard]] Scene make_scene(const World& world, const Limits& limits = {});
 
 /// Name of the part of the city that a triangle belongs to; of its file where there is none.
 [[nodiscard]] std::string part_name(const World& world, EnvironmentId part, TriangleId triangle);

@@ -23,7 +23,9 @@ std::string empty_triangle(int /*side*/, const std::optional<TriangleId>& triang
 
 template <class T>
 std::string cells_of(const T& answer) {
-  return field_cells(answer, empty_triangle);
+  std::string cells;
+  add_field_cells(answer, empty_triangle, cells);
+  return cells;
 }
 
 /// As many cells as the head has names.

@@ -116,7 +116,7 @@ TEST(Bench, CountsWhatOverlapCounts) {
 TEST(Bench, PrintsATableForPeopleAndWritesItsFiles) {
   const TemporaryFolder folder;
   const std::string a = test::data("truth/meshes/torus.ply").string();
-  const RunResult result = shell("$soms bench '" + a + "' '" + a + "' --out '" +
+  const RunResult result = shell("$soms bench '" + a + "' '" + a + "' -o '" +
                                  folder.path().string() + "/new/results'" + kQuick);
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_NE(result.out.find("| any | own | random |"), std::string::npos) << result.out;
@@ -149,7 +149,7 @@ TEST(Bench, TellsBeforeTheWorkThatAFolderCannotBeMade) {
   write_text(folder.path() / "file", "x");
   for (const char* const place : {"file", "file/results"}) {
     const RunResult result = soms_run({"bench", box(), box(), "--random", "50", "--rounds", "1",
-                                       "--out", (folder.path() / place).string()});
+                                       "-o", (folder.path() / place).string()});
     EXPECT_EQ(result.status, 5) << result.err;
     EXPECT_EQ(result.out, "");
     EXPECT_NE(result.err.find("cannot create the folder"), std::string::npos) << result.err;

@@ -250,7 +250,7 @@ TEST(ClearanceVerb, RefusesWhatMakesNoSense) {
   EXPECT_EQ(status_and({"--fail-if", "below"}, "--clearance"), 2);
   EXPECT_EQ(status_and({"--every", "0"}, "--every"), 2);
   EXPECT_EQ(status_and({"--every", "1e-9"}, "1,000,000 stations"), 2);
-  EXPECT_EQ(status_and({"--ignore", "raod"}, "--ignore raod: no part of the city fits"), 2);
+  EXPECT_EQ(status_and({"--ignore", "raod"}, "--ignore raod: no part fits"), 2);
   EXPECT_EQ(status_and({"--ignore", "*"}, "leaves nothing"), 2);
   EXPECT_EQ(status_and({"-o", street.file("a.txt")}, ".csv"), 2);
   EXPECT_EQ(status_and({"--map", street.file("path.csv")}, "path.csv"), 2);

@@ -1,4 +1,4 @@
-// Arrays of NumPy in and out: `.npy` files of rows, and the columns that --binary writes.
+// Arrays of NumPy in and out: `.npy` files of rows, and the columns that -o writes.
 #include "tests/commands/near.h"
 #include "tests/support/pipe.h"
 
@@ -183,8 +183,8 @@ class BinaryColumns : public testing::Test {
 
 TEST_F(BinaryColumns, OfClosest) {
   const std::string points = written("points.npy", npy_file("(2, 3)", {0.25, 0.5, 3, 0, 0, 9}));
-  ASSERT_EQ(soms_run({"closest", box(), "--points", points, "--signed", "--at-most", "4",
-                      "--binary", at("near.npz")})
+  ASSERT_EQ(soms_run({"closest", box(), "--points", points, "--signed", "--at-most", "4", "-o",
+                      at("near.npz")})
                 .status,
             0);
   auto arrays = arrays_of(at("near.npz"));
@@ -211,10 +211,10 @@ TEST_F(BinaryColumns, OfClosest) {
 
 TEST_F(BinaryColumns, OfListsOfTriangles) {
   const std::string points = written("points.csv", "x,y,z\n0,0,3\n0,0,9\n");
-  ASSERT_EQ(soms_run({"closest", box(), "--points", points, "--nearest", "3", "--binary",
-                      at("lists.npz")})
-                .status,
-            0);
+  ASSERT_EQ(
+      soms_run({"closest", box(), "--points", points, "--nearest", "3", "-o", at("lists.npz")})
+          .status,
+      0);
   auto arrays = arrays_of(at("lists.npz"));
   ASSERT_EQ(arrays.size(), 6U);
   EXPECT_EQ(arrays["offsets.npy"].counts(), (std::vector<std::int64_t>{0, 3, 6}));
@@ -224,8 +224,7 @@ TEST_F(BinaryColumns, OfListsOfTriangles) {
 
 TEST_F(BinaryColumns, OfContains) {
   const std::string points = written("points.npy", npy_file("(3, 3)", {0, 0, 0, 0, 0, 1, 0, 0, 3}));
-  ASSERT_EQ(soms_run({"contains", box(), "--points", points, "--binary", at("sides.npz")}).status,
-            0);
+  ASSERT_EQ(soms_run({"contains", box(), "--points", points, "-o", at("sides.npz")}).status, 0);
   auto arrays = arrays_of(at("sides.npz"));
   ASSERT_EQ(arrays.size(), 4U);
   EXPECT_EQ(arrays["coverage.npy"].digits(), "000");
@@ -239,7 +238,7 @@ TEST_F(BinaryColumns, OfRays) {
       "rays.npy", npy_file("(3, 7)", {0.25, 0.125, 3, 0, 0, -1, INFINITY, 9, 9, 9, 0, 0, 1, 5,  //
                                       0.25, 0.125, 3, 0, 0, -1, 1}));
   const auto answers = [&](std::vector<std::string> words) {
-    words.insert(words.begin(), {"ray", box(), "--rays", rays, "--binary", at("hits.npz")});
+    words.insert(words.begin(), {"ray", box(), "--rays", rays, "-o", at("hits.npz")});
     EXPECT_EQ(soms_run(words).status, 0);
     return arrays_of(at("hits.npz"));
   };
@@ -267,7 +266,7 @@ TEST_F(BinaryColumns, OfPairs) {
       "poses.npy", npy_file("(2, 4, 4)", {1, 0, 0, 5, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1,  //
                                           1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}));
   const auto answers = [&](std::vector<std::string> words) {
-    words.insert(words.begin() + 1, {box(), box(), "--pose", poses, "--binary", at("pairs.npz")});
+    words.insert(words.begin() + 1, {box(), box(), "--pose", poses, "-o", at("pairs.npz")});
     EXPECT_EQ(soms_run(words).status, 0);
     return arrays_of(at("pairs.npz"));
   };
@@ -292,7 +291,7 @@ TEST_F(BinaryColumns, OfPairsOfTrianglesAndOfParts) {
   const std::string poses = written("poses.csv", "x,y,z\n9,0,0\n0.5,0,0\n");
   const std::string cubes = written("cubes.obj", cube_obj("left", 0, 0) + cube_obj("right", 3, 8));
   const auto answers = [&](std::vector<std::string> words) {
-    words.insert(words.begin() + 1, {cubes, cubes, "--pose", poses, "--binary", at("pairs.npz")});
+    words.insert(words.begin() + 1, {cubes, cubes, "--pose", poses, "-o", at("pairs.npz")});
     EXPECT_EQ(soms_run(words).status, 0);
     return arrays_of(at("pairs.npz"));
   };
@@ -331,7 +330,7 @@ TEST_F(BinaryColumns, OfPairsOfTrianglesAndOfParts) {
 }
 
 TEST_F(BinaryColumns, OfOverlapWithinAreThoseOfWithin) {
-  for (const std::string verb : {"overlap --within", "within --clearance"}) {
+  for (const std::string verb : {"overlap --clearance", "within --clearance"}) {
     std::vector<std::string> words{verb.substr(0, verb.find(' ')),
                                    box(),
                                    box(),
@@ -339,7 +338,7 @@ TEST_F(BinaryColumns, OfOverlapWithinAreThoseOfWithin) {
                                    "1",
                                    "--pose",
                                    "2.5 0 0",
-                                   "--binary",
+                                   "-o",
                                    at(verb.substr(0, verb.find(' ')) + ".npz")};
     ASSERT_EQ(soms_run(words).status, 0) << verb;
   }
@@ -354,7 +353,7 @@ TEST_F(BinaryColumns, AreTheSameInEveryRun) {
   }
   const std::string points = written("points.npy", npy_file("(12000, 3)", values));
   for (const std::string threads : {"1", "2"}) {
-    ASSERT_EQ(soms_run({"closest", box(), "--points", points, "--threads", threads, "--binary",
+    ASSERT_EQ(soms_run({"closest", box(), "--points", points, "--threads", threads, "-o",
                         at(threads + ".npz")})
                   .status,
               0);
@@ -367,19 +366,18 @@ TEST_F(BinaryColumns, AreTheSameInEveryRun) {
 
 TEST_F(BinaryColumns, AreWholeOrMissing) {
   const std::string bad = written("bad.csv", "x,y,z\n0,0,3\n0,0,nan\n");
-  EXPECT_NE(soms_run({"closest", box(), "--points", bad, "--binary", at("none.npz")}).status, 0);
+  EXPECT_NE(soms_run({"closest", box(), "--points", bad, "-o", at("none.npz")}).status, 0);
   EXPECT_FALSE(std::filesystem::exists(at("none.npz")));
   const std::string points = written("points.csv", "x,y,z\n0,0,3\n");
-  const RunResult other =
-      soms_run({"closest", box(), "--points", points, "--binary", at("near.txt")});
+  const RunResult other = soms_run({"closest", box(), "--points", points, "-o", at("near.txt")});
   EXPECT_EQ(other.status, 2);
   EXPECT_NE(other.err.find(".npz"), std::string::npos) << other.err;
-  EXPECT_EQ(soms_run({"closest", box(), "--points", points, "--binary", points}).status, 2);
+  EXPECT_EQ(soms_run({"closest", box(), "--points", points, "-o", points}).status, 2);
 }
 
 TEST_F(BinaryColumns, AreFinishedByCtrlC) {
   Pipe pipe(at("points"), "x,y,z\n0,0,3\n");
-  Child child({command().string(), "closest", box(), "--points", pipe.path(), "--json", "--binary",
+  Child child({command().string(), "closest", box(), "--points", pipe.path(), "--json", "-o",
                at("near.npz")},
               folder_.path());
   ASSERT_TRUE(child.wait_for_lines(1));

@@ -121,7 +121,7 @@ TEST(Endurance, EveryVerbKeepsOldFilesWhereFilesMayNotGrow) {
   const std::vector<Writer> writers{
       {"generate sphere --triangles 50000 -o $d/a.ply", {"a.ply"}},
       {"convert $m/knot.ply $d/a.stl", {"a.stl"}},
-      {"overlap $m/town.ply $m/town.ply --no-pairs --report $d/p", {"p"}},
+      {"overlap $m/town.ply $m/town.ply --no-pairs -o $d/p.html", {"p.html"}},
       {"simulate $m/town.ply --count 30 --frames 40 --record $d/r", {"r"}},
       {"simulate $m/town.ply --count 30 --frames 4 --map $d/m", {"m"}},
       {"simulate $m/town.ply --count 3 --frames 4 --report $d/p", {"p"}}};

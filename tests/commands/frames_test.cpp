@@ -137,7 +137,7 @@ TEST(FrameRegressions, R117OfManyPosesOnlyAllFarApartAreWarnedOf) {
 TEST(FrameRegressions, R117TheReportSaysIt) {
   const TemporaryFolder folder;
   const std::string page = (folder.path() / "page.html").string();
-  ASSERT_EQ(overlap_run({"--report", page}).status, 0);
+  ASSERT_EQ(overlap_run({"-o", page}).status, 0);
   const std::string text = read_text(page);
   EXPECT_NE(text.find("the up axis is y in"), std::string::npos);
   EXPECT_NE(text.find("the unit is 1 m in"), std::string::npos);

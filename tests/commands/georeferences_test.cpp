@@ -72,8 +72,7 @@ TEST(Georeferences, R117EveryOutputWithCoordinatesHasIt) {
   const CityFolder folder(kSystem);
   const std::string csv = folder.file("out.csv");
   const auto csv_of = [&](std::vector<std::string> words) {
-    const bool is_list = words[0] == "clash" || words[0] == "clearance";
-    words.insert(words.end(), {is_list ? "-o" : "--csv", csv});
+    words.insert(words.end(), {"-o", csv});
     const RunResult result = soms_run(words);
     EXPECT_LE(result.status, 1) << words[0] << ": " << result.err;
     return read_text(csv);
@@ -128,7 +127,7 @@ TEST(Georeferences, R117PagesHaveIt) {
         std::vector<std::string>{"clash", folder.city()},
         std::vector<std::string>{"simulate", folder.city(), "--frames", "1", "--count", "1"}}) {
     std::vector<std::string> report = words;
-    report.insert(report.end(), {words[0] == "clash" ? "-o" : "--report", page});
+    report.insert(report.end(), {words[0] == "simulate" ? "--report" : "-o", page});
     ASSERT_EQ(soms_run(report).status, 0) << words[0];
     EXPECT_NE(read_text(page).find(kShort), std::string::npos) << words[0];
   }
@@ -184,7 +183,7 @@ TEST(Georeferences, ASystemThatHasNoModelIsRefused) {
 TEST(Georeferences, ArraysHaveTheCharactersOfAName) {
   const CityFolder folder("\xc3\x84\xe5\xba\xa7");
   write_text(folder.file("points.csv"), "x,y,z\n85001,447001,9\n");
-  ASSERT_EQ(soms_run({"closest", folder.city(), "--points", folder.file("points.csv"), "--binary",
+  ASSERT_EQ(soms_run({"closest", folder.city(), "--points", folder.file("points.csv"), "-o",
                       folder.file("near.npz")})
                 .status,
             0);

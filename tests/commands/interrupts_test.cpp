@@ -194,7 +194,7 @@ TEST(Interrupts, LeaveTotalsAndThePageOfWhatOverlapAnswered) {
   const std::string page = (folder.path() / "page.html").string();
   const EndlessPipe poses = endless_poses(folder);
   Child child({command().string(), "overlap", box(), box(), "--pose", poses.path(), "--no-pairs",
-               "--threads", "1", "--report", page},
+               "--threads", "1", "-o", page},
               folder.path());
   ASSERT_TRUE(child.wait_for_output(1));
   child.send(SIGTERM);

@@ -67,12 +67,12 @@ TEST_F(Names, ReachNoTerminalAsCommands) {
       {"overlap", a, b, "--first"},
       {"overlap", a, b, "--by", "part", "--verify"},
       {"overlap", a, b, "--by", "part", "--json"},
-      {"overlap", a, b, "--report", at(kHostile + ".html")},
+      {"overlap", a, b, "-o", at(kHostile + ".html")},
       {"overlap", a, b, "--pose", rows},
       {"overlap", a, b, "--pose", kHostile},
       {"overlap", a, none},
-      {"overlap", a, b, "--csv", at(kHostile + "/no.csv")},
-      {"overlap", a, b, "--csv", at("no." + kHostile)},
+      {"overlap", a, b, "-o", at(kHostile + "/no.csv")},
+      {"overlap", a, b, "-o", at("no." + kHostile)},
       {"convert", a, at(kHostile + ".stl")},
       {"convert", a, at(kHostile + ".ply"), "--json"},
       {"convert", a, at("a." + kHostile)},
@@ -135,7 +135,7 @@ TEST_F(Names, R120AreNoFormulasInCsv) {
     const std::string city = at(name[0] == '=' ? "=city.obj" : "town.obj");
     test::write_text(city, test::read_text(at("city.obj")));
     const test::RunResult run =
-        test::soms_run({"overlap", city, at("city.obj"), "--by", "part", "--csv", at("o.csv")});
+        test::soms_run({"overlap", city, at("city.obj"), "--by", "part", "-o", at("o.csv")});
     ASSERT_EQ(run.status, 0) << run.err;
     bool found = false;
     for (const std::vector<std::string>& row : csv_rows(test::read_text(at("o.csv")))) {

@@ -22,7 +22,7 @@ TEST(Notes, R115OfALossyFileReachWhoAsksForOverlap) {
   const TemporaryFolder folder;
   const std::string model = lossy(folder);
   const std::string page = (folder.path() / "page.html").string();
-  const RunResult result = soms_run({"overlap", model, model, "--json", "--report", page});
+  const RunResult result = soms_run({"overlap", model, model, "--json", "-o", page});
   EXPECT_EQ(result.status, 0);
   EXPECT_NE(result.err.find(model + ": " + kNote), std::string::npos) << result.err;
   const Json row = json_lines(result.out).at(0);

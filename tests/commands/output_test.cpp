@@ -170,7 +170,7 @@ TEST(Output, InFilesAndTheStatusAreWholeWhenTheReaderIsGone) {
   };
   for (const std::string json : {"", " --json"}) {
     for (const std::string verb : {"overlap", "distance", "within --clearance 1"}) {
-      EXPECT_EQ(run(verb, "--pose apart.csv --csv rows.csv" + json), "0\n") << verb;
+      EXPECT_EQ(run(verb, "--pose apart.csv -o rows.csv" + json), "0\n") << verb;
       const std::string csv = read_text(at + "/rows.csv");
       EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), verb == "overlap" ? 1 : 20'001) << verb;
     }

@@ -152,7 +152,7 @@ TEST(Program, TakesAnEmptyNameOfAnOutputForAnError) {
   refused({"reproduce", "--item", "table-3.1"}, "--output");
   refused({"reproduce", "--item", "table-3.1"}, "--report");
   refused({"man"}, "--output");
-  refused({"bench", box, box, "--random", "1"}, "--out");
+  refused({"bench", box, box, "--random", "1"}, "--output");
 }
 
 TEST(Program, SuggestsTheVerbThatWasMeant) {

@@ -122,7 +122,7 @@ TEST_F(Report, OfTheSameRunIsTheSameButForTimes) {
 TEST_F(Report, OfOnePoseListsItsPairs) {
   const std::string a = write("a<i>.off", test::triangle_off("0 0 0", "1 0 0", "0 1 0"));
   const std::string b = write("b.off", test::triangle_off("0.2 0.2 -1", "0.2 0.2 1", "3 3 1"));
-  const test::RunResult run = test::soms_run({"overlap", a, b, "--report", at("page.html")});
+  const test::RunResult run = test::soms_run({"overlap", a, b, "-o", at("page.html")});
   ASSERT_EQ(run.status, 0) << run.err;
   const std::string page = test::read_text(at("page.html"));
   const test::Json scene = test::Json::parse(scene_text(page));
@@ -141,7 +141,7 @@ TEST_F(Report, OfManyPosesHoldsWhatFindsRoom) {
     poses += k % 2 == 0 ? "0,0,0\n" : "50,0,0\n";
   }
   const test::RunResult run = test::soms_run({"overlap", a, b, "--pose", write("poses.csv", poses),
-                                              "--report", at("page.html"), "--json", "--no-pairs"});
+                                              "-o", at("page.html"), "--json", "--no-pairs"});
   ASSERT_EQ(run.status, 0) << run.err;
   const std::string page = test::read_text(at("page.html"));
   const test::Json scene = test::Json::parse(scene_text(page));
@@ -155,8 +155,7 @@ TEST_F(Report, OfManyPosesHoldsWhatFindsRoom) {
 
 TEST_F(Report, OfNothingThatTouchesSaysSo) {
   const std::string a = write("a.off", test::triangle_off("0 0 0", "1 0 0", "0 1 0"));
-  ASSERT_EQ(
-      test::soms_run({"overlap", a, a, "--pose", "0 0 9", "--report", at("page.html")}).status, 0);
+  ASSERT_EQ(test::soms_run({"overlap", a, a, "--pose", "0 0 9", "-o", at("page.html")}).status, 0);
   const std::string page = test::read_text(at("page.html"));
   EXPECT_EQ(test::Json::parse(scene_text(page))["contacts"]["all"], 0);
   EXPECT_NE(page.find("<dt>pairs found</dt><dd>0</dd>"), std::string::npos);
@@ -180,7 +179,7 @@ TEST_F(Report, TellsAPlaceThatCannotBeWrittenBeforeTheWork) {
   const std::string nowhere = at("no/folder/page.html");
   for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
            {"simulate", "--frames", "1", "--report", nowhere},
-           {"overlap", a, a, "--report", nowhere},
+           {"overlap", a, a, "-o", nowhere},
            {"reproduce", "--item", "5.3", "-o", at("out"), "--report", nowhere}}) {
     const test::RunResult run = test::soms_run(words);
     EXPECT_EQ(run.status, 5) << words[0];
@@ -192,8 +191,8 @@ TEST_F(Report, TellsAPlaceThatCannotBeWrittenBeforeTheWork) {
 TEST_F(Report, OverwritesNothingThatIsRead) {
   const std::string a = write("a.off", test::triangle_off("0 0 0", "1 0 0", "0 1 0"));
   const std::string before = test::read_text(a);
-  EXPECT_EQ(test::soms_run({"overlap", a, a, "--report", a}).status, 2);
-  EXPECT_EQ(test::soms_run({"overlap", a, a, "--report", "-"}).status, 2);
+  EXPECT_EQ(test::soms_run({"overlap", a, a, "-o", a}).status, 2);
+  EXPECT_EQ(test::soms_run({"overlap", a, a, "-o", "-"}).status, 2);
   EXPECT_EQ(test::soms_run({"simulate", a, "--report", a}).status, 2);
   EXPECT_EQ(test::soms_run({"simulate", a, "--report", at("x"), "--map", at("x")}).status, 2);
   EXPECT_EQ(test::soms_run({"reproduce", "--item", "5.3", "--report", "-"}).status, 2);
@@ -203,8 +202,7 @@ TEST_F(Report, OverwritesNothingThatIsRead) {
 TEST_F(Report, IsNotThereWhereTheRunFailed) {
   const std::string a = write("a.off", test::triangle_off("0 0 0", "1 0 0", "0 1 0"));
   const std::string poses = write("poses.csv", "x,y,z\n0,0,0\n0,0,oops\n");
-  EXPECT_NE(test::soms_run({"overlap", a, a, "--pose", poses, "--report", at("page.html")}).status,
-            0);
+  EXPECT_NE(test::soms_run({"overlap", a, a, "--pose", poses, "-o", at("page.html")}).status, 0);
   EXPECT_NE(test::soms_run({"simulate", at("none.ply"), "--report", at("page.html")}).status, 0);
   EXPECT_EQ(test::files_in(folder_.path()), (std::vector<std::string>{"a.off", "poses.csv"}));
 }

@@ -138,8 +138,9 @@ TEST(RobotVerb, TakesStatesOfManyForms) {
   EXPECT_EQ(verdicts(robot_run(with({}), "0,0.1,0,0.03\n3,0.1,0,0.03\n")),
             (Words{"contact", "free"}));
   EXPECT_EQ(verdicts(robot_run(with({}), "grip,turn,wrist,lift\n0.03,3,0,0.1\n")), Words{"free"});
-  EXPECT_EQ(verdicts(robot_run(with({"--home", "zero", "--ignore", "left,right"}), "turn\n0\n3\n")),
-            (Words{"contact", "free"}));
+  EXPECT_EQ(
+      verdicts(robot_run(with({"--home", "zero", "--ignore-pair", "left,right"}), "turn\n0\n3\n")),
+      (Words{"contact", "free"}));
   const RunResult home = robot_run(with({"--home", "up", "--srdf", arm_srdf()}), "turn\n0\n");
   EXPECT_EQ(verdicts(home), Words{"contact"});
   EXPECT_NE(home.err.find("joints without a column, as --home has them: lift, wrist, grip"),
@@ -163,9 +164,9 @@ TEST(RobotVerb, LeavesOutPairsOnRequest) {
     return robot_lines(robot_run(std::move(words))).totals.at("compared").at("link_pairs");
   };
   EXPECT_EQ(compared({}), 6);
-  EXPECT_EQ(compared({"--ignore", "left,right"}), 5);
+  EXPECT_EQ(compared({"--ignore-pair", "left,right"}), 5);
   EXPECT_EQ(compared({"--srdf", arm_srdf()}), 5);
-  EXPECT_EQ(compared({"--srdf", arm_srdf(), "--ignore", "right,left"}), 4);
+  EXPECT_EQ(compared({"--srdf", arm_srdf(), "--ignore-pair", "right,left"}), 4);
 }
 
 TEST(RobotVerb, PlacesTheRobotInTheCell) {
@@ -223,8 +224,9 @@ TEST(RobotVerb, RefusesWhatMakesNoSense) {
   expect_robot_refused(robot_run({"--random", "1", "--at-most", "1"}), 2,
                        "--at-most has no effect");
   expect_robot_refused(robot_run({"--random", "1", "--off-cell", "base"}), 2, "has no effect");
-  expect_robot_refused(robot_run({"--random", "1", "--ignore", "base"}), 2, "is no pair of links");
-  expect_robot_refused(robot_run({"--random", "1", "--ignore", "base,leg"}), 2,
+  expect_robot_refused(robot_run({"--random", "1", "--ignore-pair", "base"}), 2,
+                       "is no pair of links");
+  expect_robot_refused(robot_run({"--random", "1", "--ignore-pair", "base,leg"}), 2,
                        "leg is no link of the robot");
   expect_robot_refused(robot_run({"--random", "1", "--package", "x"}), 2, "is no package");
   expect_robot_refused(robot_run({"--random", "1", "-o", "a.png"}), 2, "-o");

@@ -76,16 +76,16 @@ TEST(EmptyBatches, AreAnsweredByNoRows) {
     EXPECT_NE(text.out.find('0'), std::string::npos) << text.out;
     // The same columns as of one row.
     const std::string csv =
-        question.csv ? run_and_read(question.words, "--csv", folder.path() / "none.csv") : "";
+        question.csv ? run_and_read(question.words, "-o", folder.path() / "none.csv") : "";
     const std::string npz =
-        question.binary ? run_and_read(question.words, "--binary", folder.path() / "none.npz") : "";
+        question.binary ? run_and_read(question.words, "-o", folder.path() / "none.npz") : "";
     write_text(file, question.header + "\n" + question.row + "\n");
     if (question.csv) {
-      const std::string one = run_and_read(question.words, "--csv", folder.path() / "one.csv");
+      const std::string one = run_and_read(question.words, "-o", folder.path() / "one.csv");
       EXPECT_EQ(csv, first_line(one) + "\n");
     }
     if (question.binary) {
-      const std::string one = run_and_read(question.words, "--binary", folder.path() / "one.npz");
+      const std::string one = run_and_read(question.words, "-o", folder.path() / "one.npz");
       const auto arrays = [](const std::string& bytes) {
         std::size_t count = 0;
         for (std::size_t at = bytes.find(".npy"); at != std::string::npos;
@@ -151,7 +151,7 @@ TEST(NumpyArchives, AreRowsAsTheirArrayIs) {
   write_text(points, "x,y,z\n0,0,0\n3,0.5,0\n");
   // An archive of soms itself, of which the array `point` has three columns.
   const std::string archive = (folder.path() / "nearest.npz").string();
-  ASSERT_EQ(soms_run({"closest", box(), "--points", points, "--binary", archive}).status, 0);
+  ASSERT_EQ(soms_run({"closest", box(), "--points", points, "-o", archive}).status, 0);
   const RunResult several = soms_run({"contains", box(), "--points", archive});
   EXPECT_EQ(several.status, 3);
   EXPECT_NE(several.err.find("several arrays: "), std::string::npos) << several.err;
@@ -197,12 +197,12 @@ TEST(ContainsVerb, WritesATable) {
   const std::string points = (folder.path() / "points.csv").string();
   const std::string csv = (folder.path() / "sides.csv").string();
   write_text(points, "x,y,z\n0,0,0\n3,0,0\n1,0,0\n");
-  const RunResult plain = soms_run({"contains", box(), "--points", points, "--csv", csv, "--json"});
+  const RunResult plain = soms_run({"contains", box(), "--points", points, "-o", csv, "--json"});
   ASSERT_EQ(plain.status, 0) << plain.err;
   EXPECT_EQ(first_line(read_text(csv)), "row,side,coverage");
   expect_as_json(read_text(csv), json_lines(plain.out));
   const RunResult winding =
-      soms_run({"contains", box(), "--winding", "--points", points, "--csv", csv, "--json"});
+      soms_run({"contains", box(), "--winding", "--points", points, "-o", csv, "--json"});
   ASSERT_EQ(winding.status, 0) << winding.err;
   const std::vector<Json> objects = json_lines(winding.out);
   const auto rows = cells_of(read_text(csv));
@@ -223,9 +223,8 @@ TEST(ContainsVerb, WritesARowForEachPartThatHoldsAPoint) {
                         "o house\ng room\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\no copy\n"
                         "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
   const std::string csv = (folder.path() / "parts.csv").string();
-  const RunResult result =
-      soms_run({"contains", model, "--by", "part", "--points", "-", "--csv", csv},
-               "x,y,z\n1,1,1\n-1,0,0\n0,1,1\n");
+  const RunResult result = soms_run({"contains", model, "--by", "part", "--points", "-", "-o", csv},
+                                    "x,y,z\n1,1,1\n-1,0,0\n0,1,1\n");
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(read_text(csv),
             "row,part,name,path,first,side,coverage\n"
@@ -240,8 +239,7 @@ TEST(SolidVerb, WritesATable) {
   const std::string poses = (folder.path() / "poses.csv").string();
   const std::string csv = (folder.path() / "relations.csv").string();
   write_text(poses, "x,y,z\n0,0,0\n0.5,0,0\n2,0,0\n9,0,0\n");
-  const RunResult result =
-      soms_run({"solid", box(), box(), "--pose", poses, "--csv", csv, "--json"});
+  const RunResult result = soms_run({"solid", box(), box(), "--pose", poses, "-o", csv, "--json"});
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(read_text(csv),
             "pose,relation,surfaces_meet,why,coverage\n0,same,true,none,complete\n"
@@ -258,7 +256,7 @@ TEST(SolidVerb, WritesARowForEachPairOfParts) {
              "o left\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\no flag\nf 5 6 7\n");
   const std::string csv = (folder.path() / "pairs.csv").string();
   const RunResult result = soms_run({"solid", model, box(), "--by", "part", "--pose", "4.5 0 0",
-                                     "--pose-b", "4.5 0 0", "--csv", csv});
+                                     "--pose-b", "4.5 0 0", "-o", csv});
   ASSERT_EQ(result.status, 0) << result.err;
   const auto rows = cells_of(read_text(csv));
   EXPECT_EQ(first_line(read_text(csv)),

@@ -54,19 +54,22 @@ class Shards(unittest.TestCase):
             raise AssertionError(f"{words}: status {done.returncode}: {done.stdout}{done.stderr}")
         return done
 
+    def npz(self):
+        return f"{self.out}/shard.npz"
+
     def question(self, name, poses="poses.npy"):
         verb = {"near": "distance"}.get(name, name if name in ("distance", "within") else "overlap")
         return [verb, "knot.ply", "ball.ply", "--pose", poses, *VERBS[name]]
 
     def answer(self, name, shards, out, poses="poses.npy", *more):
-        csv = [] if name in WITHOUT_CSV else ["--csv", out]
+        csv = [] if name in WITHOUT_CSV else ["-o", f"{out}/shard.csv"]
         for number in random.Random(shards).sample(range(1, shards + 1), shards):
-            self.run_soms(*self.question(name, poses), "--binary", out, *csv, "--shard", f"{number}/{shards}", *more)
+            self.run_soms(*self.question(name, poses), "-o", f"{out}/shard.npz", *csv, "--shard", f"{number}/{shards}", *more)
 
-    def check(self, name, out, *more):
-        kinds = ["npz"] if name in WITHOUT_CSV else ["npz", "csv"]
+    def check(self, name, out, *more, kinds=("npz", "csv")):
+        kinds = ["npz"] if name in WITHOUT_CSV else kinds
         self.run_soms(*self.question(name), *more, *(word for kind in kinds for word in
-                                                     ({"npz": "--binary", "csv": "--csv"}[kind], f"{out}.whole.{kind}")))
+                                                     ("-o", f"{out}.whole.{kind}")))
         for kind in kinds:
             self.run_soms("join", out, "-o", f"{out}.{kind}")
             self.assertEqual((self.folder / f"{out}.{kind}").read_bytes(),
@@ -109,9 +112,9 @@ class Shards(unittest.TestCase):
         other = f"{self.out}-other"
         self.answer("near", 3, other)
         for words, status in ((["--at-most", "0.4"], 3), (["--tree", "rule=soms"], 3)):
-            refused = self.run_soms(*self.question("distance"), *words, "--binary", self.out, "--shard", "2/3", status=status)
+            refused = self.run_soms(*self.question("distance"), *words, "-o", self.npz(), "--shard", "2/3", status=status)
             self.assertRegex(refused.stderr, r"shard-2\.json: is of another run: its question\.(at_most|tree) differs")
-        refused = self.run_soms(*self.question("distance"), "--binary", self.out, "--shard", "2/4", status=3)
+        refused = self.run_soms(*self.question("distance"), "-o", self.npz(), "--shard", "2/4", status=3)
         self.assertIn("its rows differs", refused.stderr)
         folder = self.folder / self.out
         kept = (folder / "shard-2.json").read_bytes()
@@ -129,21 +132,38 @@ class Shards(unittest.TestCase):
         self.assertIn("rows 7 to 16", self.run_soms("join", self.out, "-o", "x.npz", status=3).stderr)
         self.assertFalse((self.folder / "x.npz").exists())
 
+    def test_old_names_name_the_folder(self):
+        self.answer("distance", 2, self.out)
+        old = f"{self.out}-old"
+        for number in (1, 2):
+            done = self.run_soms(*self.question("distance"), "--binary", old, "--csv", old, "--shard", f"{number}/2")
+            self.assertEqual([line for line in done.stderr.splitlines() if " is now " in line],
+                             ["--binary is now -o FILE.npz; the old form ends with the next release",
+                              "--csv is now -o FILE.csv; the old form ends with the next release"])
+        files = {path.name: path.read_bytes() for path in (self.folder / self.out).iterdir()}
+        self.assertEqual(files, {path.name: path.read_bytes() for path in (self.folder / old).iterdir()})
+
+    def test_a_shard_has_the_name_of_its_output(self):
+        for number in (1, 2):
+            self.run_soms(*self.question("distance"), "-o", f"{self.out}/gaps.npz", "--shard", f"{number}/2")
+        self.assertEqual(sorted(os.listdir(self.folder / self.out)), ["gaps-1.json", "gaps-1.npz", "gaps-2.json", "gaps-2.npz"])
+        self.check("distance", self.out, kinds=("npz",))
+
     def test_errors_name_rows_of_the_whole_file(self):
         rows = [[0.0, 0.0, 0.0]] * ROWS
         rows[20] = [0.0, float("nan"), 0.0]
         (self.folder / "broken.npy").write_bytes(npy(rows))
-        refused = self.run_soms(*self.question("distance", "broken.npy"), "--binary", self.out, "--shard", "3/3", status=3)
+        refused = self.run_soms(*self.question("distance", "broken.npy"), "-o", self.npz(), "--shard", "3/3", status=3)
         self.assertIn("broken.npy, row 20: y is nan", refused.stderr)
         self.assertEqual(os.listdir(self.folder / self.out), [])
 
     def test_what_does_not_go_with_it(self):
-        for words in (["--shard", "1/2"], ["--shard", "0/2", "--binary", self.out], ["--shard", "3/2", "--binary", self.out],
-                      ["--shard", "2", "--binary", self.out], ["--shard", "1/2", "--binary", self.out, "--verify"],
-                      ["--shard", "1/2", "--binary", self.out, "--report", "x.html"],
-                      ["--shard", "1/2", "--binary", self.out, "--csv", "elsewhere"]):
+        for words in (["--shard", "1/2"], ["--shard", "0/2", "-o", self.npz()], ["--shard", "3/2", "-o", self.npz()],
+                      ["--shard", "2", "-o", self.npz()], ["--shard", "1/2", "-o", self.npz(), "--verify"],
+                      ["--shard", "1/2", "-o", self.npz(), "-o", "x.html"], ["--shard", "1/2", "-o", self.npz(), "-o", "x.jsonl"],
+                      ["--shard", "1/2", "-o", self.npz(), "-o", "elsewhere/shard.csv"]):
             self.run_soms(*self.question("distance"), *words, status=2)
-        self.run_soms("distance", "knot.ply", "ball.ply", "--pose", "1 0 0", "--shard", "1/2", "--binary", self.out, status=2)
+        self.run_soms("distance", "knot.ply", "ball.ply", "--pose", "1 0 0", "--shard", "1/2", "-o", self.npz(), status=2)
         self.run_soms("join", self.out, "-o", "x.txt", status=2)
 
 

@@ -78,7 +78,7 @@ TEST_F(Tiles, GiveTheBytesOfTheModel) {
       std::replace(words.begin(), words.end(), std::string("MODEL"), model);
       for (const std::string limit : {"", "64M"}) {
         std::vector<std::string> limited = words;
-        limited.insert(limited.end(), {"--binary", "answer.npz"});
+        limited.insert(limited.end(), {"-o", "answer.npz"});
         if (!limit.empty() && model == "tiles") {
           limited.insert(limited.end(), {"--max-memory", limit});
         }
@@ -112,21 +112,21 @@ TEST_F(Tiles, DecideWithinAsTheModel) {
 
 TEST_F(Tiles, GiveSharesThatAreJoined) {
   for (const char* const share : {"1/3", "2/3", "3/3"}) {
-    run({"distance", "car.ply", "tiles", "--pose", "poses.csv", "--shard", share, "--binary",
-         "out"});
+    run({"distance", "car.ply", "tiles", "--pose", "poses.csv", "--shard", share, "-o",
+         "out/shard.npz"});
   }
-  const RunResult again = run(
-      {"distance", "car.ply", "tiles", "--pose", "poses.csv", "--shard", "2/3", "--binary", "out"});
+  const RunResult again = run({"distance", "car.ply", "tiles", "--pose", "poses.csv", "--shard",
+                               "2/3", "-o", "out/shard.npz"});
   EXPECT_NE(again.err.find("is there and whole"), std::string::npos) << again.err;
   run({"join", "out", "-o", "joined.npz"});
-  run({"distance", "car.ply", "city.ply", "--pose", "poses.csv", "--binary", "whole.npz"});
+  run({"distance", "car.ply", "city.ply", "--pose", "poses.csv", "-o", "whole.npz"});
   EXPECT_EQ(bytes("joined.npz"), bytes("whole.npz"));
   // Other tiles are another question.
   EXPECT_EQ(result_of({"tile", "city.ply", "--most", "400", "-o", "tiles"}).status, 2);
   std::filesystem::remove_all(path("tiles"));
   run({"tile", "city.ply", "--most", "400", "-o", "tiles"});
   EXPECT_EQ(result_of({"distance", "car.ply", "tiles", "--pose", "poses.csv", "--shard", "2/3",
-                       "--binary", "out"})
+                       "-o", "out/shard.npz"})
                 .status,
             3);
 }
@@ -162,7 +162,7 @@ TEST_F(Tiles, AreRefusedWithTheReasonWhereWholeSurfacesAreNeeded) {
       {{"overlap", "tiles", "car.ply"}, "take tiles as B"},
       {{"overlap", "car.ply", "tiles", "--by", "part"}, "a part may lie in several of them"},
       {{"overlap", "car.ply", "tiles", "--limit", "3"}, "the first pairs are not known"},
-      {{"overlap", "car.ply", "tiles", "--report", "page.html"}, "a page shows the whole model"},
+      {{"overlap", "car.ply", "tiles", "-o", "page.html"}, "a page shows the whole model"},
       {{"overlap", "car.ply", "tiles", "--verify"}, "brute force needs the whole model"},
       {{"overlap", "car.ply", "tiles", "--tree", "rule=sah"}, "trees are built"},
       {{"overlap", "car.ply", "tiles", "--tree", "traversal=larger"}, "the binary tree"},
@@ -184,10 +184,10 @@ TEST_F(Tiles, NameWhatIsDamaged) {
       result_of({"overlap", "car.ply", "tiles", "--pose", "poses.csv", "--no-pairs"});
   EXPECT_EQ(result.status, 3);
   EXPECT_NE(result.err.find("tile-000001.somst"), std::string::npos) << result.err;
-  EXPECT_EQ(result_of({"tile", "missing.ply", "-o", "out"}).status, 3);
+  EXPECT_EQ(result_of({"tile", "missing.ply", "-o", "out/shard.npz"}).status, 3);
   EXPECT_FALSE(std::filesystem::exists(path("out")));
   EXPECT_EQ(result_of({"tile", "city.ply", "-o", "city.ply"}).status, 5);
-  EXPECT_EQ(result_of({"tile", "-", "-", "-o", "out"}).status, 2);
+  EXPECT_EQ(result_of({"tile", "-", "-", "-o", "out/shard.npz"}).status, 2);
   std::filesystem::remove(path("tiles") + "/tiles.json");
   const RunResult incomplete = result_of({"overlap", "car.ply", "tiles"});
   EXPECT_EQ(incomplete.status, 2);

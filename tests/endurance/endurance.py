@@ -68,7 +68,7 @@ def verbs_that_write(models, target):
     return {
         "generate": (["generate", "city", "--triangles", "2000000", "-o", f"{target}/a.obj"], ["a.obj"]),
         "convert": (["convert", knot, f"{target}/a.obj"], ["a.obj"]),
-        "overlap": (["overlap", knot, town, "--report", f"{target}/p.html"], ["p.html"]),
+        "overlap": (["overlap", knot, town, "-o", f"{target}/p.html"], ["p.html"]),
         "simulate": (["simulate", town, "--count", "30", "--frames", "300",
                       "--record", f"{target}/r", "--events", f"{target}/e", "--map", f"{target}/m",
                       "--report", f"{target}/p"], ["r", "e", "m", "p"]),

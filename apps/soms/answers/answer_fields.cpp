@@ -8,4 +8,10 @@ std::string json_number(double x) {
   return std::isfinite(x) ? fmt::format("{}", x) : "null";
 }
 
+void add_georeference(NpzFile& file, const Georeference& georeference) {
+  if (!georeference.empty()) {
+    file.text("georeference", describe(georeference));
+  }
+}
+
 }  // namespace soms::command

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "soms/describe/columns.h"
+#include "soms/geometry/georeference.h"
 #include "soms/query/answer.h"
 
 #include "apps/output/npz_file.h"
@@ -25,8 +26,8 @@
 
 namespace soms::command {
 
-inline constexpr std::size_t kUsualRow =
-    256;  // bytes of a row of CSV, so that it is allocated once
+/// Adds the array "georeference" of one text, as in CSV, if one is stated.
+void add_georeference(NpzFile& file, const Georeference& georeference);
 
 /// A number of JSON that reads back exactly; infinity is null.
 [[nodiscard]] std::string json_number(double x);
@@ -55,13 +56,25 @@ template <class Value>
   } else if constexpr (std::is_same_v<Value, Vec3>) {
     return fmt::format(",\"{}\":[{},{},{}]", name, value.x, value.y, value.z);
   } else if constexpr (std::is_same_v<Value, TrianglePair>) {
-    return fmt::format(",\"{}\":[{},{}]", name, value.first, value.second);
+    return fmt::format(",\"{}\":[{},{}]", name, value.a, value.b);
   } else if constexpr (Worded<Value>) {
     return fmt::format(",\"{}\":\"{}\"", name, soms::name(value));
   } else if constexpr (requires { value.has_value(); }) {
     return value ? json_key(name, *value) : std::string();
   } else {
     return fmt::format(",\"{}\":{}", name, value);
+  }
+}
+
+/// Whether row `k` of a batch names a triangle, or a pair of them.
+template <class Batch>
+[[nodiscard]] bool names_triangle_at(const Batch& batch, std::size_t k) {
+  if constexpr (requires { batch.triangle[k].has_value(); }) {
+    return batch.triangle[k].has_value();
+  } else if constexpr (requires { batch.triangles[k].has_value(); }) {
+    return batch.triangles[k].has_value();
+  } else {
+    return false;
   }
 }
 
@@ -118,12 +131,10 @@ template <Described T>
   return text + ",coverage";
 }
 
-/// The cells of an answer. `of_triangle(side, number)` gives the three cells of a triangle, or
+/// Adds the cells of an answer. `of_triangle(side, number)` gives the three cells of a triangle, or
 /// empty ones; side 0 is the only one, or that of the first body.
 template <Described T, class OfTriangle>
-[[nodiscard]] std::string field_cells(const T& answer, const OfTriangle& of_triangle) {
-  std::string text;
-  text.reserve(kUsualRow);
+void add_field_cells(const T& answer, const OfTriangle& of_triangle, std::string& text) {
   const auto to = std::back_inserter(text);
   detail::for_each_own_field<T>([&](const auto& field) {
     using Value = typename std::remove_cvref_t<decltype(field)>::Type;
@@ -131,9 +142,9 @@ template <Described T, class OfTriangle>
     if constexpr (std::is_same_v<Value, std::optional<TriangleId>>) {
       text += of_triangle(0, value);
     } else if constexpr (std::is_same_v<Value, std::optional<TrianglePair>>) {
-      text += of_triangle(0, value ? std::optional(value->first) : std::nullopt);
+      text += of_triangle(0, value ? std::optional(value->a) : std::nullopt);
       text += ',';
-      text += of_triangle(1, value ? std::optional(value->second) : std::nullopt);
+      text += of_triangle(1, value ? std::optional(value->b) : std::nullopt);
     } else if constexpr (std::is_same_v<Value, Bracket>) {
       fmt::format_to(to, "{},{}", value.lower, value.upper);
     } else if (detail::is_unknown(answer, field) ||
@@ -149,7 +160,6 @@ template <Described T, class OfTriangle>
     text += ',';
   });
   text += name(answer.coverage);
-  return text;
 }
 
 /// Arrays of a file, one for each field of an answer.
@@ -181,28 +191,21 @@ class FieldColumns {
     });
   }
 
-  /// \pre `begin` was called for T.
+  /// Adds the first rows of a batch of answers T. \pre `begin` was called for T.
   template <Described T>
-  void add(const T& answer) {
-    auto column = columns_.begin();
+  void add(const BatchOf<T>& batch, std::size_t rows) {
+    auto array = columns_.begin();
     for_each_field<T>([&](const auto& field) {
       using Value = typename std::remove_cvref_t<decltype(field)>::Type;
-      const Value& value = field.of(answer);
       if constexpr (std::is_same_v<Value, Bracket>) {
-        (*column++)->add(value.lower);
-        (*column++)->add(value.upper);
-      } else if constexpr (std::is_same_v<Value, Vec3>) {
-        const bool there = !field.of_triangle || names_triangle(answer);
-        (*column++)->add(there ? value : Vec3{kNone, kNone, kNone});
-      } else if constexpr (std::is_same_v<Value, std::optional<TriangleId>>) {
-        (*column++)->add(value ? std::int64_t{*value} : -1);
-      } else if constexpr (std::is_same_v<Value, std::optional<TrianglePair>>) {
-        (*column)->add(value ? std::int64_t{value->first} : -1);
-        (*column++)->add(value ? std::int64_t{value->second} : -1);
-      } else if constexpr (Worded<Value>) {
-        (*column++)->add(static_cast<std::uint8_t>(value));
+        add_rows<double>(**array++, batch.*field.column.lower, rows,
+                         [](std::size_t) { return true; });
+        add_rows<double>(**array++, batch.*field.column.upper, rows,
+                         [](std::size_t) { return true; });
       } else if constexpr (!std::is_same_v<Value, Cost>) {
-        (*column++)->add(value);
+        add_rows<Value>(**array++, batch.*field.column, rows, [&](std::size_t k) {
+          return !field.of_triangle || detail::names_triangle_at(batch, k);
+        });
       }
     });
   }
@@ -210,6 +213,28 @@ class FieldColumns {
  private:
   using Kind = NpzColumn::Kind;
   static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+  template <class Value, class Column, class Says>
+  static void add_rows(NpzColumn& array, const Column& column, std::size_t rows,
+                       const Says& says_something) {
+    for (std::size_t k = 0; k < rows; ++k) {
+      const auto& value = column[k];
+      if constexpr (std::is_same_v<Value, Vec3>) {
+        array.add(says_something(k) ? value : Vec3{kNone, kNone, kNone});
+      } else if constexpr (std::is_same_v<Value, std::optional<TriangleId>>) {
+        array.add(value ? std::int64_t{*value} : -1);
+      } else if constexpr (std::is_same_v<Value, std::optional<TrianglePair>>) {
+        array.add(value ? std::int64_t{value->a} : -1);
+        array.add(value ? std::int64_t{value->b} : -1);
+      } else if constexpr (Worded<Value>) {
+        array.add(static_cast<std::uint8_t>(value));
+      } else if constexpr (std::is_same_v<Value, bool>) {
+        array.add(value != 0);
+      } else {
+        array.add(value);
+      }
+    }
+  }
 
   std::vector<NpzColumn*> columns_;
 };

@@ -8,6 +8,7 @@
 #include "apps/cli/parse.h"
 #include "apps/cli/parser.h"
 #include "apps/cli/text.h"
+#include "apps/model/part_filter.h"
 #include "apps/output/output.h"
 #include "apps/rows/json_list.h"
 #include "apps/soms/clash/clash_baseline.h"
@@ -31,9 +32,8 @@ namespace soms::command {
 
 namespace {
 
-ClashOptions library_options(const ClashVerbOptions& options, const ClashModels& models,
-                             const Console& console) {
-  ClashOptions wanted{.within = options.within, .deadline = console.deadline()};
+ClashOptions library_options(const ClashVerbOptions& options, const ClashModels& models) {
+  ClashOptions wanted{.within = options.within};
   if (!options.sets.between.empty()) {
     wanted.wanted = [&](std::uint32_t a, std::uint32_t b) {
       return bodies_are_compared(options.sets, models, a, b);
@@ -229,12 +229,13 @@ void check_options(const ClashVerbOptions& options) {
 void add_clash_questions(Parser& parser, ClashVerbOptions& options) {
   parser
       .add_option_function(
-          "--within",
+          "--clearance",
           [&options](const std::string& text) {
-            options.within = parse_number("--within", text);
+            options.within = parse_number("--clearance", text);
             check(ClashOptions{.within = options.within});
           },
           "also list parts that share nothing and are at most D apart, as near")
+      ->old_name("--within")
       ->option_text("D")
       ->group(kQuestionGroup);
   std::vector<std::string> kinds;
@@ -243,14 +244,18 @@ void add_clash_questions(Parser& parser, ClashVerbOptions& options) {
   }
   parser
       .add_each_time(
-          "--ignore",
+          "--ignore-class",
           [&options, kinds](const std::string& name) {
             if (std::find(kinds.begin(), kinds.end(), name) == kinds.end()) {
-              throw unknown_choice("--ignore", name, kinds);
+              throw unknown_choice("--ignore-class", name, kinds);
             }
             options.ignored_kinds.push_back(name);
           },
           "leave out clashes of a class (repeatable): " + word_list(kinds))
+      ->old_name("--ignore",
+                 [kinds](const std::string& value) {
+                   return std::find(kinds.begin(), kinds.end(), value) != kinds.end();
+                 })
       ->option_text(kChoiceText)
       ->choices(kinds)
       ->group(kQuestionGroup);
@@ -364,13 +369,15 @@ Action add_clash(Parser& parser, Shared&) {
   add_city_options(parser, options->models.model, "", "the models");
   add_city_options(parser, options->models.model_against, "-b", "the models of --against");
   add_strict(parser, options->models.model.strict);
+  add_part_filter(parser, options->models.model.parts, "the models");
   parser.footer(
       "Exact: crossing, inside, same or touching, as soms solid says of each pair of parts. If a\n"
       "part is open, the pair is undecided where the answer depends on what the part encloses." +
-      example_of_pair("clash knot.ply --against ball.off --within 0.1 -o clashes.csv"));
+      example_of_pair("clash knot.ply --against ball.off --clearance 0.1 -o clashes.csv"));
   return [options, &parser](Console& console) {
     options->files.command = stated_command(parser);
     options->models.model_against.strict = options->models.model.strict;
+    options->models.model_against.parts = options->models.model.parts;
     options->models.expected_gap = options->within.value_or(0);
     return run_clash(*options, console);
   };
@@ -393,7 +400,7 @@ int run_clash(const ClashVerbOptions& options, Console& console) {
   }
   ClashModels models = read_clash_models(options.models, console);
   give_sets(options.sets, models);
-  const ClashOptions wanted = library_options(options, models, console);
+  const ClashOptions wanted = library_options(options, models);
   const ClashRun run = decide_clashes(models, wanted, options.journal, console);
   const ClashReport report = report_of(models, run, options, ignored, baseline, console);
   tell_progress(report, run, console);

@@ -78,7 +78,7 @@ void check_filters(const ListedObject& end, const std::vector<std::string>& filt
       throw Error(ErrorKind::usage,
                   fmt::format("{}: the list lacks clashes, by {}", removed->place(), filter),
                   fmt::format("also give {}{}, or a list that was written without it",
-                              is_kind ? "--ignore " : "--", filter));
+                              is_kind ? "--ignore-class " : "--", filter));
     }
   }
 }

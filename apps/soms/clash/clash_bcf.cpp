@@ -183,14 +183,14 @@ class BcfWriter {
     head_.project_guid = bcf_guid("project " + head_.project_name);
   }
 
-  void write(const Parallel& parallel) {
+  void write(const Limits& limits) {
     zip_.add_stored("bcf.version", bcf_version_xml(head_));
     zip_.add_packed("project.bcfp", bcf_project_xml(head_));
     const std::size_t count = clashes_.size();
     for (std::size_t first = 0; first < count; first += kTopicsAtATime) {
-      write_topics(first, std::min(count, first + kTopicsAtATime), parallel);
-      if (parallel.progress) {
-        parallel.progress(static_cast<double>(first) / static_cast<double>(count));
+      write_topics(first, std::min(count, first + kTopicsAtATime), limits);
+      if (limits.progress) {
+        limits.progress(static_cast<double>(first) / static_cast<double>(count));
       }
     }
     if (options_.version == BcfVersion::v3_0) {
@@ -218,9 +218,9 @@ class BcfWriter {
                            : "Clashes of " + first(models.a);
   }
 
-  void write_topics(std::size_t first, std::size_t last, const Parallel& parallel) {
+  void write_topics(std::size_t first, std::size_t last, const Limits& limits) {
     std::vector<Made> made(last - first);
-    Parallel quiet = parallel;
+    Limits quiet = limits;
     quiet.progress = {};
     for_each_chunk(made.size(), 1, quiet, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
@@ -339,12 +339,12 @@ std::string xml_time(std::int64_t seconds) {
 void write_clashes_as_bcf(const ClashReport& report, const ClashBcfOptions& options,
                           Console& console, std::ostream& out) {
   Progress bar = console.progress("drawing clashes");
-  Parallel parallel = console.parallel();
+  Limits limits = console.limits().without_deadline();
   if (report.interrupted) {
-    parallel.stop = {};  // Ctrl-C ended the comparison; what was found is written all the same
+    limits.stop = {};  // Ctrl-C ended the comparison; what was found is written all the same
   }
-  parallel.progress = [&bar](double share) { bar.show(share); };
-  BcfWriter(report, options, out).write(parallel);
+  limits.progress = [&bar](double share) { bar.show(share); };
+  BcfWriter(report, options, out).write(limits);
 }
 
 }  // namespace soms::command

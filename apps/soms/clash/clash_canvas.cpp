@@ -1,5 +1,7 @@
 #include "apps/soms/clash/clash_canvas.h"
 
+#include "apps/draw/raster.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -40,12 +42,12 @@ Canvas::Canvas(std::size_t width, std::size_t height, const CanvasCamera& camera
       layers_{Layer(width_ * height_), Layer(width_ * height_), Layer(width_ * height_)} {
 }
 
-Canvas::Point Canvas::seen(const Vec3& at) const {
+Vec3 Canvas::seen(const Vec3& at) const {
   const Vec3 v = at - camera_.eye;
   return {dot(v, camera_.right), dot(v, camera_.up), dot(v, camera_.forward)};
 }
 
-Canvas::Point Canvas::on_canvas(const Point& seen) const {
+Vec3 Canvas::on_canvas(const Vec3& seen) const {
   const double scale = 0.5 * static_cast<double>(height_) / (camera_.tangent * seen.z);
   return {0.5 * static_cast<double>(width_) + seen.x * scale,
           0.5 * static_cast<double>(height_) - seen.y * scale, 1 / seen.z};
@@ -66,12 +68,12 @@ void Canvas::draw(const Triangle& triangle, double nearest, const CanvasPaint& p
   const Pixel pixel{.color = mixed(look::Rgb{}, paint.color, light),
                     .key = static_cast<std::uint16_t>(facing(normal) ^ paint.object << 12U)};
   // What is left of the triangle beyond the plane z = nearest: at most four corners.
-  const std::array<Point, 3> corners{seen(triangle.a), seen(triangle.b), seen(triangle.c)};
-  std::array<Point, 4> kept{};
+  const std::array<Vec3, 3> corners{seen(triangle.a), seen(triangle.b), seen(triangle.c)};
+  std::array<Vec3, 4> kept{};
   std::size_t count = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Point& from = corners[k];
-    const Point& to = corners[(k + 1) % 3];
+    const Vec3& from = corners[k];
+    const Vec3& to = corners[(k + 1) % 3];
     if (from.z >= nearest) {
       kept[count++] = on_canvas(from);
     }
@@ -86,51 +88,23 @@ void Canvas::draw(const Triangle& triangle, double nearest, const CanvasPaint& p
   }
 }
 
-void Canvas::fill(const Point& a, const Point& b, const Point& c, const Pixel& paint,
-                  Layer& layer) {
+void Canvas::fill(const Vec3& a, const Vec3& b, const Vec3& c, const Pixel& paint, Layer& layer) {
   const double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
   if (!(std::fabs(area) > 0) || !std::isfinite(area)) {
     return;
   }
-  const auto column = [](double at, std::size_t most) {
-    return static_cast<std::size_t>(
-        std::clamp(std::ceil(at - 0.5), 0.0, static_cast<double>(most)));
-  };
-  const std::size_t top = column(std::min({a.y, b.y, c.y}), height_);
-  const std::size_t bottom = column(std::max({a.y, b.y, c.y}), height_);
-  for (std::size_t row = top; row < bottom; ++row) {
-    const double y = static_cast<double>(row) + 0.5;
-    // Where the row enters and leaves the triangle, and 1 / z there.
-    std::array<std::array<double, 2>, 2> ends{};
-    std::size_t found = 0;
-    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
-      if ((from.y <= y) != (to.y <= y) && found < 2) {
-        const double share = (y - from.y) / (to.y - from.y);
-        ends[found++] = {from.x + share * (to.x - from.x), from.z + share * (to.z - from.z)};
-      }
-    }
-    if (found < 2) {
-      continue;
-    }
-    if (ends[0][0] > ends[1][0]) {
-      std::swap(ends[0], ends[1]);
-    }
-    const double slope =
-        ends[1][0] > ends[0][0] ? (ends[1][1] - ends[0][1]) / (ends[1][0] - ends[0][0]) : 0;
-    const std::size_t last = column(ends[1][0], width_);
-    for (std::size_t x = column(ends[0][0], width_); x < last; ++x) {
-      const double depth = ends[0][1] + slope * (static_cast<double>(x) + 0.5 - ends[0][0]);
-      Pixel& pixel = layer[row * width_ + x];
-      if (const auto rounded = static_cast<float>(depth); rounded > pixel.depth) {
-        pixel = paint;
-        pixel.depth = rounded;
-      }
-    }
-  }
+  for_each_sample({.columns = width_, .rows = height_}, a, b, c,
+                  [&](std::size_t x, std::size_t y, double depth) {
+                    Pixel& pixel = layer[y * width_ + x];
+                    if (const auto rounded = static_cast<float>(depth); rounded > pixel.depth) {
+                      pixel = paint;
+                      pixel.depth = rounded;
+                    }
+                  });
 }
 
 void Canvas::mark(const Vec3& place, double radius, look::Rgb color, look::Rgb halo) {
-  const Point at = seen(place);
+  const Vec3 at = seen(place);
   if (at.z > 0) {
     marks_.push_back({on_canvas(at), radius * kFiner, color, halo});
   }

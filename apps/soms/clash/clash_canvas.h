@@ -57,17 +57,11 @@ class Canvas {
     std::uint16_t key = 0;  ///< of object and facing
   };
 
-  struct Point {
-    double x;
-    double y;
-    double z;
-  };
-
   using Layer = std::vector<Pixel>;
 
-  [[nodiscard]] Point seen(const Vec3& at) const;
-  [[nodiscard]] Point on_canvas(const Point& seen) const;
-  void fill(const Point& a, const Point& b, const Point& c, const Pixel& paint, Layer& layer);
+  [[nodiscard]] Vec3 seen(const Vec3& at) const;
+  [[nodiscard]] Vec3 on_canvas(const Vec3& seen) const;
+  void fill(const Vec3& a, const Vec3& b, const Vec3& c, const Pixel& paint, Layer& layer);
   [[nodiscard]] look::Rgb painted(CanvasLayer layer, std::size_t x, std::size_t y) const;
   [[nodiscard]] look::Rgb scene_at(std::size_t x, std::size_t y) const;
   [[nodiscard]] look::Rgb color_at(std::size_t x, std::size_t y) const;
@@ -83,7 +77,7 @@ class Canvas {
   std::array<Layer, 3> layers_;  ///< by CanvasLayer
 
   struct Mark {
-    Point middle;  ///< on the canvas
+    Vec3 middle;  ///< on the canvas
     double radius;
     look::Rgb color;
     look::Rgb halo;

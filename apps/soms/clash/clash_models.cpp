@@ -9,6 +9,7 @@
 #include "apps/cli/text.h"
 #include "apps/model/georeference.h"
 #include "apps/model/models.h"
+#include "apps/model/part_filter.h"
 #include "apps/world/part_names.h"
 
 #include <fmt/format.h>
@@ -112,23 +113,10 @@ void check_once(const std::vector<std::string>& files) {
   }
 }
 
-/// Reads one model, turned to z up where its file says that it is not.
-Mesh read_upright_model(const std::string& file, const ModelOptions& options,
-                        const Console& console) {
-  Mesh mesh = read_model(file, options, console);
-  const UpAxis up = mesh.up;
-  if (options.up == UpAxis::unknown && (up == UpAxis::x || up == UpAxis::y)) {
-    mesh = transformed(std::move(mesh), 1, up);
-    console.note(fmt::format("{}: the file declares that {} is up; rotated to z",
-                             printable(mesh.source), up == UpAxis::x ? "x" : "y"));
-  }
-  return mesh;
-}
-
 void add_parts(Mesh mesh, ClashSet& set, Console& console) {
   std::vector<PartBody> parts =
       console.run("dividing " + printable(mesh.source) + " into parts",
-                  [&](const Parallel& parallel) { return part_bodies(mesh, {}, parallel); });
+                  [&](const Limits& limits) { return part_bodies(mesh, {}, limits); });
   set.mesh.insert(set.mesh.end(), parts.size(), static_cast<std::uint32_t>(set.meshes.size()));
   for (const PartBody& part : parts) {
     set.labels.push_back(body_label(mesh, part.part, part.joined));
@@ -141,7 +129,7 @@ std::vector<NamedFrame> read_set(const std::vector<std::string>& files, const Mo
                                  const std::string& suffix, ClashSet& set, Console& console) {
   std::vector<NamedFrame> frames;
   for (const std::string& file : files) {
-    Mesh mesh = read_upright_model(file, options, console);
+    Mesh mesh = read_model_of_set(file, options, console);
     frames.push_back(named_frame(mesh, options, "--scale" + suffix, "--up" + suffix));
     frames.back().is_shared = files.size() > 1;
     add_parts(std::move(mesh), set, console);
@@ -237,6 +225,18 @@ ModelFiles model_files(const std::vector<std::string>& names, const Console& con
   return models;
 }
 
+Mesh read_model_of_set(const std::string& file, const ModelOptions& options,
+                       const Console& console) {
+  Mesh mesh = read_model(file, options, console);
+  const UpAxis up = mesh.up;
+  if (options.up == UpAxis::unknown && (up == UpAxis::x || up == UpAxis::y)) {
+    mesh = transformed(std::move(mesh), 1, up);
+    console.note(fmt::format("{}: the file declares that {} is up; rotated to z",
+                             printable(mesh.source), up == UpAxis::x ? "x" : "y"));
+  }
+  return options.parts ? options.parts->left(std::move(mesh)) : mesh;
+}
+
 ClashModels read_clash_models(const ClashModelOptions& options, Console& console) {
   ClashModels models;
   models.two_sets = !options.against.empty();
@@ -248,6 +248,9 @@ ClashModels read_clash_models(const ClashModelOptions& options, Console& console
   const std::vector<NamedFrame> frames = read_set(files, options.model, "", models.a, console);
   const std::vector<NamedFrame> frames_against =
       read_set(against, options.model_against, "-b", models.b, console);
+  if (options.model.parts) {
+    options.model.parts->finish(console);
+  }
   give_keys(models);
   std::vector<MeshView> meshes;
   for (const ClashSet* const set : {&models.a, &models.b}) {

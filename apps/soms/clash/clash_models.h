@@ -76,6 +76,12 @@ struct ModelFiles {
 /// \errors As `read_model`; ErrorKind::usage where a model is named twice.
 [[nodiscard]] ClashModels read_clash_models(const ClashModelOptions& options, Console& console);
 
+/// Reads a model of a set, turned to z up where its file says that x or y is, unless an option says
+/// how it is to be turned; without the parts that options leave out.
+/// \errors As `read_model`.
+[[nodiscard]] Mesh read_model_of_set(const std::string& file, const ModelOptions& options,
+                                     const Console& console);
+
 /// A part as a side of a clash: file, name, id, type, path, index, the other parts of its body, and
 /// where it is open.
 [[nodiscard]] Json clash_side(const ClashSet& set, std::uint32_t part);

@@ -148,8 +148,8 @@ class ClashPageMaker {
     const std::uint64_t count = std::min<std::uint64_t>(shares_[k], pairs.size());
     for (std::uint64_t n = 0; n < count; ++n) {
       const TrianglePair& pair = pairs[n * pairs.size() / count];
-      lines.push_back(report::crossing_line(a.shape.mesh().triangle(pair.first),
-                                            b.shape.mesh().triangle(pair.second)));
+      lines.push_back(
+          report::crossing_line(a.shape.mesh().triangle(pair.a), b.shape.mesh().triangle(pair.b)));
     }
     return lines;
   }

@@ -51,7 +51,7 @@ ClashRun decide_clashes(const ClashModels& models, const ClashOptions& options,
     const auto block = all.subspan(run.done, std::min(kPairsOfABlock, all.size() - run.done));
     try {
       const ClashList list =
-          clashes_of(models.a.parts, models.second().parts, block, options, console.parallel());
+          clashes_of(models.a.parts, models.second().parts, block, options, console.limits());
       run.clashes.insert(run.clashes.end(), list.clashes.begin(), list.clashes.end());
       run.compared += list.compared;
       run.cost += list.cost;
@@ -75,12 +75,12 @@ ClashRun decide_clashes(const ClashModels& models, const ClashOptions& options,
 std::uint64_t count_wrong_clashes(const ClashModels& models, const ClashRun& run,
                                   const ClashOptions& options, Console& console) {
   std::uint64_t wrong = 0;
-  console.run("verifying", [&](const Parallel& parallel) {
+  console.run("verifying", [&](const Limits& limits) {
     auto next = run.clashes.begin();
     const std::vector<PartBody>& a = models.a.parts;
     const std::vector<PartBody>& b = models.second().parts;
     for (std::uint32_t i = 0; i < a.size(); ++i) {
-      parallel.progress(static_cast<double>(i) / static_cast<double>(a.size()));
+      limits.progress(static_cast<double>(i) / static_cast<double>(a.size()));
       for (std::uint32_t j = models.two_sets ? 0 : i + 1; j < b.size(); ++j) {
         if (options.wanted && !options.wanted(i, j)) {
           continue;
@@ -93,7 +93,7 @@ std::uint64_t count_wrong_clashes(const ClashModels& models, const ClashRun& run
           found->box = {};
           found->penetration.reset();
         }
-        if (found != reference::clash_by_brute_force(a[i], b[j], options.within, parallel)) {
+        if (found != reference::clash_by_brute_force(a[i], b[j], options.within, limits)) {
           ++wrong;
           print_error("soms clash",
                       fmt::format("parts {} and {}: brute force finds otherwise", i, j));

@@ -55,7 +55,7 @@ double reach_of(double shared, double a, double b) {
 /// How much of the line of sight to the place the two parts hide.
 double hidden(const ClashSight& sight, const PartBody* larger, const PartBody* smaller) {
   // Parts meet at the place itself.
-  const Segment line{sight.place + 0.03 * sight.reach * sight.toward, sight.eye()};
+  const Ray line = Ray::between(sight.place + 0.03 * sight.reach * sight.toward, sight.eye());
   const auto hides = [&](const PartBody* part) {
     return part != nullptr && any_hit(part->body, line).hit;
   };

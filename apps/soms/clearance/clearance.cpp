@@ -9,9 +9,9 @@
 #include "apps/cli/parse.h"
 #include "apps/cli/parser.h"
 #include "apps/cli/text.h"
+#include "apps/model/part_filter.h"
 #include "apps/output/output.h"
 #include "apps/rows/json_list.h"
-#include "apps/soms/clearance/clearance_city.h"
 #include "apps/soms/clearance/clearance_map.h"
 #include "apps/soms/clearance/clearance_output.h"
 #include "apps/soms/clearance/clearance_page.h"
@@ -126,20 +126,20 @@ void note_forward(const World& world, Forward forward, const Console& console) {
   }
 }
 
-Clearance move_along(const World& world, const ComparedCity& city, const ProfilePath& path,
-                     const ClearanceOptions& options, const Console& console) {
+Clearance move_along(const World& world, const ProfilePath& path, const ClearanceOptions& options,
+                     const Console& console) {
   Progress bar = console.progress("moving along the path");
-  Parallel parallel = console.limited();
-  parallel.progress = [&bar](double share) { bar.show(share); };
-  return clearance_along(world.models.front().shape, path.motion, city.bodies, options, parallel);
+  Limits limits = console.limited();
+  limits.progress = [&bar](double share) { bar.show(share); };
+  return clearance_along(world.models.front().shape, path.motion, world.city, options, limits);
 }
 
 /// True if brute force agrees. \errors ErrorKind::timed_out.
-bool agrees_with_brute_force(const ClearanceReport& report, const ComparedCity& city,
-                             const Console& console, std::string& line) {
-  const reference::ClearanceCheck found = console.run("verifying", [&](const Parallel& parallel) {
+bool agrees_with_brute_force(const ClearanceReport& report, const Console& console,
+                             std::string& line) {
+  const reference::ClearanceCheck found = console.run("verifying", [&](const Limits& limits) {
     return reference::check_clearance(report.answer, report.profile().shape, report.path.motion,
-                                      city.bodies, report.options, kVerifiedAStretch, parallel);
+                                      report.world.city, report.options, kVerifiedAStretch, limits);
   });
   if (found.wrong > 0) {
     print_error("soms clearance", "brute force: " + found.first);
@@ -190,13 +190,10 @@ void add_profile_and_path(Parser& parser, ClearanceVerbOptions& options) {
       parser, "--forward", options.forward,
       {{"x", Forward::x}, {"y", Forward::y}, {"-x", Forward::minus_x}, {"-y", Forward::minus_y}},
       "axis of the profile that heads along the path (x)");
-  add_repeatable(parser, "--ignore", options.ignored,
-                 "leave out parts of the city, such as roads, whose name, id or type fits a\n"
-                 "pattern; may be repeated",
-                 "PATTERN");
   add_model_options(parser, options.world.city_model, "--scale", "--up", "the city");
   add_model_options(parser, options.world.mover_model, "--mover-scale", "--mover-up",
                     "the profile");
+  add_part_filter(parser, options.world.city_model.parts, "the city");
   parser
       .add_flag_callback(
           "--strict",
@@ -280,16 +277,16 @@ int run_clearance(const ClearanceVerbOptions& options, Console& console) {
   wanted.routes = {options.path};
   const World world = load_world(wanted, console);
   note_forward(world, options.forward, console);
-  const ComparedCity city = compared_city(world, options.ignored, console);
   const ProfilePath path =
       profile_path(world.routes.front(), world.models.front().foot, options.forward);
   const ClearanceOptions search = search_options(options, world.models.front());
   ClearanceReport report{.world = world,
                          .path = path,
                          .options = search,
-                         .answer = move_along(world, city, path, search, console),
+                         .answer = move_along(world, path, search, console),
                          .path_file = options.path,
-                         .ignored = options.ignored,
+                         .only = wanted.city_model.parts->patterns(true),
+                         .ignored = wanted.city_model.parts->patterns(false),
                          .unit = common_unit(world.city)};
   const bool cut = report.answer.coverage == Coverage::cut;
   report.interrupted = cut && console.interrupted();
@@ -303,10 +300,9 @@ int run_clearance(const ClearanceVerbOptions& options, Console& console) {
   if (options.verify && cut) {
     console.note("not verified, as the path was not finished");
   } else if (options.verify) {
-    wrong = !agrees_with_brute_force(report, city, console, line);
+    wrong = !agrees_with_brute_force(report, console, line);
     report.verified = !wrong;
   }
-  city.rename(report.answer);
   const NearestNames names(world);
   if (console.shared().json) {
     std::ostringstream text;

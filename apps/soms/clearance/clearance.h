@@ -21,10 +21,9 @@ struct ClearanceVerbOptions {
   std::string profile;  ///< file
   std::string path;     ///< file
   Forward forward = Forward::x;
-  std::vector<std::string> ignored;  ///< patterns of parts of the city
-  std::optional<double> every;       ///< unset: by the size of the profile
-  std::optional<double> accuracy;    ///< likewise
-  double clearance = 0;              ///< 0: none
+  std::optional<double> every;     ///< unset: by the size of the profile
+  std::optional<double> accuracy;  ///< likewise
+  double clearance = 0;            ///< 0: none
   ClearanceFailure fail_if = ClearanceFailure::never;
   bool verify = false;
   std::vector<std::string> outputs;  ///< files, .csv or .json

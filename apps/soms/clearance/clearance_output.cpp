@@ -124,7 +124,7 @@ void add_gap(Json& json, const ClearanceStation& station, const NearestNames& na
   json["overlap"] = station.overlaps();
   json["nearest"] = names.json(station);
   if (station.triangles) {
-    json["triangles"] = Json::array({station.triangles->first, station.triangles->second});
+    json["triangles"] = Json::array({station.triangles->a, names.triangle(station)});
     json["points"] = Json::array({point_as_json(station.point_a), point_as_json(station.point_b)});
   }
 }
@@ -177,6 +177,7 @@ Json totals_of_clearance(const ClearanceReport& report, const NearestNames& name
   Json json{{"schema", "soms.clearance/1"},
             {"profile", report.profile().shape.mesh().source},
             {"path", report.path_file},
+            {"only", report.only},
             {"ignored", report.ignored},
             {"stations", answer.stations.size()},
             {"length", report.length()},
@@ -263,7 +264,7 @@ std::vector<VerdictRun> verdict_runs(const ClearanceReport& report) {
 
 const Part* NearestNames::part(const ClearanceStation& station) const {
   const auto body = static_cast<EnvironmentId>(*station.body);
-  const std::uint32_t number = parts_.number(body, station.triangles->second);
+  const std::uint32_t number = parts_.number(body, station.triangles->b);
   return number == Part::kNoParent ? nullptr : &world_.city[body].shape.mesh().parts[number];
 }
 
@@ -304,7 +305,7 @@ std::string NearestNames::csv(const ClearanceStation& station) const {
   const Part* const found = part(station);
   return fmt::format("{},{},{},{}", csv_field(world_.city[*station.body].shape.mesh().source),
                      found == nullptr ? "" : csv_field(found->name),
-                     found == nullptr ? "" : csv_field(found->id), station.triangles->second);
+                     found == nullptr ? "" : csv_field(found->id), triangle(station));
 }
 
 std::string gap_in_text(const Bracket& gap, double unit) {
@@ -326,6 +327,9 @@ std::vector<std::pair<std::string, std::string>> clearance_figures(const Clearan
                   length_with_unit(options.every, report.unit), with_commas(answer.queries)));
   if (!report.world.georeference.empty()) {
     figures.emplace_back("georeference", printable(describe(report.world.georeference)));
+  }
+  if (!report.only.empty()) {
+    figures.emplace_back("only", printable(fmt::format("{}", fmt::join(report.only, ", "))));
   }
   if (!report.ignored.empty()) {
     figures.emplace_back("left out", printable(fmt::format("{}", fmt::join(report.ignored, ", "))));
@@ -400,7 +404,7 @@ std::string clearance_as_csv(const ClearanceReport& report, const NearestNames& 
                         row ? std::to_string(*row) : "", at.x, at.y, at.z,
                         shortest(station.gap.lower), shortest(station.gap.upper),
                         name(verdict(station, report.options.clearance)), names.csv(station),
-                        station.triangles ? std::to_string(station.triangles->first) : "",
+                        station.triangles ? std::to_string(station.triangles->a) : "",
                         point(station, station.point_a), point(station, station.point_b));
     if (k < answer.stretches.size()) {
       const ClearanceStretch& stretch = answer.stretches[k];

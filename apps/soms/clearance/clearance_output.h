@@ -25,7 +25,8 @@ struct ClearanceReport {
   ClearanceOptions options;
   Clearance answer;
   std::string path_file;
-  std::vector<std::string> ignored = {};  ///< patterns of parts
+  std::vector<std::string> only = {};     ///< patterns of parts
+  std::vector<std::string> ignored = {};  ///< likewise
   double unit = 0;                        ///< meters a unit, 0: not known
   bool interrupted = false;
   bool timed_out = false;
@@ -56,6 +57,11 @@ struct VerdictRun {
 class NearestNames {
  public:
   explicit NearestNames(const World& world) : world_(world), parts_(world) {}
+
+  /// The number in its file of the triangle of the city. \pre The station has one.
+  [[nodiscard]] TriangleId triangle(const ClearanceStation& station) const {
+    return world_.numbers[*station.body](station.triangles->b);
+  }
 
   /// "roof 12 of town", "town"; empty where nothing is near. Printable.
   [[nodiscard]] std::string text(const ClearanceStation& station) const;

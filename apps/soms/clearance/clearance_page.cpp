@@ -137,7 +137,8 @@ report::Scene scene_of_path(const ClearanceReport& report,
   report::Scene scene;
   for (const Body& body : report.world.city) {
     scene.bodies.push_back({.model = scene.models.size(), .name = body.name, .moves = false});
-    scene.models.push_back({body.shape.mesh(), body.name});
+    const FileNumbers& numbers = report.world.numbers[scene.models.size()];
+    scene.models.push_back({body.shape.mesh(), body.name, numbers.list()});
   }
   const auto profile = static_cast<std::uint32_t>(scene.bodies.size());
   const Model& model = report.profile();

@@ -4,6 +4,7 @@
 #include "apps/cli/parser.h"
 #include "apps/cli/text.h"
 #include "apps/model/georeference.h"
+#include "apps/model/part_filter.h"
 #include "apps/output/json.h"
 
 #include <fmt/format.h>
@@ -23,6 +24,7 @@ Action add_convert(Parser& parser, Shared&) {
   add_model_options(parser, options->model, "--scale", "--up", "the model");
   add_city_options(parser, options->model, "", "the model");
   add_allow_empty(parser, options->model);
+  add_part_filter(parser, options->model.parts, "the model");
   add_strict(parser, options->model.strict);
   parser.footer(
       "Triangles and vertices keep their order and coordinates. Binary STL, 3DS and GLB round\n"
@@ -38,7 +40,10 @@ Action add_convert(Parser& parser, Shared&) {
 int run_convert(const ConvertOptions& options, Console& console) {
   check(options.output, console);
   const MeshFormat format = format_of(options.output);
-  const Mesh mesh = read_model(options.input, options.model, console);
+  Mesh mesh = read_only_model(options.input, options.model, console);
+  if (options.model.parts->is_given()) {
+    drop_empty_parts(mesh);
+  }
   write_model(mesh, options.output, console);
   note_losses(mesh, options.output, console);
   if (console.shared().json) {

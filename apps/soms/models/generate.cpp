@@ -30,19 +30,19 @@ std::uint64_t or_default(std::uint64_t triangles, std::uint64_t standard) {
   return triangles == 0 ? standard : triangles;
 }
 
-Mesh make_knot(std::uint64_t triangles, std::uint64_t, const Parallel&) {
+Mesh make_knot(std::uint64_t triangles, std::uint64_t, const Limits&) {
   return generate_knot(or_default(triangles, kShapeTriangles));
 }
 
-Mesh make_sphere(std::uint64_t triangles, std::uint64_t, const Parallel&) {
+Mesh make_sphere(std::uint64_t triangles, std::uint64_t, const Limits&) {
   return generate_sphere(or_default(triangles, kShapeTriangles));
 }
 
-Mesh make_statue(std::uint64_t triangles, std::uint64_t, const Parallel&) {
+Mesh make_statue(std::uint64_t triangles, std::uint64_t, const Limits&) {
   return generate_statue(or_default(triangles, kStatueTriangles));
 }
 
-Mesh make_teapot(std::uint64_t triangles, std::uint64_t, const Parallel&) {
+Mesh make_teapot(std::uint64_t triangles, std::uint64_t, const Limits&) {
   if (triangles == 0) {
     return generate_teapot(kTeapotSubdivisions);
   }
@@ -62,20 +62,20 @@ Mesh make_teapot(std::uint64_t triangles, std::uint64_t, const Parallel&) {
                       : fmt::format("use {}", found));
 }
 
-Mesh make_city(std::uint64_t triangles, std::uint64_t seed, const Parallel& parallel) {
+Mesh make_city(std::uint64_t triangles, std::uint64_t seed, const Limits& limits) {
   CityOptions options;
   options.triangles = or_default(triangles, options.triangles);
   options.seed = seed;
-  return generate_city(options, parallel).mesh;
+  return generate_city(options, limits).mesh;
 }
 
 template <MoverKind kind>
-Mesh make_mover(std::uint64_t triangles, std::uint64_t, const Parallel&) {
+Mesh make_mover(std::uint64_t triangles, std::uint64_t, const Limits&) {
   return generate_mover(kind, triangles);
 }
 
 template <UrbanScene scene>
-Mesh make_urban(std::uint64_t triangles, std::uint64_t, const Parallel&) {
+Mesh make_urban(std::uint64_t triangles, std::uint64_t, const Limits&) {
   Mesh mesh = generate_urban(scene);
   if (triangles != 0 && triangles != mesh.triangles.size()) {
     throw Error(ErrorKind::usage,
@@ -152,8 +152,8 @@ int run_generate(const GenerateOptions& options, Console& console) {
   const std::uint64_t seed = console.shared().seed;
   Mesh mesh;
   try {
-    mesh = console.run("making " + std::string(options.kind->name), [&](const Parallel& parallel) {
-      return options.kind->make(options.triangles, seed, parallel);
+    mesh = console.run("making " + std::string(options.kind->name), [&](const Limits& limits) {
+      return options.kind->make(options.triangles, seed, limits);
     });
   } catch (const Error& error) {
     if (error.kind() == ErrorKind::cancelled || error.kind() == ErrorKind::timed_out) {

@@ -20,7 +20,7 @@ namespace soms::command {
 struct GenerateKind {
   std::string_view name;
   std::string_view text;  ///< one line of the help
-  Mesh (*make)(std::uint64_t triangles, std::uint64_t seed, const Parallel& parallel);
+  Mesh (*make)(std::uint64_t triangles, std::uint64_t seed, const Limits& limits);
 };
 
 /// All kinds, in the order of the help.

@@ -12,6 +12,7 @@
 #include "apps/cli/parse.h"
 #include "apps/cli/text.h"
 #include "apps/model/georeference.h"
+#include "apps/model/part_filter.h"
 #include "apps/model/shapes.h"
 #include "apps/output/json.h"
 #include "apps/soms/models/info_closedness.h"
@@ -19,6 +20,7 @@
 #include "apps/soms/models/info_trees.h"
 #include "apps/store/build_verb.h"
 #include "apps/store/info_tiles.h"
+#include "apps/store/tiles.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -35,7 +37,7 @@ namespace {
 /// All that is reported about a model.
 struct ModelReport {
   std::string file;
-  Mesh mesh;
+  ExaminedMesh mesh;
   Defects defects;
   Closedness closedness;
   /// Of a shape by the default options, its mesh included; unless trees are left out.
@@ -49,7 +51,7 @@ std::size_t measure_shape(const Mesh& mesh, const Console& console) {
   const std::shared_ptr<const Mesh> not_owned(std::shared_ptr<const Mesh>(), &mesh);
   return console
       .run(fmt::format("preparing {}", mesh.source),
-           [&](const Parallel& parallel) { return Shape(not_owned, {}, parallel); })
+           [&](const Limits& limits) { return Shape(not_owned, {}, limits); })
       .memory();
 }
 
@@ -58,20 +60,28 @@ ModelReport examine(const std::string& file, const InfoOptions& options, const C
   report.file = file;
   ModelOptions model = options.model;
   model.lists_notes = true;
-  report.mesh = read_model(file, model, console);
+  static_cast<Mesh&>(report.mesh) = read_model(file, model, console);
   check(report.mesh);
+  if (std::optional<PartsLeft> left = options.model.parts->left_of(report.mesh)) {
+    drop_empty_parts(left->mesh);
+    report.mesh = {std::move(left->mesh), FileNumbers(std::move(left->numbers)),
+                   FileNumbers(std::move(left->vertices))};
+  }
+  if (file == options.files.back()) {
+    options.model.parts->finish(console);
+  }
   if (is_tree_file(file)) {
     report.tree_file =
         open_tree_file(file, options.verify ? TreeCheck::full : TreeCheck::sound, console);
   }
   report.defects =
-      console.run("looking for defects of " + printable(file), [&](const Parallel& parallel) {
-        return find_defects(report.mesh, {.places = options.places}, parallel);
+      console.run("looking for defects of " + printable(file), [&](const Limits& limits) {
+        return find_defects(report.mesh, {.places = options.places}, limits);
       });
   report.closedness =
-      console.run("looking for edges of an odd number of triangles", [&](const Parallel& parallel) {
+      console.run("looking for edges of an odd number of triangles", [&](const Limits& limits) {
         return closedness(report.mesh, {.places = options.places, .connected = true, .parts = true},
-                          parallel);
+                          limits);
       });
   if (!options.trees) {
     return report;
@@ -110,12 +120,13 @@ Json attributes_of(const Part& part) {
 }
 
 Json to_json(const ModelReport& report) {
-  const Mesh& mesh = report.mesh;
+  const ExaminedMesh& mesh = report.mesh;
   Json parts = Json::array();
   for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
     const Part& part = mesh.parts[i];
     const Json parent = part.parent == Part::kNoParent ? Json() : Json(part.parent);
     const std::string closed = describe_part(mesh, report.defects, i);
+    const TriangleId first = part.count > 0 ? report.mesh.triangle_numbers(part.first) : part.first;
     parts.push_back(
         {{"name", part.name},
          {"parent", parent},
@@ -123,10 +134,10 @@ Json to_json(const ModelReport& report) {
          {"type", part.type.empty() ? Json() : Json(part.type)},
          {"attributes", attributes_of(part)},
          {"continues", part.continues == Part::kNoParent ? Json() : Json(part.continues)},
-         {"first_triangle", part.first},
+         {"first_triangle", first},
          {"triangles", part.count},
          {"closed", closed.empty() ? Json() : Json(closed == "closed")},
-         {"first", part.first},
+         {"first", first},
          {"count", part.count}});
   }
   Json trees = Json::array();
@@ -169,7 +180,7 @@ std::string describe(const Box& box) {
   return fmt::format("{} to {}", point_in_text(box.lower), point_in_text(box.upper));
 }
 
-std::string describe_parts(const Mesh& mesh, const Defects& defects) {
+std::string describe_parts(const ExaminedMesh& mesh, const Defects& defects) {
   constexpr std::size_t kShown = 8;
   if (mesh.parts.empty()) {
     return "none";
@@ -189,7 +200,7 @@ void add_line(std::string& text, const char* name, const std::string& value) {
 
 /// What is reported about the model itself.
 std::string describe_model(const ModelReport& report) {
-  const Mesh& mesh = report.mesh;
+  const ExaminedMesh& mesh = report.mesh;
   std::string text = printable(report.mesh.source) + "\n";
   if (report.tree_file) {
     add_line(text, "tree file", describe_tree_file(report.file, *report.tree_file));
@@ -247,6 +258,7 @@ int tell(const std::string& file, const InfoOptions& options, Console& console) 
   const bool json = console.shared().json;
   try {
     if (is_tile_folder(file)) {
+      refuse_of_tiles(file, {refused_parts(options.model)});
       print_tiles(file, options.model, options.verify, console);
       return 0;
     }
@@ -324,6 +336,7 @@ Action add_info(Parser& parser, Shared&) {
   add_model_options(parser, options->model, "--scale", "--up", "the models");
   add_city_options(parser, options->model, "", "the models");
   add_allow_empty(parser, options->model);
+  add_part_filter(parser, options->model.parts, "the models");
   add_strict(parser, options->model.strict);
   add_tree_list(parser, options->build);
   parser.option("--rule")->purpose("splitting rule (every one)");

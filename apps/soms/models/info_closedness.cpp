@@ -21,7 +21,7 @@ std::uint64_t closed_among(const std::vector<PartClosedness>& parts) {
 
 }  // namespace
 
-Json closedness_json(const Mesh& mesh, const Closedness& found) {
+Json closedness_json(const ExaminedMesh& mesh, const Closedness& found) {
   Json parts;  // null where unknown
   if (found.parts.size() == mesh.parts.size()) {
     parts = Json::array();
@@ -55,7 +55,7 @@ std::string describe_closedness(const Closedness& found) {
                                    with_commas(closed_among(found.connected)), with_commas(parts)));
 }
 
-void print_odd_edges(const Mesh& mesh, const Closedness& found, std::uint64_t open_edges,
+void print_odd_edges(const ExaminedMesh& mesh, const Closedness& found, std::uint64_t open_edges,
                      Console& console) {
   if (found.whole.odd_edges != open_edges || found.whole.degenerate != 0) {
     print_edges(mesh, "edges of an odd number of triangles", found.places, found.whole.odd_edges,

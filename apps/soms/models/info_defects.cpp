@@ -22,7 +22,7 @@ namespace {
 
 /// One defect: a triangle, an edge of one, or a vertex. What a kind does not have stays empty.
 struct DefectPlace {
-  const Mesh* mesh;
+  const ExaminedMesh* mesh;
   bool of_vertex = false;
   std::uint32_t number = 0;  ///< of the triangle or vertex
   /// The triangle or vertex that this one repeats, or the edge's second triangle.
@@ -30,34 +30,47 @@ struct DefectPlace {
   bool has_original = false;
   std::uint32_t uses = 0;               ///< of an edge
   std::vector<std::uint32_t> vertices;  ///< corners, or ends
+
+  /// The number that a triangle or vertex, whichever this is, has in the file.
+  [[nodiscard]] std::uint32_t in_file(std::uint32_t own) const {
+    return of_vertex ? mesh->vertex_numbers(own) : mesh->triangle_numbers(own);
+  }
+
+  [[nodiscard]] std::vector<std::uint32_t> vertices_in_file() const {
+    std::vector<std::uint32_t> numbers;
+    for (const std::uint32_t vertex : vertices) {
+      numbers.push_back(mesh->vertex_numbers(vertex));
+    }
+    return numbers;
+  }
 };
 
-DefectPlace place_of(const Mesh& mesh, TriangleId triangle) {
+DefectPlace place_of(const ExaminedMesh& mesh, TriangleId triangle) {
   const auto& t = mesh.triangles[triangle];
   return {&mesh, false, triangle, triangle, false, 0, {t.begin(), t.end()}};
 }
 
-DefectPlace place_of(const Mesh& mesh, const TriangleCopy& copy) {
+DefectPlace place_of(const ExaminedMesh& mesh, const TriangleCopy& copy) {
   DefectPlace place = place_of(mesh, copy.triangle);
   place.other = copy.original;
   place.has_original = true;
   return place;
 }
 
-DefectPlace place_of(const Mesh& mesh, const EdgePlace& edge) {
+DefectPlace place_of(const ExaminedMesh& mesh, const EdgePlace& edge) {
   const auto& t = mesh.triangles[edge.triangle];
   const std::uint32_t from = t[edge.corner];
   return {
       &mesh, false, edge.triangle, edge.other, false, edge.uses, {from, t[(edge.corner + 1) % 3]}};
 }
 
-DefectPlace place_of(const Mesh& mesh, const VertexCopy& copy) {
+DefectPlace place_of(const ExaminedMesh& mesh, const VertexCopy& copy) {
   return {&mesh, true, copy.vertex, copy.original, true, 0, {copy.vertex}};
 }
 
 /// Calls `tell(key, title, count, list, place)` for each kind of defect; `place(entry)` says where.
 template <class Tell>
-void for_each_kind(const Mesh& mesh, const Defects& d, const Tell& tell) {
+void for_each_kind(const ExaminedMesh& mesh, const Defects& d, const Tell& tell) {
   const DefectPlaces& p = d.places;
   const auto place = [&mesh](const auto& entry) { return place_of(mesh, entry); };
   const auto vertex = [&mesh](std::uint32_t v) {
@@ -77,21 +90,21 @@ void for_each_kind(const Mesh& mesh, const Defects& d, const Tell& tell) {
 }
 
 Json to_json(const DefectPlace& place, const PartsOf& part_of) {
-  const Mesh& mesh = *place.mesh;
+  const ExaminedMesh& mesh = *place.mesh;
   Json json;
-  json[place.of_vertex ? "vertex" : "triangle"] = place.number;
+  json[place.of_vertex ? "vertex" : "triangle"] = place.in_file(place.number);
   if (place.has_original) {
-    json["original"] = place.other;
+    json["original"] = place.in_file(place.other);
   }
   if (place.uses > 0) {
-    json["other"] = place.uses > 1 ? Json(place.other) : Json();
+    json["other"] = place.uses > 1 ? Json(place.in_file(place.other)) : Json();
     json["uses"] = place.uses;
   }
   if (!place.of_vertex) {
     const std::uint32_t part = part_of(place.number);
-    json["face"] = mesh.faces.empty() ? place.number : mesh.faces[place.number];
+    json["face"] = mesh.faces.empty() ? place.in_file(place.number) : mesh.faces[place.number];
     json["part"] = part == Part::kNoParent ? Json() : Json(part);
-    json["vertices"] = place.vertices;
+    json["vertices"] = place.vertices_in_file();
   }
   Json points = Json::array();
   for (const std::uint32_t v : place.vertices) {
@@ -103,22 +116,23 @@ Json to_json(const DefectPlace& place, const PartsOf& part_of) {
 }
 
 std::string to_text(const DefectPlace& place, const PartsOf& part_of) {
-  const Mesh& mesh = *place.mesh;
+  const ExaminedMesh& mesh = *place.mesh;
   std::string text;
   if (!place.of_vertex) {
-    text = fmt::format("triangle {}:", place.number);
+    text = fmt::format("triangle {}:", place.in_file(place.number));
   }
   for (std::size_t i = 0; i < place.vertices.size(); ++i) {
     const Vec3& p = mesh.vertices[place.vertices[i]];
     const char* const link = i == 0 ? "" : place.uses > 0 ? " to" : ",";
-    text += fmt::format("{}{}vertex {} {}", link, text.empty() ? "" : " ", place.vertices[i],
-                        point_in_text(p));
+    text += fmt::format("{}{}vertex {} {}", link, text.empty() ? "" : " ",
+                        mesh.vertex_numbers(place.vertices[i]), point_in_text(p));
   }
   if (place.has_original) {
-    text += fmt::format("; as {} {}", place.of_vertex ? "vertex" : "triangle", place.other);
+    text += fmt::format("; as {} {}", place.of_vertex ? "vertex" : "triangle",
+                        place.in_file(place.other));
   }
   if (place.uses > 1) {
-    text += place.uses == 2 ? fmt::format("; with triangle {}", place.other)
+    text += place.uses == 2 ? fmt::format("; with triangle {}", place.in_file(place.other))
                             : fmt::format("; {} triangles", with_commas(place.uses));
   }
   const std::uint32_t part = place.of_vertex ? Part::kNoParent : part_of(place.number);
@@ -139,14 +153,14 @@ void print_list(const PartsOf& parts, std::string_view title, const List& list, 
                                                   with_commas(list.size()), with_commas(count))
                                     : fmt::format("  {}, all {}\n", title, with_commas(count)));
   for (const auto& entry : list) {
-    check_stop(console.parallel());
+    check_stop(console.limits());
     console.print(fmt::format("    {}\n", to_text(place(entry), parts)));
   }
 }
 
 }  // namespace
 
-std::string name_or_number(const Mesh& mesh, std::size_t part) {
+std::string name_or_number(const ExaminedMesh& mesh, std::size_t part) {
   const std::string& name = mesh.parts[part].name;
   return name.empty() ? fmt::format("number {}", part) : printable(name);
 }
@@ -166,7 +180,7 @@ Json defect_counts(const Defects& d) {
           {"closed_by_index", d.by_index.closed()}};
 }
 
-Json defect_places(const Mesh& mesh, const Defects& defects) {
+Json defect_places(const ExaminedMesh& mesh, const Defects& defects) {
   const PartsOf parts(mesh);
   Json json = Json::object();
   for_each_kind(
@@ -180,7 +194,7 @@ Json defect_places(const Mesh& mesh, const Defects& defects) {
   return json;
 }
 
-Json edge_places(const Mesh& mesh, std::span<const EdgePlace> edges) {
+Json edge_places(const ExaminedMesh& mesh, std::span<const EdgePlace> edges) {
   const PartsOf parts(mesh);
   Json entries = Json::array();
   for (const EdgePlace& edge : edges) {
@@ -212,7 +226,7 @@ std::string describe_defects(const Defects& d) {
   return text.empty() ? fmt::format("none; {}", closed) : fmt::format("{}; {}", text, closed);
 }
 
-std::string describe_joining(const Mesh& mesh, const Defects& d) {
+std::string describe_joining(const ExaminedMesh& mesh, const Defects& d) {
   if (d.repeated_vertices == 0) {
     return {};
   }
@@ -221,7 +235,7 @@ std::string describe_joining(const Mesh& mesh, const Defects& d) {
                      d.by_index.closed() ? "closed" : "not closed");
 }
 
-std::string describe_part(const Mesh& mesh, const Defects& defects, std::size_t part) {
+std::string describe_part(const ExaminedMesh& mesh, const Defects& defects, std::size_t part) {
   if (part >= defects.parts.size() || mesh.parts[part].count == 0) {
     return {};
   }
@@ -229,14 +243,14 @@ std::string describe_part(const Mesh& mesh, const Defects& defects, std::size_t 
   return edges.none ? "without area" : edges.closed() ? "closed" : "open";
 }
 
-void print_edges(const Mesh& mesh, std::string_view title, std::span<const EdgePlace> edges,
+void print_edges(const ExaminedMesh& mesh, std::string_view title, std::span<const EdgePlace> edges,
                  std::uint64_t count, Console& console) {
   print_list(
       PartsOf(mesh), title, edges, count,
       [&](const EdgePlace& edge) { return place_of(mesh, edge); }, console);
 }
 
-void print_places(const Mesh& mesh, const Defects& defects, Console& console) {
+void print_places(const ExaminedMesh& mesh, const Defects& defects, Console& console) {
   const PartsOf parts(mesh);
   for_each_kind(mesh, defects,
                 [&](std::string_view key, std::string_view title, std::uint64_t count,

@@ -18,9 +18,9 @@ RuleReport measure_tree(const MeshView& mesh, const BuildOptions& options, const
   RuleReport report;
   report.rule = entry(options.rule).kebab;
   std::vector<double> times;
-  const auto timed_build = [&](const Parallel& parallel) {
+  const auto timed_build = [&](const Limits& limits) {
     const auto begin = std::chrono::steady_clock::now();
-    Tree tree = build(mesh, options, parallel);
+    Tree tree = build(mesh, options, limits);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
     times.push_back(time.count());
     return tree;

@@ -120,9 +120,9 @@ void check(const ModelOutput& output, const Console& console) {
 void write_model(const MeshView& mesh, const ModelOutput& output, const Console& console) {
   const MeshFormat format = format_of(output);
   OutputFile file(output.path);
-  console.run("writing " + file.name(), [&](const Parallel& parallel) {
+  console.run("writing " + file.name(), [&](const Limits& limits) {
     try {
-      write_mesh(file.stream(), file.name(), mesh, format, parallel);
+      write_mesh(file.stream(), file.name(), mesh, format, limits);
     } catch (const Error& error) {
       if (error.kind() == ErrorKind::cannot_write) {
         file.check();  // knows the reason

@@ -42,13 +42,13 @@ class NoTraversal final : public TraversalByName {
   void check(const Parser&) const override {}
 
   [[nodiscard]] CountedAnswer overlap(const Body&, const Body&, const OverlapOptions&,
-                                      const Parallel&) const override {
+                                      const Limits&) const override {
     std::abort();  // none is named
   }
 
   [[nodiscard]] std::vector<CountedAnswer> overlap(const Shape&, std::span<const Pose>, const Body&,
                                                    const OverlapOptions&,
-                                                   const Parallel&) const override {
+                                                   const Limits&) const override {
     std::abort();
   }
 

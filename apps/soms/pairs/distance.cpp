@@ -7,10 +7,8 @@
 #include "apps/cli/console.h"
 #include "apps/cli/parse.h"
 #include "apps/cli/text.h"
-#include "apps/rows/row_run.h"
 #include "apps/soms/pairs/distance_verify.h"
-#include "apps/soms/pairs/near_output.h"
-#include "apps/soms/pairs/near_run.h"
+#include "apps/soms/pairs/near_question.h"
 
 #include <fmt/format.h>
 
@@ -19,7 +17,6 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -37,41 +34,44 @@ std::string bracket_text(const Bracket& bracket) {
   return fmt::format("[{}, {}]", bracket.lower, bracket.upper);
 }
 
-/// The question of a `NearRun`: the distance of two bodies.
-class DistanceQuestion {
+struct AskDistance {
+  DistanceOptions options;
+
+  template <class... Bodies>
+  auto operator()(const Limits& limits, const Bodies&... bodies) const {
+    return distance(bodies..., options, limits);
+  }
+};
+
+/// How far apart are two bodies?
+class DistanceQuestion : public NearQuestion<Distance, AskDistance> {
  public:
-  using Answer = Distance;
-  static constexpr std::string_view kSchema = "soms.distance/2";
+  DistanceQuestion(const PoseRows& rows, const DistanceOptions& options, const Console& console)
+      : NearQuestion(rows, "distance", {options}), at_most_(options.at_most), console_(console) {}
 
-  explicit DistanceQuestion(const DistanceOptions& options) : options_(options) {}
-
-  [[nodiscard]] Distance ask(const Body& a, const Body& b, const Parallel& parallel) const;
-  [[nodiscard]] DistanceBatch ask(const Shape& a, std::span<const Pose> poses, const Body& b,
-                                  const Parallel& parallel) const;
-  [[nodiscard]] DistanceBatch ask(const Shape& a, std::span<const Pose> poses, const TiledBody& b,
-                                  const Parallel& parallel) const;
-
-  /// True if the bodies overlap.
-  [[nodiscard]] bool found(const Distance& answer) const;
-  [[nodiscard]] bool undecided(const Distance& answer) const;
-
-  [[nodiscard]] std::string title() const { return "distance"; }
-
-  [[nodiscard]] std::string cell(const Distance& answer) const;
-  [[nodiscard]] std::string text(const Distance& answer) const;
-
-  void add(std::uint64_t pose, const Distance& answer);
-  [[nodiscard]] NearWords words() const;
-  [[nodiscard]] NearFinding finding(const Distance& answer, const Body& a, const Body& b) const;
-  [[nodiscard]] std::string totals(const RowTotals& totals) const;
-
-  /// \errors ErrorKind::timed_out, cancelled.
-  [[nodiscard]] std::optional<std::string> difference(const Body& a, const Body& b,
-                                                      const Distance& answer,
-                                                      const Console& console) const;
+  void count(const AnsweredRow& row) override;
+  [[nodiscard]] std::optional<std::string> difference(std::size_t k) override;
 
  private:
-  DistanceOptions options_;
+  [[nodiscard]] bool found(const Distance& answer) const override {
+    return overlap_was_found(answer);
+  }
+
+  [[nodiscard]] bool undecided(const Distance& answer) const override {
+    return answer.coverage == Coverage::cut;
+  }
+
+  [[nodiscard]] std::string title() const override { return "distance"; }
+
+  [[nodiscard]] std::string cell(const Distance& answer) const override;
+  [[nodiscard]] std::string in_words(const Distance& answer) const override;
+  [[nodiscard]] std::string summary(const RowTotals& totals) const override;
+  [[nodiscard]] NearWords words() const override;
+  [[nodiscard]] NearFinding finding(const Distance& answer, const Body& a,
+                                    const Body& b) const override;
+
+  double at_most_;
+  const Console& console_;
   double least_ = std::numeric_limits<double>::infinity();
   double greatest_ = 0;
   std::uint64_t least_pose_ = 0;
@@ -80,40 +80,18 @@ class DistanceQuestion {
   std::uint64_t farther_ = 0;
 };
 
-Distance DistanceQuestion::ask(const Body& a, const Body& b, const Parallel& parallel) const {
-  return distance(a, b, options_, parallel);
-}
-
-DistanceBatch DistanceQuestion::ask(const Shape& a, std::span<const Pose> poses, const Body& b,
-                                    const Parallel& parallel) const {
-  return distance(a, poses, b, options_, parallel);
-}
-
-DistanceBatch DistanceQuestion::ask(const Shape& a, std::span<const Pose> poses, const TiledBody& b,
-                                    const Parallel& parallel) const {
-  return distance(a, poses, b, options_, parallel);
-}
-
-bool DistanceQuestion::found(const Distance& answer) const {
-  return overlap_was_found(answer);
-}
-
-bool DistanceQuestion::undecided(const Distance& answer) const {
-  return answer.coverage == Coverage::cut;
-}
-
 std::string DistanceQuestion::cell(const Distance& answer) const {
   const auto& [lower, upper] = answer.distance;
   if (undecided(answer)) {
     return std::isfinite(upper) ? fmt::format("<= {}", readable(upper)) : "undecided";
   }
   if (answer.farther) {
-    return fmt::format("> {}", readable(options_.at_most));
+    return fmt::format("> {}", readable(at_most_));
   }
   return std::isfinite(lower) ? readable(lower) : "none";
 }
 
-std::string DistanceQuestion::text(const Distance& answer) const {
+std::string DistanceQuestion::in_words(const Distance& answer) const {
   const auto& [lower, upper] = answer.distance;
   if (undecided(answer)) {
     return std::isfinite(upper)
@@ -125,7 +103,7 @@ std::string DistanceQuestion::text(const Distance& answer) const {
     return "no distance: a model has no triangles";
   }
   if (answer.farther) {
-    return "farther than " + readable(options_.at_most);
+    return "farther than " + readable(at_most_);
   }
   return overlap_was_found(answer) ? "distance 0, the surfaces overlap"
                                    : "distance " + readable(lower);
@@ -159,7 +137,8 @@ NearFinding DistanceQuestion::finding(const Distance& answer, const Body&, const
   return finding;
 }
 
-void DistanceQuestion::add(std::uint64_t pose, const Distance& answer) {
+void DistanceQuestion::count(const AnsweredRow& row) {
+  const Distance answer = at(row.k);
   farther_ += answer.farther ? 1U : 0U;
   const double d = answer.distance.lower;
   if (answer.farther || undecided(answer) || !std::isfinite(d)) {
@@ -167,16 +146,16 @@ void DistanceQuestion::add(std::uint64_t pose, const Distance& answer) {
   }
   if (!known_ || d < least_) {
     least_ = d;
-    least_pose_ = pose;
+    least_pose_ = row.number;
   }
   if (!known_ || d > greatest_) {
     greatest_ = d;
-    greatest_pose_ = pose;
+    greatest_pose_ = row.number;
   }
   known_ = true;
 }
 
-std::string DistanceQuestion::totals(const RowTotals& totals) const {
+std::string DistanceQuestion::summary(const RowTotals& totals) const {
   std::vector<std::string> parts;
   const bool all = farther_ == 0 && totals.undecided == 0;  // the greatest is known
   if (known_) {
@@ -193,8 +172,7 @@ std::string DistanceQuestion::totals(const RowTotals& totals) const {
     parts.push_back(with_commas(totals.found) + " with overlap");
   }
   if (farther_ != 0) {
-    parts.push_back(
-        fmt::format("{} farther than {}", with_commas(farther_), readable(options_.at_most)));
+    parts.push_back(fmt::format("{} farther than {}", with_commas(farther_), readable(at_most_)));
   }
   if (totals.undecided != 0) {
     parts.push_back(with_commas(totals.undecided) + " undecided");
@@ -202,12 +180,12 @@ std::string DistanceQuestion::totals(const RowTotals& totals) const {
   return fmt::format("{}: {}", counted(totals.rows, "pose"), fmt::join(parts, "; "));
 }
 
-std::optional<std::string> DistanceQuestion::difference(const Body& a, const Body& b,
-                                                        const Distance& answer,
-                                                        const Console& console) const {
-  const Distance truth = console.run(
-      "verifying", [&](const Parallel&) { return reference::distance_by_brute_force(a, b); });
-  if (agrees(answer, truth, options_.at_most)) {
+std::optional<std::string> DistanceQuestion::difference(std::size_t k) {
+  const Distance answer = at(k);
+  const Distance truth = console_.run("verifying", [&](const Limits&) {
+    return reference::distance_by_brute_force(rows().body_a(k), rows().body_b(k));
+  });
+  if (agrees(answer, truth, at_most_)) {
     return std::nullopt;
   }
   return fmt::format("brute force finds the distance in {}, but the answer is {}{}",
@@ -235,13 +213,18 @@ Action add_distance(Parser& parser, Shared&) {
 }
 
 int run_distance(const DistanceVerbOptions& options, Console& console) {
-  const DistanceOptions query{.at_most = options.at_most, .deadline = console.deadline()};
+  const DistanceOptions query{.at_most = options.at_most};
   Json terms{{"verb", "distance"}};
   if (std::isfinite(options.at_most)) {
     terms["at_most"] = options.at_most;
   }
-  return run_near(options, {.verb = "distance", .terms = std::move(terms), .doubts_gaps = false},
-                  DistanceQuestion(query), console);
+  return run_pairs(options,
+                   {.verb = "distance",
+                    .terms = std::move(terms),
+                    .doubts_gaps = false,
+                    .refused_of_tiles = {{refused_page(options.outputs)}}},
+                   console,
+                   [&](const PoseRows& rows) { return DistanceQuestion(rows, query, console); });
 }
 
 }  // namespace soms::command

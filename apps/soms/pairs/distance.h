@@ -10,7 +10,7 @@
 namespace soms::command {
 
 /// Options of the verb `distance`.
-struct DistanceVerbOptions : NearOptions {
+struct DistanceVerbOptions : PairOptions {
   double at_most = std::numeric_limits<double>::infinity();
 };
 

@@ -146,7 +146,7 @@ report::Scene NearPage::scene(const std::vector<Near>& nearest) const {
 std::string NearPage::caption(std::size_t rows) const {
   const std::uint64_t all = has_bounds() ? track_.rows() : known_;
   if (all > rows) {
-    return fmt::format("{} of {}. {} --csv and --json have all.", with_commas(rows),
+    return fmt::format("{} of {}. {} -o FILE.csv and --json have all.", with_commas(rows),
                        counted(all, "pose"), words_.order);
   }
   return "A distance is written with at most nine digits." + (all > 1 ? " " + words_.order : "");
@@ -159,10 +159,11 @@ report::Table NearPage::table(const std::vector<Near>& nearest) const {
                       .rows = {},
                       .of_gaps = true};
   for (const Near& near : nearest) {
-    table.rows.push_back({with_commas(near.pose), words_.named + readable(near.length.lower),
-                          triangle_label(models_.a, near.triangles.first),
-                          triangle_label(models_.b, near.triangles.second),
-                          point_in_text(near.point_a), point_in_text(near.point_b)});
+    table.rows.push_back(
+        {with_commas(near.pose), words_.named + readable(near.length.lower),
+         triangle_label(models_.a.shape.mesh(), near.triangles.a, models_.a.numbers),
+         triangle_label(models_.b.shape.mesh(), near.triangles.b, models_.b.numbers),
+         point_in_text(near.point_a), point_in_text(near.point_b)});
   }
   for (const Apart& apart : apart_) {
     if (table.rows.size() == report::SceneLimits().gaps) {

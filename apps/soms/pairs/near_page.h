@@ -1,5 +1,5 @@
 /// \file
-/// The page of how near two models are: what --report of `distance` and of `within` writes.
+/// The page of how near two models are: what `distance` and `within` write to -o FILE.html.
 #pragma once
 
 #include "soms/base/bracket.h"

@@ -18,12 +18,9 @@ struct OverlapVerbOptions : PairOptions {
   OverlapOptions query;
   std::shared_ptr<const TraversalByName> traversal = nullptr;
   bool list_pairs = true;
-  std::string report = {};   ///< empty: none
-  std::string csv = {};      ///< empty: none
-  std::string binary = {};   ///< file of columns; empty: none
   bool by_part = false;      ///< lists pairs of parts, not of triangles
   std::string fail_if = {};  ///< "overlap" or "within"; empty: no condition
-  double within = 0;         ///< with --within: the clearance
+  double clearance = 0;      ///< with --clearance
 };
 
 [[nodiscard]] Action add_overlap(Parser& parser, Shared& shared);

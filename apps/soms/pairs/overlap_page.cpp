@@ -65,18 +65,14 @@ class PagedParts {
 
 }  // namespace
 
-OverlapPage::OverlapPage(const MeshView& a, std::string name_a, const MeshView& b,
-                         std::string name_b)
-    : a_(a),
-      b_(b),
-      name_a_(std::move(name_a)),
-      name_b_(std::move(name_b)),
-      rows_(a, b, report::SceneLimits().contacts) {
+OverlapPage::OverlapPage(PageModels models)
+    : models_(std::move(models)),
+      rows_(models_.a.shape.mesh(), models_.b.shape.mesh(), report::SceneLimits().contacts) {
 }
 
 std::vector<PartPair> OverlapPage::parts(const Pose& a, const Pose& b, const Overlap& answer,
-                                         const Parallel& parallel) const {
-  return rows_.parts({a, b}, answer.pairs, parallel);
+                                         const Limits& limits) const {
+  return rows_.parts({a, b}, answer.pairs, limits);
 }
 
 void OverlapPage::add(const Pose& a, const Pose& b, const Overlap& answer,
@@ -106,8 +102,8 @@ void OverlapPage::count_pairs(std::uint64_t pose, const Overlap& answer) {
 }
 
 void OverlapPage::add_rows(report::Scene& scene) const {
-  PagedParts of_a(a_, scene.parts);
-  PagedParts of_b(b_, scene.parts);
+  PagedParts of_a(models_.a.shape.mesh(), scene.parts);
+  PagedParts of_b(models_.b.shape.mesh(), scene.parts);
   for (const OverlapRows::Row& row : rows_.rows()) {
     const std::size_t number = scene.rows.size();
     scene.rows.push_back({.a = 0,
@@ -144,7 +140,7 @@ bool OverlapPage::is_complete(const OverlapReport& report) const {
 report::Scene OverlapPage::scene(const OverlapReport& report) const {
   std::map<std::uint64_t, PosesOfPair> kept = track_.kept();
   kept.insert(rows_.placed().begin(), rows_.placed().end());
-  report::Scene scene = scene_of_pair({a_, name_a_, b_, name_b_}, std::move(kept), track_.rows());
+  report::Scene scene = scene_of_pair(models_, std::move(kept), track_.rows());
   scene.complete = is_complete(report);
   add_rows(scene);
   scene.contacts_in_all = pairs_;
@@ -173,8 +169,9 @@ std::vector<report::Plot> OverlapPage::plots() const {
                                            poses_of_count_)));
   }
   using Row = OverlapRows::Row;
-  for (std::vector<report::Plot> bars : {bars_of_parts(a_, rows_.rows(), &Row::part_a, name_a_),
-                                         bars_of_parts(b_, rows_.rows(), &Row::part_b, name_b_)}) {
+  for (std::vector<report::Plot> bars :
+       {bars_of_parts(models_.a.shape.mesh(), rows_.rows(), &Row::part_a, models_.name_a),
+        bars_of_parts(models_.b.shape.mesh(), rows_.rows(), &Row::part_b, models_.name_b)}) {
     std::move(bars.begin(), bars.end(), std::back_inserter(plots));
   }
   return plots;
@@ -182,7 +179,7 @@ std::vector<report::Plot> OverlapPage::plots() const {
 
 std::vector<report::Fact> OverlapPage::facts(const OverlapReport& report,
                                              const RowTotals& totals) const {
-  std::vector<report::Fact> facts = facts_of_models({a_, name_a_, b_, name_b_}, report.pair);
+  std::vector<report::Fact> facts = facts_of_models(models_, report.pair);
   facts.push_back({"query", report.mode == OverlapMode::all ? "every pair of triangles"
                             : report.mode == OverlapMode::first
                                 ? "the first pair of triangles in order"
@@ -190,7 +187,7 @@ std::vector<report::Fact> OverlapPage::facts(const OverlapReport& report,
   facts.push_back(fact_of_poses(report.pair, totals));
   const char* const at_least = is_complete(report) ? "" : "at least ";
   facts.push_back({"pairs found", at_least + with_commas(pairs_)});
-  if (!a_.parts.empty() || !b_.parts.empty()) {
+  if (!models_.a.shape.mesh().parts.empty() || !models_.b.shape.mesh().parts.empty()) {
     facts.push_back({"pairs of parts", at_least + with_commas(rows_.rows().size())});
   }
   const std::vector<report::Fact> work = facts_of_work(report.pair, totals, cost_);
@@ -201,7 +198,7 @@ std::vector<report::Fact> OverlapPage::facts(const OverlapReport& report,
 void OverlapPage::write(std::ostream& out, const OverlapReport& report,
                         const RowTotals& totals) const {
   report::Page page{
-      .title = fmt::format("{} and {}", name_a_, name_b_),
+      .title = fmt::format("{} and {}", models_.name_a, models_.name_b),
       .lead = "Which triangles share a point, decided exactly.",
       .facts = facts(report, totals),
       .plots = plots(),

@@ -1,5 +1,5 @@
 /// \file
-/// The page of overlap answers: what `--report` writes.
+/// The page of overlap answers: what -o FILE.html writes.
 #pragma once
 
 #include "soms/base/pose.h"
@@ -22,13 +22,12 @@ namespace soms::command {
 /// pairs of triangles, of as many as a page has room for.
 class OverlapPage {
  public:
-  /// Meshes must stay; `name_a` and `name_b` are their files.
-  OverlapPage(const MeshView& a, std::string name_a, const MeshView& b, std::string name_b);
+  explicit OverlapPage(PageModels models);
 
   /// The pairs of parts of the next answer, as `add` takes them.
   /// \errors ErrorKind::cancelled.
   [[nodiscard]] std::vector<PartPair> parts(const Pose& a, const Pose& b, const Overlap& answer,
-                                            const Parallel& parallel) const;
+                                            const Limits& limits) const;
 
   /// Adds the answer of the next pose. `parts` are those of `parts`, or of `part_pairs`.
   void add(const Pose& a, const Pose& b, const Overlap& answer, std::span<const PartPair> parts);
@@ -45,10 +44,7 @@ class OverlapPage {
   [[nodiscard]] std::vector<report::Fact> facts(const OverlapReport& report,
                                                 const RowTotals& totals) const;
 
-  MeshView a_;
-  MeshView b_;
-  std::string name_a_;
-  std::string name_b_;
+  PageModels models_;
   std::uint64_t pairs_ = 0;
   bool complete_ = true;  ///< no answer was cut or stopped at its first pair
   Cost cost_;

@@ -19,7 +19,7 @@ constexpr std::size_t kPairsBetweenStops = 2048;
 }  // namespace
 
 std::vector<PartPair> part_pairs(const PosedParts& a, const PosedParts& b,
-                                 std::span<const TrianglePair> pairs, const Parallel& parallel,
+                                 std::span<const TrianglePair> pairs, const Limits& limits,
                                  const EarlierContact& earlier) {
   struct Found {
     PartPair row;
@@ -29,11 +29,11 @@ std::vector<PartPair> part_pairs(const PosedParts& a, const PosedParts& b,
   std::unordered_map<std::uint64_t, Found> found;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     if (k % kPairsBetweenStops == 0) {
-      check_stop(parallel);
+      check_stop(limits);
     }
     const TrianglePair& pair = pairs[k];
-    const std::uint32_t part_a = a.parts(pair.first);
-    const std::uint32_t part_b = b.parts(pair.second);
+    const std::uint32_t part_a = a.parts(pair.a);
+    const std::uint32_t part_b = b.parts(pair.b);
     auto& [row, before] = found[part_key(part_a, part_b)];
     if (row.count == 0) {
       row = {.a = part_a, .b = part_b, .first = pair};
@@ -41,7 +41,7 @@ std::vector<PartPair> part_pairs(const PosedParts& a, const PosedParts& b,
         std::tie(before, row.box) = earlier(part_a, part_b);
       }
     }
-    grow_by_contact(row.box, before + row.count++, a.triangle(pair.first), b.triangle(pair.second));
+    grow_by_contact(row.box, before + row.count++, a.triangle(pair.a), b.triangle(pair.b));
   }
   std::vector<PartPair> rows;
   rows.reserve(found.size());

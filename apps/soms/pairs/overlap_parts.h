@@ -53,7 +53,7 @@ using EarlierContact =
 /// \errors ErrorKind::cancelled.
 [[nodiscard]] std::vector<PartPair> part_pairs(const PosedParts& a, const PosedParts& b,
                                                std::span<const TrianglePair> pairs,
-                                               const Parallel& parallel = {},
+                                               const Limits& limits = {},
                                                const EarlierContact& earlier = {});
 
 }  // namespace soms::command

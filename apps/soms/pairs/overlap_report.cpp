@@ -1,9 +1,11 @@
 #include "apps/soms/pairs/overlap_report.h"
 
-#include "apps/cli/console.h"
+#include "soms/base/text.h"
+
 #include "apps/cli/text.h"
 #include "apps/output/json.h"
-#include "apps/soms/pairs/overlap_by_part.h"
+#include "apps/rows/json_rows.h"
+#include "apps/soms/pairs/overlap_parts.h"
 #include "apps/world/part_names.h"
 
 #include <fmt/format.h>
@@ -19,38 +21,34 @@ namespace {
 constexpr std::size_t kListed = 20;                   // pairs that a person may want to read
 constexpr std::size_t kPiece = std::size_t{1} << 16;  // bytes handed on at once
 
-void print_pairs_as_json(const std::vector<TrianglePair>& pairs, Console& console) {
+void write_pairs(const std::vector<TrianglePair>& pairs, JsonRows& rows) {
   std::string piece = ",\"pairs\":[";
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const char* const format = k == 0 ? "[{},{}]" : ",[{},{}]";
-    fmt::format_to(std::back_inserter(piece), fmt::runtime(format), pairs[k].first,
-                   pairs[k].second);
+    fmt::format_to(std::back_inserter(piece), fmt::runtime(format), pairs[k].a, pairs[k].b);
     if (piece.size() > kPiece) {
-      console.print(piece);
+      rows.put(piece);
       piece.clear();
     }
   }
-  console.print(piece + "]");
+  rows.put(piece + "]");
 }
 
-void print_json(const OverlapReport& report, std::uint64_t pose, const CountedAnswer& result,
-                bool right, Console& console, std::span<const PartPair> parts) {
-  const Overlap& answer = result.answer;
-  const char* const overlap = is_undecided(answer) ? "null" : answer.any ? "true" : "false";
-  std::string text =
-      fmt::format("{{\"schema\":\"soms.overlap/2\",\"pose\":{},\"any\":{}", pose, overlap);
-  // Which pair --any finds is not promised, so its number and hash would say nothing.
-  if (report.mode != OverlapMode::any) {
-    text += fmt::format(",\"count\":{},\"hash\":\"{:016x}\"", answer.pairs.size(), answer.hash());
+void write_parts(const OverlapReport& report, std::span<const PartPair> parts, JsonRows& rows) {
+  std::string piece = ",\"parts\":[";
+  for (const PartPair& pair : parts) {
+    piece += json_text({{"a", part_as_json(report.pair.a, pair.a)},
+                        {"b", part_as_json(report.pair.b, pair.b)},
+                        {"count", pair.count},
+                        {"first", {pair.first.a, pair.first.b}},
+                        {"box", json_box(pair.box)}});
+    piece += &pair == &parts.back() ? "" : ",";
+    if (piece.size() > kPiece) {
+      rows.put(piece);
+      piece.clear();
+    }
   }
-  text += coverage_keys(answer.coverage, answer.cost, result.count_keys);
-  console.print(text + report_keys(report.pair, pose, right));
-  if (report.by_part) {
-    print_parts_as_json(report, parts, console);
-  } else if (report.list_pairs) {
-    print_pairs_as_json(answer.pairs, console);
-  }
-  console.print("}\n");
+  rows.put(piece + "]");
 }
 
 std::string summary(const OverlapReport& report, const Overlap& answer) {
@@ -82,44 +80,43 @@ std::string summary(const OverlapReport& report, const Overlap& answer) {
                      counted(answer.pairs.size(), "pair"), one ? "s" : "");
 }
 
-/// What a named traversal did, in a line: who names one wants to compare.
-void print_traversal(const OverlapReport& report, const CountedAnswer& result, Console& console) {
-  if (report.pair.single && !result.count_line.empty()) {
-    console.print(result.count_line);
-  }
+std::string pairs_of_parts(std::size_t count) {
+  return with_commas(count) + (count == 1 ? " pair of parts" : " pairs of parts");
 }
 
-void print_text(const OverlapReport& report, std::uint64_t pose, const CountedAnswer& result,
-                Console& console, std::span<const PartPair> parts) {
-  const Overlap& answer = result.answer;
-  if (report.by_part && answer.any) {
-    console.print(report.pair.single ? "" : fmt::format("pose {}: ", pose));
-    print_parts_as_text(report, answer, parts, console);
-    print_traversal(report, result, console);
-    return;
+std::string text_of_parts(const OverlapReport& report, const Overlap& answer,
+                          std::span<const PartPair> parts) {
+  const char* const at_least = answer.coverage == Coverage::cut ? "at least " : "";
+  std::string text =
+      fmt::format("{}{} of triangles overlap{}, in {}{}{}\n", at_least,
+                  counted(answer.pairs.size(), "pair"), answer.pairs.size() == 1 ? "s" : "",
+                  at_least, pairs_of_parts(parts.size()), report.pair.single ? ":" : "");
+  for (std::size_t k = 0; k < parts.size() && report.pair.single; ++k) {
+    const Vec3 at = parts[k].box.center();
+    text += fmt::format("  {} and {}: {} of triangles around ({}, {}, {})\n",
+                        part_in_text(report.pair.a, parts[k].a),
+                        part_in_text(report.pair.b, parts[k].b), counted(parts[k].count, "pair"),
+                        readable(at.x), readable(at.y), readable(at.z));
   }
-  const bool strong = console.colored() && answer.any;
-  console.print(fmt::format("{}{}{}{}\n", report.pair.single ? "" : fmt::format("pose {}: ", pose),
-                            strong ? "\x1b[1m" : "", summary(report, answer),
-                            strong ? "\x1b[0m" : ""));
-  print_traversal(report, result, console);
-  if (!report.pair.single || !report.list_pairs || report.mode != OverlapMode::all) {
-    return;
-  }
-  const std::size_t listed = std::min(kListed, answer.pairs.size());
+  return text;
+}
+
+/// The first pairs of triangles, for a single pose.
+std::string text_of_pairs(const OverlapReport& report, const std::vector<TrianglePair>& pairs) {
+  const std::size_t listed = std::min(kListed, pairs.size());
+  std::string text;
   if (listed > 0) {
-    console.print(fmt::format("  triangle of {} and triangle of {}:\n",
-                              printable(report.pair.a.source), printable(report.pair.b.source)));
+    text = fmt::format("  triangle of {} and triangle of {}:\n", printable(report.pair.a.source),
+                       printable(report.pair.b.source));
   }
   for (std::size_t k = 0; k < listed; ++k) {
-    const auto& [i, j] = answer.pairs[k];
-    console.print(fmt::format("  {} and {}\n", triangle_label(report.pair.a, i),
-                              triangle_label(report.pair.b, j)));
+    text += fmt::format("  {} and {}\n", triangle_label(report.pair.a, pairs[k].a),
+                        triangle_label(report.pair.b, pairs[k].b));
   }
-  if (listed < answer.pairs.size()) {
-    console.print(fmt::format("  and {} more; --json lists all\n",
-                              with_commas(answer.pairs.size() - listed)));
+  if (listed < pairs.size()) {
+    text += fmt::format("  and {} more; --json lists all\n", with_commas(pairs.size() - listed));
   }
+  return text;
 }
 
 }  // namespace
@@ -128,27 +125,56 @@ bool is_undecided(const Overlap& answer) {
   return answer.coverage == Coverage::cut && !answer.any;
 }
 
-void print_answer(const OverlapReport& report, std::uint64_t pose, const CountedAnswer& result,
-                  bool right, Console& console, std::span<const PartPair> parts) {
-  if (console.shared().json) {
-    print_json(report, pose, result, right, console, parts);
-  } else if (report.pair.lists_rows) {
-    print_text(report, pose, result, console, parts);
+void write_json(const OverlapReport& report, const AnsweredRow& row, const CountedAnswer& result,
+                JsonRows& rows, std::span<const PartPair> parts) {
+  const Overlap& answer = result.answer;
+  const char* const overlap = is_undecided(answer) ? "null" : answer.any ? "true" : "false";
+  std::string text =
+      fmt::format("{{\"schema\":\"soms.overlap/2\",\"pose\":{},\"any\":{}", row.number, overlap);
+  // Which pair --any finds is not promised, so its number and hash would say nothing.
+  if (report.mode != OverlapMode::any) {
+    text += fmt::format(",\"count\":{},\"hash\":\"{:016x}\"", answer.pairs.size(), answer.hash());
   }
+  text += coverage_keys(answer.coverage, answer.cost, result.count_keys);
+  rows.put(text + report_keys(report.pair, row.number, row.right));
+  if (report.by_part) {
+    write_parts(report, parts, rows);
+  } else if (report.list_pairs) {
+    write_pairs(answer.pairs, rows);
+  }
+  rows.put("}");
+  rows.end_row();
 }
 
-void print_totals(const OverlapReport& report, const RowTotals& totals, Console& console) {
-  if (!report.pair.single) {
-    console.print(fmt::format(
-        "{}: {} with overlap, {} without{}\n", counted(totals.rows, "pose"),
-        with_commas(totals.found), with_commas(totals.rows - totals.found - totals.undecided),
-        totals.undecided == 0 ? "" : fmt::format(", {} undecided", with_commas(totals.undecided))));
-    if (totals.found + totals.undecided < totals.rows) {
-      console.print(
-          "only surfaces are compared, at these poses: a body inside the other is not found, nor "
-          "what happens between two poses\n");
-    }
+std::string text_of(const OverlapReport& report, std::uint64_t pose, const CountedAnswer& result,
+                    std::span<const PartPair> parts, bool strong) {
+  const Overlap& answer = result.answer;
+  const bool single = report.pair.single;
+  std::string text = single ? "" : fmt::format("pose {}: ", pose);
+  if (report.by_part && answer.any) {
+    text += text_of_parts(report, answer, parts);
+  } else {
+    text += fmt::format("{}{}{}\n", strong ? "\x1b[1m" : "", summary(report, answer),
+                        strong ? "\x1b[0m" : "");
   }
+  // What a named traversal did, in a line: who names one wants to compare.
+  text += single ? result.count_line : "";
+  const bool lists = single && report.list_pairs && report.mode == OverlapMode::all &&
+                     !(report.by_part && answer.any);
+  return lists ? text + text_of_pairs(report, answer.pairs) : text;
+}
+
+std::string text_of(const RowTotals& totals) {
+  std::string text = fmt::format(
+      "{}: {} with overlap, {} without{}\n", counted(totals.rows, "pose"),
+      with_commas(totals.found), with_commas(totals.rows - totals.found - totals.undecided),
+      totals.undecided == 0 ? "" : fmt::format(", {} undecided", with_commas(totals.undecided)));
+  if (totals.found + totals.undecided < totals.rows) {
+    text +=
+        "only surfaces are compared, at these poses: a body inside the other is not found, nor "
+        "what happens between two poses\n";
+  }
+  return text;
 }
 
 }  // namespace soms::command

@@ -1,19 +1,20 @@
 /// \file
-/// Answers of the verb `overlap` as text and as JSON Lines.
+/// Answers of the verb `overlap` as text and as JSON.
 #pragma once
 
 #include "soms/query/overlap.h"
 
-#include "apps/rows/row_run.h"
+#include "apps/rows/question.h"
 #include "apps/soms/pairs/pair_report.h"
 #include "apps/soms/pairs/traversal_by_name.h"
 
 #include <cstdint>
 #include <span>
+#include <string>
 
 namespace soms::command {
 
-class Console;
+class JsonRows;
 struct PartPair;
 
 /// What is reported about the answer of one pose, and how.
@@ -27,12 +28,16 @@ struct OverlapReport {
 /// True if the answer was cut before any pair was found.
 [[nodiscard]] bool is_undecided(const Overlap& answer);
 
-/// Prints the answer of pose number `pose`: JSON with --json, text without. `right` says whether
-/// brute force agrees, where requested. `parts` are those of the answer, for `report.by_part`.
-void print_answer(const OverlapReport& report, std::uint64_t pose, const CountedAnswer& result,
-                  bool right, Console& console, std::span<const PartPair> parts = {});
+/// Writes the answer of a row as JSON. `parts` are those of the answer, for `report.by_part`.
+void write_json(const OverlapReport& report, const AnsweredRow& row, const CountedAnswer& result,
+                JsonRows& rows, std::span<const PartPair> parts);
 
-/// Prints a line over all poses as text, where there may be several.
-void print_totals(const OverlapReport& report, const RowTotals& totals, Console& console);
+/// The same as text. `strong`: an overlap stands out.
+[[nodiscard]] std::string text_of(const OverlapReport& report, std::uint64_t pose,
+                                  const CountedAnswer& result, std::span<const PartPair> parts,
+                                  bool strong);
+
+/// A line over all poses.
+[[nodiscard]] std::string text_of(const RowTotals& totals);
 
 }  // namespace soms::command

@@ -10,13 +10,13 @@ OverlapRows::OverlapRows(const MeshView& a, const MeshView& b, std::size_t most)
 }
 
 std::vector<PartPair> OverlapRows::parts(const Poses& poses, std::span<const TrianglePair> pairs,
-                                         const Parallel& parallel) const {
+                                         const Limits& limits) const {
   const auto earlier = [this](std::uint32_t part_a, std::uint32_t part_b) {
     const auto at = numbers_.find(part_key(part_a, part_b));
     return at == numbers_.end() ? std::pair(std::uint64_t{0}, Box())
                                 : std::pair(rows_[at->second].count, rows_[at->second].box);
   };
-  return part_pairs({a_, parts_a_, poses.first}, {b_, parts_b_, poses.second}, pairs, parallel,
+  return part_pairs({a_, parts_a_, poses.first}, {b_, parts_b_, poses.second}, pairs, limits,
                     earlier);
 }
 
@@ -52,7 +52,7 @@ void OverlapRows::add(std::uint64_t pose, const Poses& poses, std::span<const Tr
   begin_rows(pose, parts);
   bool kept = false;
   for (const TrianglePair& pair : pairs) {
-    Row& row = rows_[numbers_.at(part_key(parts_a_(pair.first), parts_b_(pair.second)))];
+    Row& row = rows_[numbers_.at(part_key(parts_a_(pair.a), parts_b_(pair.b)))];
     kept = keep(row, pose, pair) || kept;
     ++row.count;
   }

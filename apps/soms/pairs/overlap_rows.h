@@ -53,7 +53,7 @@ class OverlapRows {
   /// The pairs of parts of an answer, their boxes grown from those of the rows so far.
   /// \errors ErrorKind::cancelled.
   [[nodiscard]] std::vector<PartPair> parts(const Poses& poses, std::span<const TrianglePair> pairs,
-                                            const Parallel& parallel) const;
+                                            const Limits& limits) const;
 
   /// Adds the pairs of a pose, and the pairs of parts that these make, from `parts` or
   /// `part_pairs`; poses come in ascending order.

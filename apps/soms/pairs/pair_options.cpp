@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 
 #include "apps/cli/parser.h"
+#include "apps/model/part_filter.h"
 
 #include <algorithm>
 #include <array>
@@ -35,6 +36,8 @@ void add_model_reading(Parser& parser, PairOptions& options) {
   parser.add_flag("--allow-empty", options.model_a.allow_empty, "accept models without triangles")
       ->group("Models");
   add_strict(parser, options.model_a.strict);
+  add_part_filter(parser, options.model_a.parts, "A or B");
+  options.model_a.parts->treat_unnamed(PartFilter::Unnamed::whole);
   add_tree_list(parser, options.build);
 }
 
@@ -43,6 +46,7 @@ void settle(const Parser& parser, PairOptions& options) {
   options.model_b.offers_empty = true;
   options.model_b.allow_empty = options.model_a.allow_empty;
   options.model_b.strict = options.model_a.strict;
+  options.model_b.parts = options.model_a.parts;
   check_build(parser, options.build);
 }
 
@@ -54,17 +58,17 @@ std::string example_of_pair(const std::string& line) {
          line;
 }
 
-void check_files(const PairOptions& options, const NamedFiles& outputs) {
+void check_files(const PairOptions& options) {
   const std::array<std::optional<std::string>, 4> inputs{options.a, options.b, options.pose_a,
                                                          options.pose_b};
   if (std::count(inputs.begin(), inputs.end(), "-") > 1) {
     throw Error(ErrorKind::usage, "standard input is given twice", "give one of them as a file");
   }
-  check_outputs({{"A", options.a},
-                 {"B", options.b},
-                 {"--pose", options.pose_a.value_or("")},
-                 {"--pose-b", options.pose_b.value_or("")}},
-                outputs);
+  check_answer_outputs({{"A", options.a},
+                        {"B", options.b},
+                        {"--pose", options.pose_a.value_or("")},
+                        {"--pose-b", options.pose_b.value_or("")}},
+                       options.outputs);
 }
 
 }  // namespace soms::command

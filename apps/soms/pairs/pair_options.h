@@ -14,8 +14,8 @@ namespace soms::command {
 /// Heading of the options that say what the question is.
 inline constexpr const char* kQuestionGroup = "Question";
 
-/// Two models, their poses, and what every verb does with its answers.
-struct PairOptions : PosedModels {};
+/// Two models, their poses, and where answers go.
+using PairOptions = PosedModels;
 
 /// Adds A, B, --pose and --pose-b.
 void add_posed_models(Parser& parser, PairOptions& options);
@@ -33,7 +33,7 @@ void settle(const Parser& parser, PairOptions& options);
 /// The end of --help: two models, and `line` as a command that asks about them.
 [[nodiscard]] std::string example_of_pair(const std::string& line);
 
-/// \errors ErrorKind::usage if standard input is given twice, or as `check_outputs`.
-void check_files(const PairOptions& options, const NamedFiles& outputs);
+/// \errors ErrorKind::usage if standard input is given twice, or as `check_answer_outputs`.
+void check_files(const PairOptions& options);
 
 }  // namespace soms::command

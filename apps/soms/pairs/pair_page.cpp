@@ -39,13 +39,15 @@ report::Scene scene_of_pair(const PageModels& models, std::map<std::uint64_t, Po
   const bool b_moves = std::any_of(
       kept.begin(), kept.end(), [&](const auto& step) { return !(step.second.second == first); });
   report::Scene scene;
-  scene.models = {{models.a, models.name_a}, {models.b, models.name_b}};
+  scene.models = {{models.a.shape.mesh(), models.name_a}, {models.b.shape.mesh(), models.name_b}};
+  scene.models[0].numbers = models.a.numbers.list();
+  scene.models[1].numbers = models.b.numbers.list();
   scene.bodies = {{0, models.name_a, true}, {1, models.name_b, b_moves}};
   scene.steps = {.count = std::max<std::uint64_t>(1, rows), .noun = "pose", .smooth = false};
   for (const auto& [step, poses] : kept) {
     scene.steps.kept.push_back(step);
   }
-  scene.y_is_up = models.b.up == UpAxis::y;
+  scene.y_is_up = models.b.shape.mesh().up == UpAxis::y;
   scene.pose = [kept = std::move(kept)](std::uint32_t body, std::uint64_t step) {
     const auto next = kept.upper_bound(step);
     if (next == kept.begin()) {
@@ -59,8 +61,10 @@ report::Scene scene_of_pair(const PageModels& models, std::map<std::uint64_t, Po
 
 std::vector<report::Fact> facts_of_models(const PageModels& models, const PairReport& report) {
   std::vector<report::Fact> facts{
-      {"A", fmt::format("{}, {}{}", models.name_a, triangles_in_text(models.a), report.read_a)},
-      {"B", fmt::format("{}, {}{}", models.name_b, triangles_in_text(models.b), report.read_b)}};
+      {"A", fmt::format("{}, {}{}", models.name_a, triangles_in_text(models.a.shape.mesh()),
+                        report.read_a)},
+      {"B", fmt::format("{}, {}{}", models.name_b, triangles_in_text(models.b.shape.mesh()),
+                        report.read_b)}};
   if (!report.georeference.empty()) {
     facts.push_back({"georeference", printable(describe(report.georeference))});
   }

@@ -19,11 +19,11 @@ namespace soms::command {
 /// Poses of A and B.
 using PosesOfPair = std::pair<Pose, Pose>;
 
-/// Two models, which must stay, as a page names them.
+/// Two models as a page names them.
 struct PageModels {
-  MeshView a;
+  ModelShape a;
   std::string name_a;
-  MeshView b;
+  ModelShape b;
   std::string name_b;
 };
 

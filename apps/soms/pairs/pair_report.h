@@ -5,6 +5,7 @@
 #include "soms/base/vector.h"
 #include "soms/query/answer.h"
 
+#include "apps/model/file_numbers.h"
 #include "apps/model/frame_warnings.h"
 #include "apps/model/georeference.h"
 
@@ -17,8 +18,10 @@ namespace soms::command {
 
 /// Two models at rows of poses, and how answers about them are reported.
 struct PairReport {
-  MeshView a;
+  MeshView a;  ///< as its file is: triangles of answers have its numbers
   MeshView b;
+  ModelShape left_a = {};  ///< what takes part, for pages and for `in_files`
+  ModelShape left_b = {};
   bool single = true;      ///< one pose: reported at length; else a line a pose
   bool verified = false;   ///< compared with brute force
   bool lists_rows = true;  ///< an answer a row is printed; else it is in files alone

@@ -44,12 +44,12 @@ class TraversalByName {
   /// \pre `named`. \errors As `thesis::overlap`.
   [[nodiscard]] virtual CountedAnswer overlap(const Body& a, const Body& b,
                                               const OverlapOptions& options,
-                                              const Parallel& parallel) const = 0;
+                                              const Limits& limits) const = 0;
   [[nodiscard]] virtual std::vector<CountedAnswer> overlap(const Shape& mover,
                                                            std::span<const Pose> poses,
                                                            const Body& fixed,
                                                            const OverlapOptions& options,
-                                                           const Parallel& parallel) const = 0;
+                                                           const Limits& limits) const = 0;
 
   /// For StepOptions::method. \pre `named`.
   [[nodiscard]] virtual std::unique_ptr<OverlapMethod> method() const = 0;

@@ -9,9 +9,7 @@
 #include "apps/cli/parse.h"
 #include "apps/cli/text.h"
 #include "apps/report/placing.h"
-#include "apps/rows/row_run.h"
-#include "apps/soms/pairs/near_output.h"
-#include "apps/soms/pairs/near_run.h"
+#include "apps/soms/pairs/near_question.h"
 
 #include <fmt/format.h>
 
@@ -19,9 +17,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
-#include <string_view>
 
 namespace soms::command {
 
@@ -36,73 +32,51 @@ Body only(const Body& body, TriangleId i) {
   return Body(std::move(mesh), body.pose);
 }
 
-/// The question of a `NearRun`: are two bodies within a clearance?
-class WithinQuestion {
- public:
-  using Answer = Within;
-  static constexpr std::string_view kSchema = "soms.within/2";
+struct AskWithin {
+  double clearance = 0;
 
-  WithinQuestion(double clearance, const WithinOptions& options)
-      : clearance_(clearance), options_(options) {}
-
-  [[nodiscard]] Within ask(const Body& a, const Body& b, const Parallel& parallel) const;
-  [[nodiscard]] WithinBatch ask(const Shape& a, std::span<const Pose> poses, const Body& b,
-                                const Parallel& parallel) const;
-  [[nodiscard]] WithinBatch ask(const Shape& a, std::span<const Pose> poses, const TiledBody& b,
-                                const Parallel& parallel) const;
-
-  [[nodiscard]] bool found(const Within& answer) const { return answer.within; }
-
-  [[nodiscard]] bool undecided(const Within& answer) const;
-
-  [[nodiscard]] std::string title() const;
-  [[nodiscard]] std::string cell(const Within& answer) const;
-  [[nodiscard]] std::string text(const Within& answer) const;
-
-  void add(std::uint64_t pose, const Within& answer);
-
-  [[nodiscard]] NearWords words() const;
-  [[nodiscard]] NearFinding finding(const Within& answer, const Body& a, const Body& b) const;
-  [[nodiscard]] std::string totals(const RowTotals& totals) const;
-
-  /// \errors ErrorKind::timed_out, cancelled.
-  [[nodiscard]] std::optional<std::string> difference(const Body& a, const Body& b,
-                                                      const Within& answer,
-                                                      const Console& console) const;
-
- private:
-  double clearance_;
-  WithinOptions options_;
-  std::optional<std::uint64_t> first_;  ///< pose that is within
+  template <class... Bodies>
+  auto operator()(const Limits& limits, const Bodies&... bodies) const {
+    return within(bodies..., clearance, limits);
+  }
 };
 
-Within WithinQuestion::ask(const Body& a, const Body& b, const Parallel& parallel) const {
-  return within(a, b, clearance_, options_, parallel);
-}
+/// Are two bodies within a clearance?
+class WithinQuestion : public NearQuestion<Within, AskWithin> {
+ public:
+  WithinQuestion(const PoseRows& rows, double clearance, const Console& console)
+      : NearQuestion(rows, "within", {clearance}), clearance_(clearance), console_(console) {}
 
-WithinBatch WithinQuestion::ask(const Shape& a, std::span<const Pose> poses, const Body& b,
-                                const Parallel& parallel) const {
-  return within(a, poses, b, clearance_, options_, parallel);
-}
+  void count(const AnsweredRow& row) override;
+  /// \errors ErrorKind::timed_out, cancelled.
+  [[nodiscard]] std::optional<std::string> difference(std::size_t k) override;
 
-WithinBatch WithinQuestion::ask(const Shape& a, std::span<const Pose> poses, const TiledBody& b,
-                                const Parallel& parallel) const {
-  return within(a, poses, b, clearance_, options_, parallel);
-}
+ private:
+  [[nodiscard]] bool found(const Within& answer) const override { return answer.within; }
 
-bool WithinQuestion::undecided(const Within& answer) const {
-  return answer.coverage == Coverage::cut && !answer.within;
-}
+  [[nodiscard]] bool undecided(const Within& answer) const override {
+    return answer.coverage == Coverage::cut && !answer.within;
+  }
 
-std::string WithinQuestion::title() const {
-  return "within " + readable(clearance_);
-}
+  [[nodiscard]] std::string title() const override { return "within " + readable(clearance_); }
+
+  [[nodiscard]] std::string cell(const Within& answer) const override;
+  [[nodiscard]] std::string in_words(const Within& answer) const override;
+  [[nodiscard]] std::string summary(const RowTotals& totals) const override;
+  [[nodiscard]] NearWords words() const override;
+  [[nodiscard]] NearFinding finding(const Within& answer, const Body& a,
+                                    const Body& b) const override;
+
+  double clearance_;
+  const Console& console_;
+  std::optional<std::uint64_t> first_;  ///< pose that is within
+};
 
 std::string WithinQuestion::cell(const Within& answer) const {
   return undecided(answer) ? "undecided" : answer.within ? "yes" : "no";
 }
 
-std::string WithinQuestion::text(const Within& answer) const {
+std::string WithinQuestion::in_words(const Within& answer) const {
   if (undecided(answer)) {
     return "undecided: out of time";
   }
@@ -153,20 +127,20 @@ NearFinding WithinQuestion::finding(const Within& answer, const Body& a, const B
     const auto triangle = [](const Body& body, TriangleId i) {
       return report::moved(body.shape.mesh().triangle(i), body.pose);
     };
-    finding.length = triangle_distance(triangle(a, answer.triangles->first),
-                                       triangle(b, answer.triangles->second))
-                         .distance;
+    finding.length =
+        triangle_distance(triangle(a, answer.triangles->a), triangle(b, answer.triangles->b))
+            .distance;
   }
   return finding;
 }
 
-void WithinQuestion::add(std::uint64_t pose, const Within& answer) {
-  if (answer.within && !first_) {
-    first_ = pose;
+void WithinQuestion::count(const AnsweredRow& row) {
+  if (!first_ && at(row.k).within) {
+    first_ = row.number;
   }
 }
 
-std::string WithinQuestion::totals(const RowTotals& totals) const {
+std::string WithinQuestion::summary(const RowTotals& totals) const {
   return fmt::format(
       "{}: {} within {}{}, {} not{}", counted(totals.rows, "pose"), with_commas(totals.found),
       readable(clearance_), first_ ? fmt::format(" (the first at pose {})", *first_) : "",
@@ -174,22 +148,23 @@ std::string WithinQuestion::totals(const RowTotals& totals) const {
       totals.undecided == 0 ? "" : fmt::format(", {} undecided", with_commas(totals.undecided)));
 }
 
-std::optional<std::string> WithinQuestion::difference(const Body& a, const Body& b,
-                                                      const Within& answer,
-                                                      const Console& console) const {
+std::optional<std::string> WithinQuestion::difference(std::size_t k) {
+  const Within answer = at(k);
+  const Body a = rows().body_a(k);
+  const Body b = rows().body_b(k);
   if (undecided(answer)) {
     return std::nullopt;
   }
-  const bool truth = console.run("verifying", [&](const Parallel& parallel) {
-    return reference::within_by_brute_force(a, b, clearance_, parallel);
+  const bool truth = console_.run("verifying", [&](const Limits& limits) {
+    return reference::within_by_brute_force(a, b, clearance_, limits);
   });
   if (answer.within != truth) {
     return fmt::format("brute force finds them {}within {}", truth ? "" : "not ", clearance_);
   }
   // The pair that is named must prove it.
   if (answer.within && !(answer.triangles && reference::within_by_brute_force(
-                                                 only(a, answer.triangles->first),
-                                                 only(b, answer.triangles->second), clearance_))) {
+                                                 only(a, answer.triangles->a),
+                                                 only(b, answer.triangles->b), clearance_))) {
     return fmt::format("brute force finds the pair that is named not within {}", clearance_);
   }
   return std::nullopt;
@@ -220,12 +195,15 @@ Action add_within(Parser& parser, Shared&) {
 }
 
 int run_within(const WithinVerbOptions& options, Console& console) {
-  return run_near(options,
-                  {.verb = options.verb,
-                   .terms = {{"verb", "within"}, {"clearance", options.clearance}},
-                   .fail_if_found = options.fail_if_within,
-                   .expected_gap = options.clearance},
-                  WithinQuestion(options.clearance, {.deadline = console.deadline()}), console);
+  return run_pairs(options,
+                   {.verb = options.verb,
+                    .terms = {{"verb", "within"}, {"clearance", options.clearance}},
+                    .fail_if_found = options.fail_if_within,
+                    .expected_gap = options.clearance,
+                    .refused_of_tiles = {{refused_page(options.outputs)}}},
+                   console, [&](const PoseRows& rows) {
+                     return WithinQuestion(rows, options.clearance, console);
+                   });
 }
 
 }  // namespace soms::command

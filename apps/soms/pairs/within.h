@@ -9,8 +9,8 @@
 
 namespace soms::command {
 
-/// Options of the verb `within`, and of `overlap --within`.
-struct WithinVerbOptions : NearOptions {
+/// Options of the verb `within`, and of `overlap --clearance`.
+struct WithinVerbOptions : PairOptions {
   std::string verb = "within";  ///< as messages name it
   double clearance = 0;
   bool fail_if_within = false;

@@ -9,17 +9,15 @@
 #include "apps/cli/console.h"
 #include "apps/cli/parse.h"
 #include "apps/cli/text.h"
-#include "apps/rows/point_source.h"
-#include "apps/soms/answers/answer_columns.h"
+#include "apps/model/georeference.h"
+#include "apps/soms/answers/array_columns.h"
+#include "apps/soms/answers/batch_question.h"
 #include "apps/soms/pairs/pair_options.h"
-#include "apps/soms/probes/closest_output.h"
-#include "apps/soms/probes/probe_run.h"
+#include "apps/soms/probes/closest_model.h"
 #include "apps/soms/solid/closed_body.h"
-#include "apps/store/probed_model.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -34,135 +32,131 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The distances of all points, for the line of totals.
-struct Extremes {
-  double least = kInfinity;
-  double greatest = 0;
-  std::uint64_t least_at = 0;
-  std::uint64_t greatest_at = 0;
-  std::uint64_t known = 0;
-  std::uint64_t on_surface = 0;
-  std::uint64_t inside = 0;
-  std::uint64_t farther = 0;
-  std::uint64_t hits = 0;
-
-  void add(std::uint64_t point, const PointAnswer& answer) {
-    hits += answer.hits ? answer.hits->size() : 0;
-    farther += answer.closest.farther ? 1U : 0U;
-    inside += answer.side == Side::inside ? 1U : 0U;
-    const auto& [lower, upper] = answer.closest.distance;
-    if (answer.hits || answer.cut() || !answer.closest.triangle) {
-      return;
-    }
-    on_surface += upper == 0 ? 1U : 0U;
-    if (known == 0 || lower < least) {
-      least = lower;
-      least_at = point;
-    }
-    if (known == 0 || lower > greatest) {
-      greatest = lower;
-      greatest_at = point;
-    }
-    ++known;
-  }
-};
-
-/// A run whose rows are points beside a model.
-class ClosestRun : public ProbeRun<PointSource> {
+/// Where is the model nearest to each point, and with --signed: is it inside?
+class NearestQuestion : public BatchQuestion<Closest> {
  public:
-  ClosestRun(const ClosestVerbOptions& options, PointCsv& csv, PointColumns& columns,
-             Console& console)
-      : ProbeRun(options, options.points,
-                 {.verb = "closest", .has_files = !options.csv.empty() || !options.binary.empty()},
-                 console),
-        options_(options),
-        lists_(options.nearest != 0 || options.radius.has_value()),
-        csv_(csv),
-        columns_(columns),
-        model_(options.model, options.reading, options.build, pose(),
-               {refused_verify(options.verify),
-                {options.with_side, "--signed", "inside is decided by whole surfaces"},
-                {options.nearest != 0, "--nearest", "it lists triangles of several of them"},
-                {options.radius.has_value(), "--radius", "it lists triangles of several of them"}},
-               console) {
-    query_.at_most = std::min(options.at_most, options.radius.value_or(kInfinity));
-    query_.deadline = console.deadline();
+  NearestQuestion(const ClosestVerbOptions& options, const ProbeRows<PointSource>& rows,
+                  const Pose& pose, Console& console)
+      : BatchQuestion("closest", "row"),
+        at_most_(options.at_most),
+        rows_(rows),
+        model_(options, pose, console),
+        georeference_(model_.report().georeference()) {
     if (options.with_side) {
-      closed_ = closed_body(model_.body(), "leave out --signed", console);
+      closed_ = closed_body(model_.model().body(), "leave out --signed", console);
     }
-    csv_.begin(model_.mesh(), georeference(model_.mesh()), lists_, options.with_side);
-    columns_.begin(lists_, options.with_side);
-    columns_.state(georeference(model_.mesh()));
   }
 
- private:
-  void begin() override { single_ = !console().shared().json && read_single(); }
-
-  [[nodiscard]] bool is_single() const override { return single_; }
-
-  std::uint64_t answer_block() override {
-    answers_.clear();
-    return lists_ ? answer_lists() : closed_ ? answer_signed() : answer_nearest();
-  }
-
-  std::uint64_t answer_signed() {
-    const SignedClosestBatch batch = closest(*closed_, block(), query_, console().parallel());
-    for (std::size_t k = 0; k < batch.size(); ++k) {
-      answers_.push_back({batch.closest.at(k), std::nullopt, batch.side[k]});
-    }
-    return 0;
-  }
-
-  std::uint64_t answer_nearest() {
-    model_.visit([&](const auto& body) {
-      const ClosestBatch batch = closest(body, block(), query_, console().parallel());
+  std::uint64_t answer(const ShowProgress&) override {
+    const Limits limits = model_.console().limits();
+    if (closed_) {
+      SignedClosestBatch batch = closest(*closed_, rows_.block(), model_.query(), limits);
       for (std::size_t k = 0; k < batch.size(); ++k) {
-        answers_.push_back({batch.at(k)});
+        if (batch.side[k] == Side::undecided) {
+          batch.closest.coverage[k] = Coverage::cut;  // of the distance and the side together
+        }
       }
-    });
-    return 0;
-  }
-
-  /// Returns how many triangles the lists hold.
-  std::uint64_t answer_lists() {
-    const std::size_t most =
-        options_.nearest == 0 ? std::numeric_limits<std::size_t>::max() : options_.nearest;
-    const NearTriangles rows =
-        nearest_triangles(model_.body(), block(), most, query_, console().parallel());
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-      PointAnswer answer;
-      answer.closest.coverage = rows.coverage[k];
-      answer.closest.cost = rows.costs[k];
-      answer.hits.emplace();
-      for (std::size_t i = rows.offsets[k]; i < rows.offsets[k + 1]; ++i) {
-        answer.hits->push_back({rows.triangle[i], {rows.lower[i], rows.upper[i]}});
-      }
-      answers_.push_back(std::move(answer));
+      sides_ = std::move(batch.side);
+      set(std::move(batch.closest));
+    } else {
+      model_.model().visit(
+          [&](const auto& body) { set(closest(body, rows_.block(), model_.query(), limits)); });
     }
-    return rows.triangle.size();
-  }
-
-  [[nodiscard]] Outcome outcome(std::size_t k) const override {
-    const PointAnswer& answer = answers_[k];
-    return {.found = false, .undecided = answer.cut(), .cut = answer.cut()};
+    return 0;
   }
 
   [[nodiscard]] std::optional<std::string> difference(std::size_t k) override {
-    if (const std::optional<Side> side = answers_[k].side; side && *side != Side::undecided) {
-      const Side truth = console().run("verifying", [&](const Parallel&) {
-        return reference::contains_by_brute_force(model_.body(), block()[k]);
+    if (const std::optional<Side> side = side_of(k); side && *side != Side::undecided) {
+      const Side truth = model_.console().run("verifying", [&](const Limits&) {
+        return reference::contains_by_brute_force(model_.model().body(), rows_.block()[k]);
       });
       if (truth != *side) {
         return fmt::format("brute force finds {}, but the answer is {}", name(truth), name(*side));
       }
     }
-    return answers_[k].hits ? difference_of_list(k) : difference_of_nearest(k);
+    return difference_of_nearest(k);
   }
 
-  std::optional<std::string> difference_of_nearest(std::size_t k) {
-    const Closest& answer = answers_[k].closest;
-    const Closest truth = console().run("verifying", [&](const Parallel&) {
-      return reference::closest_by_brute_force(model_.body(), block()[k]);
+  void count(const AnsweredRow& row) override {
+    const Closest answer = at(row.k);
+    farther_ += answer.farther ? 1U : 0U;
+    inside_ += side_of(row.k) == Side::inside ? 1U : 0U;
+    const auto& [lower, upper] = answer.distance;
+    if (undecided(answer) || !answer.triangle) {
+      return;
+    }
+    on_surface_ += upper == 0 ? 1U : 0U;
+    if (known_ == 0 || lower < least_) {
+      least_ = lower;
+      least_at_ = row.number;
+    }
+    if (known_ == 0 || lower > greatest_) {
+      greatest_ = lower;
+      greatest_at_ = row.number;
+    }
+    ++known_;
+  }
+
+  [[nodiscard]] std::string sentence(std::size_t k) const override {
+    return point_text(shown(k), side_of(k), model_.mesh(), at_most_) + "\n";
+  }
+
+  [[nodiscard]] std::string text_head() const override { return point_head(closed_.has_value()); }
+
+  [[nodiscard]] std::string text(const AnsweredRow& row) const override {
+    return point_row(row.number, shown(row.k), side_of(row.k), model_.mesh(), at_most_);
+  }
+
+  [[nodiscard]] std::string totals(const RowTotals& totals) const override {
+    std::vector<std::string> parts;
+    if (known_ != 0) {
+      parts.push_back(
+          fmt::format("the least distance is {} at point {}", readable(least_), least_at_));
+      if (known_ == totals.rows) {
+        parts.back() +=
+            fmt::format(", the greatest {} at point {}", readable(greatest_), greatest_at_);
+      }
+    }
+    if (on_surface_ != 0) {
+      parts.push_back(with_commas(on_surface_) + " on the surface");
+    }
+    if (closed_) {
+      parts.push_back(with_commas(inside_) + " inside");
+    }
+    if (farther_ != 0) {
+      parts.push_back(fmt::format("{} farther than {}", with_commas(farther_), readable(at_most_)));
+    }
+    return closest_totals(totals, std::move(parts));
+  }
+
+  void begin_columns(NpzFile& file) override {
+    BatchQuestion::begin_columns(file);
+    side_ = closed_ ? &file.names("side", kWords<Side>.names) : nullptr;
+    add_georeference(file, model_.report().georeference());
+  }
+
+  void add_columns(std::size_t rows) override {
+    BatchQuestion::add_columns(rows);
+    for (std::size_t k = 0; k < rows && side_ != nullptr; ++k) {
+      add_code(*side_, sides_[k]);
+    }
+  }
+
+ private:
+  [[nodiscard]] std::optional<Side> side_of(std::size_t k) const {
+    return closed_ ? std::optional(sides_[k]) : std::nullopt;
+  }
+
+  [[nodiscard]] bool found(const Closest& /*answer*/) const override { return false; }
+
+  [[nodiscard]] bool undecided(const Closest& answer) const override {
+    return answer.coverage == Coverage::cut;
+  }
+
+  [[nodiscard]] std::optional<std::string> difference_of_nearest(std::size_t k) const {
+    const Closest answer = at(k);
+    const Closest truth = model_.console().run("verifying", [&](const Limits&) {
+      return reference::closest_by_brute_force(model_.model().body(), rows_.block()[k]);
     });
     const Bracket& d = truth.distance;
     bool right = answer.distance == d && answer.triangle == truth.triangle &&
@@ -170,7 +164,7 @@ class ClosestRun : public ProbeRun<PointSource> {
     if (answer.coverage == Coverage::cut) {
       right = answer.distance.lower <= d.lower && d.upper <= answer.distance.upper;
     } else if (answer.farther) {
-      right = d.upper > query_.at_most && !answer.triangle;
+      right = d.upper > model_.query().at_most && !answer.triangle;
     }
     return right ? std::nullopt
                  : std::optional(fmt::format(
@@ -179,97 +173,47 @@ class ClosestRun : public ProbeRun<PointSource> {
                        answer.triangle == truth.triangle ? "" : " with another triangle"));
   }
 
-  std::optional<std::string> difference_of_list(std::size_t k) {
-    if (answers_[k].cut()) {
-      return std::nullopt;  // which says no more than that it found these
-    }
-    const std::vector<ListedTriangle>& hits = *answers_[k].hits;
-    auto truth = console().run("verifying", [&](const Parallel&) {
-      return reference::triangles_by_brute_force(model_.body(), block()[k], query_.at_most);
-    });
-    if (options_.nearest != 0 && truth.size() > options_.nearest) {
-      truth.resize(options_.nearest);
-    }
-    const bool right =
-        std::equal(hits.begin(), hits.end(), truth.begin(), truth.end(),
-                   [](const ListedTriangle& hit, const reference::RankedTriangle& expected) {
-                     return hit.triangle == expected.triangle && hit.distance == expected.distance;
-                   });
-    return right ? std::nullopt
-                 : std::optional(fmt::format("brute force finds other triangles: {} of them, and "
-                                             "the answer has {}",
-                                             truth.size(), hits.size()));
+  [[nodiscard]] std::string more_keys(std::size_t k) const override {
+    return closed_ ? fmt::format(",\"side\":\"{}\"", name(sides_[k])) : std::string();
   }
 
-  void print_row(std::size_t k, bool right, bool last) override {
-    const PointAnswer& answer = answers_[k];
-    const std::uint64_t point = totals().rows;
-    const MeshView& mesh = model_.mesh();
-    if (console().shared().json) {
-      print_json(mesh, "row", point_keys(answer), right, last);
-    } else if (single_) {
-      console().print(point_text(answer, mesh, options_.at_most) + "\n");
-    } else {
-      table_.add(point, answer, mesh, options_.at_most, console());
-    }
-    csv_.add(point, answer);
-    columns_.add(answer);
-    extremes_.add(point, answer);
+  [[nodiscard]] std::string row_keys(const AnsweredRow& row) const override {
+    return model_.report().keys(row);
   }
 
-  void print_totals() override {
-    if (!single_) {
-      table_.finish(console());
-      console().print(totals_text() + "\n");
-    }
+  [[nodiscard]] const FileNumbers& numbers(int /*side*/) const override {
+    return model_.model().numbers();
   }
 
-  [[nodiscard]] std::string totals_text() const {
-    std::vector<std::string> parts;
-    if (lists_) {
-      parts.push_back(counted(extremes_.hits, "triangle"));
-    }
-    if (extremes_.known != 0) {
-      parts.push_back(fmt::format("the least distance is {} at point {}", readable(extremes_.least),
-                                  extremes_.least_at));
-      if (extremes_.known == totals().rows) {
-        parts.back() += fmt::format(", the greatest {} at point {}", readable(extremes_.greatest),
-                                    extremes_.greatest_at);
-      }
-    }
-    if (extremes_.on_surface != 0) {
-      parts.push_back(with_commas(extremes_.on_surface) + " on the surface");
-    }
-    if (options_.with_side) {
-      parts.push_back(with_commas(extremes_.inside) + " inside");
-    }
-    if (extremes_.farther != 0) {
-      parts.push_back(fmt::format("{} farther than {}", with_commas(extremes_.farther),
-                                  readable(options_.at_most)));
-    }
-    if (totals().undecided != 0) {
-      parts.push_back(with_commas(totals().undecided) + " undecided");
-    }
-    const std::string count = counted(totals().rows, "point");
-    return parts.empty() ? count : fmt::format("{}: {}", count, fmt::join(parts, "; "));
+  [[nodiscard]] std::string more_head() const override {
+    return (closed_ ? ",side" : "") + std::string(georeference_.head());
   }
 
-  void finish(End /*end*/) override {
-    csv_.finish();
-    columns_.finish();
+  [[nodiscard]] std::string more_cells(std::size_t k) const override {
+    return (closed_ ? "," + std::string(name(sides_[k])) : std::string())
+        .append(georeference_.field());
   }
 
-  const ClosestVerbOptions& options_;
-  bool lists_;
-  bool single_ = false;
-  PointCsv& csv_;
-  PointColumns& columns_;
-  ProbedModel model_;
+  [[nodiscard]] std::string triangle_cells(int /*side*/,
+                                           std::optional<TriangleId> triangle) const override {
+    return model_.cells(triangle);
+  }
+
+  double at_most_;
+  const ProbeRows<PointSource>& rows_;
+  ClosestModel model_;
   std::optional<ClosedBody> closed_;  // the same, where sides are requested
-  ClosestOptions query_;
-  std::vector<PointAnswer> answers_;
-  PointTable table_;
-  Extremes extremes_;
+  GeoreferenceColumn georeference_;
+  std::vector<Side> sides_;
+  NpzColumn* side_ = nullptr;
+  double least_ = kInfinity;
+  double greatest_ = 0;
+  std::uint64_t least_at_ = 0;
+  std::uint64_t greatest_at_ = 0;
+  std::uint64_t known_ = 0;
+  std::uint64_t on_surface_ = 0;
+  std::uint64_t inside_ = 0;
+  std::uint64_t farther_ = 0;
 };
 
 void check_options(const ClosestVerbOptions& options) {
@@ -281,12 +225,6 @@ void check_options(const ClosestVerbOptions& options) {
     throw Error(ErrorKind::usage, "--signed is about the nearest triangle, not about lists",
                 "leave out --nearest and --radius");
   }
-  check_outputs({{"MODEL", options.model},
-                 {"--points", options.points},
-                 {"--pose", options.pose.value_or("")}},
-                {{"--csv", options.csv}, {"--binary", options.binary}});
-  check_extension("--csv", options.csv, {".csv"});
-  check_extension("--binary", options.binary, {".npz"});
 }
 
 }  // namespace
@@ -317,8 +255,6 @@ Action add_closest(Parser& parser, Shared&) {
       .add_flag("--signed", options->with_side,
                 "also say whether each point is inside; the model must be closed")
       ->group(kQuestionGroup);
-  add_output(parser, "--csv", options->csv, "write the answers as CSV")->group(kQuestionGroup);
-  add_binary(parser, options->binary);
   add_probe_options(parser, *options);
   parser.footer(
       "The nearest point of the surface to each point, exact to the last bit, with its triangle "
@@ -328,16 +264,24 @@ Action add_closest(Parser& parser, Shared&) {
       "  soms generate knot --triangles 2000 -o knot.ply\n"
       "  printf 'x,y,z\\n0,0,0\\n2,0,0\\n' | soms closest knot.ply --points -");
   return [options, &parser](Console& console) {
-    check_probe_options(parser, *options, options->points);
+    check_probe_options(parser, *options, "--points", options->points);
     return run_closest(*options, console);
   };
 }
 
 int run_closest(const ClosestVerbOptions& options, Console& console) {
   check_options(options);
-  PointCsv csv(options.csv);
-  PointColumns columns(options.binary);
-  return ClosestRun(options, csv, columns, console).run();
+  const ProbeTerms terms{.verb = "closest", .says_one = true};
+  if (options.nearest != 0 || options.radius) {
+    return run_probes<PointSource>(options, options.points, terms, console,
+                                   [&](const auto& rows, const Pose& pose) {
+                                     return NearListsQuestion(options, rows, pose, console);
+                                   });
+  }
+  return run_probes<PointSource>(options, options.points, terms, console,
+                                 [&](const auto& rows, const Pose& pose) {
+                                   return NearestQuestion(options, rows, pose, console);
+                                 });
 }
 
 }  // namespace soms::command

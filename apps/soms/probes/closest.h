@@ -17,7 +17,6 @@ struct ClosestVerbOptions : PointOptions {
   std::optional<double> radius;  ///< all triangles within it, or the nearest of them
   double at_most = std::numeric_limits<double>::infinity();
   bool with_side = false;  ///< whether each point is inside the model, too
-  std::string csv = {};    ///< empty: none
 };
 
 [[nodiscard]] Action add_closest(Parser& parser, Shared& shared);

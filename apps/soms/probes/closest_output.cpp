@@ -1,12 +1,6 @@
 #include "apps/soms/probes/closest_output.h"
 
-#include "apps/cli/console.h"
 #include "apps/cli/text.h"
-#include "apps/soms/answers/answer_fields.h"
-#include "apps/soms/pairs/near_output.h"
-#include "apps/soms/pairs/pair_report.h"
-#include "apps/soms/probes/probe_options.h"
-#include "apps/soms/solid/closed_body.h"
 #include "apps/world/part_names.h"
 
 #include <fmt/format.h>
@@ -19,17 +13,14 @@ namespace {
 
 constexpr std::size_t kHitsInText = 4;
 
-std::string hits_key(const std::vector<ListedTriangle>& hits) {
-  std::string text = ",\"hits\":[";
-  for (const ListedTriangle& hit : hits) {
-    text += fmt::format("{}{{\"triangle\":{}{}}}", text.back() == '[' ? "" : ",", hit.triangle,
-                        detail::json_key("distance", hit.distance));
-  }
-  return text + "]";
+template <class... Cells>
+std::string cells(bool wide, const Cells&... values) {
+  return table_line(wide ? fmt::format("{:>7}  {:<24}  {:<20}  {:<7}  {}", values...)
+                         : fmt::format("{:>7}  {:<16}  {:<20}  {:<7}  {}", values...));
 }
 
 /// Numbers of the nearest triangles of a list.
-std::string hits_cell(const std::vector<ListedTriangle>& hits, const MeshView& mesh) {
+std::string hits_cell(std::span<const ListedTriangle> hits, const MeshView& mesh) {
   std::string text;
   for (std::size_t i = 0; i < hits.size() && i < kHitsInText; ++i) {
     text += i == 0 ? "" : ", ";
@@ -38,45 +29,27 @@ std::string hits_cell(const std::vector<ListedTriangle>& hits, const MeshView& m
   return hits.size() > kHitsInText ? text + ", ..." : text;
 }
 
-std::string distance_cell(const PointAnswer& answer, double at_most) {
-  if (answer.hits) {
-    const auto& hits = *answer.hits;
-    return hits.empty() ? (answer.cut() ? "undecided" : "none")
-                        : readable(hits.front().distance.lower);
-  }
-  const auto& [lower, upper] = answer.closest.distance;
-  if (answer.cut()) {
+std::string distance_cell(const Closest& answer, double at_most) {
+  const auto& [lower, upper] = answer.distance;
+  if (answer.coverage == Coverage::cut) {
     return std::isfinite(upper) ? "<= " + readable(upper) : "undecided";
   }
-  if (answer.closest.farther) {
+  if (answer.farther) {
     return "> " + readable(at_most);
   }
   return std::isfinite(lower) ? readable(lower) : "none";
 }
 
 /// " inside", where that is known and requested and says more than a distance of 0.
-std::string side_text(const PointAnswer& answer) {
-  return answer.side == Side::inside || answer.side == Side::outside
-             ? " " + std::string(name(*answer.side))
-             : std::string();
+std::string side_text(std::optional<Side> side) {
+  return side == Side::inside || side == Side::outside ? " " + std::string(name(*side))
+                                                       : std::string();
 }
 
 /// The same in a sentence: ", inside".
-std::string side_clause(const PointAnswer& answer) {
-  const std::string side = side_text(answer);
-  return side.empty() ? side : "," + side;
-}
-
-std::string list_text(const PointAnswer& answer, const MeshView& mesh) {
-  const std::vector<ListedTriangle>& hits = *answer.hits;
-  std::string text = counted(hits.size(), "triangle") + (answer.cut()   ? " so far, out of time"
-                                                         : hits.empty() ? " near"
-                                                                        : "");
-  for (const ListedTriangle& hit : hits) {
-    text += fmt::format("\n  {} at distance {}", triangle_label(mesh, hit.triangle),
-                        readable(hit.distance.lower));
-  }
-  return text;
+std::string side_clause(std::optional<Side> side) {
+  const std::string text = side_text(side);
+  return text.empty() ? text : "," + text;
 }
 
 std::string place_text(const Closest& answer, const MeshView& mesh) {
@@ -89,115 +62,60 @@ std::string place_text(const Closest& answer, const MeshView& mesh) {
 
 }  // namespace
 
-std::string point_keys(const PointAnswer& answer) {
-  std::string text = answer.hits ? hits_key(*answer.hits) : field_keys(answer.closest);
-  if (answer.side) {
-    text += fmt::format(",\"side\":\"{}\"", name(*answer.side));
-  }
-  return text + coverage_keys(answer.coverage(), answer.closest.cost);
-}
-
-std::string point_text(const PointAnswer& answer, const MeshView& mesh, double at_most) {
-  if (answer.hits) {
-    return list_text(answer, mesh);
-  }
-  const auto& [lower, upper] = answer.closest.distance;
-  if (answer.cut()) {
+std::string point_text(const Closest& answer, std::optional<Side> side, const MeshView& mesh,
+                       double at_most) {
+  const auto& [lower, upper] = answer.distance;
+  if (answer.coverage == Coverage::cut) {
     return std::isfinite(upper)
                ? fmt::format("undecided, out of time: the distance is from {} to {}",
                              readable(lower), readable(upper))
                : "undecided: out of time";
   }
-  if (answer.closest.farther) {
-    return "farther than " + readable(at_most) + side_clause(answer);
+  if (answer.farther) {
+    return "farther than " + readable(at_most) + side_clause(side);
   }
-  if (!answer.closest.triangle) {
+  if (!answer.triangle) {
     return "no distance: the model has no triangles";
   }
   return (upper == 0 ? "distance 0, on the surface: "
-                     : "distance " + readable(lower) + side_clause(answer) + ": ") +
-         place_text(answer.closest, mesh);
+                     : "distance " + readable(lower) + side_clause(side) + ": ") +
+         place_text(answer, mesh);
 }
 
-void PointTable::add(std::uint64_t point, const PointAnswer& answer, const MeshView& mesh,
-                     double at_most, Console& console) {
-  const char* const form =
-      answer.side ? "{:>7}  {:<24}  {:<20}  {:<7}  {}" : "{:>7}  {:<16}  {:<20}  {:<7}  {}";
-  const auto print = [&](const auto&... cells) {
-    console.print(table_line(fmt::format(fmt::runtime(form), cells...)));
-  };
-  const bool lists = answer.hits.has_value();
-  if (rows_ == 0) {
-    print("point", "distance", "triangle", lists ? "count" : "feature", lists ? "" : "at");
+std::string list_text(std::span<const ListedTriangle> hits, bool cut, const MeshView& mesh) {
+  std::string text = counted(hits.size(), "triangle") + (cut            ? " so far, out of time"
+                                                         : hits.empty() ? " near"
+                                                                        : "");
+  for (const ListedTriangle& hit : hits) {
+    text += fmt::format("\n  {} at distance {}", triangle_label(mesh, hit.triangle),
+                        readable(hit.distance.lower));
   }
-  if (rows_++ >= kProbesInText) {
-    return;
-  }
-  const std::string distance = distance_cell(answer, at_most) + side_text(answer);
-  if (lists) {
-    print(point, distance, hits_cell(*answer.hits, mesh), answer.hits->size(), "");
-  } else if (answer.closest.triangle) {
-    print(point, distance, triangle_label(mesh, *answer.closest.triangle),
-          name(answer.closest.feature), point_in_text(answer.closest.point));
-  } else {
-    print(point, distance, "", "", "");
-  }
+  return text;
 }
 
-void PointTable::finish(Console& console) const {
-  if (rows_ > kProbesInText) {
-    console.print(
-        fmt::format("   and {} more; --json lists all\n", counted(rows_ - kProbesInText, "point")));
-  }
+std::string point_head(bool sides) {
+  return cells(sides, "point", "distance", "triangle", "feature", "at");
 }
 
-PointCsv::PointCsv(const std::string& path) {
-  if (!path.empty()) {
-    file_.emplace(path);
-  }
+std::string point_row(std::uint64_t point, const Closest& answer, std::optional<Side> side,
+                      const MeshView& mesh, double at_most) {
+  const std::string distance = distance_cell(answer, at_most) + side_text(side);
+  const bool wide = side.has_value();
+  return answer.triangle ? cells(wide, point, distance, triangle_label(mesh, *answer.triangle),
+                                 name(answer.feature), point_in_text(answer.point))
+                         : cells(wide, point, distance, "", "", "");
 }
 
-void PointCsv::begin(const MeshView& mesh, const Georeference& georeference, bool lists,
-                     bool sides) {
-  if (file_) {
-    mesh_ = mesh;
-    parts_ = PartsOf(mesh);
-    georeference_ = lists ? GeoreferenceColumn() : GeoreferenceColumn(georeference);
-    file_->stream() << (lists ? "row,triangle,part,name,lower,upper,coverage"
-                              : "row," + field_head<Closest>())
-                    << (sides ? ",side" : "") << georeference_.head() << '\n';
-  }
+std::string list_head() {
+  return cells(false, "point", "distance", "triangle", "count", "");
 }
 
-void PointCsv::add(std::uint64_t point, const PointAnswer& answer) {
-  if (!file_) {
-    return;
-  }
-  const auto of_triangle = [this](int, std::optional<TriangleId> triangle) {
-    return triangle_csv_fields(mesh_, parts_, triangle);
-  };
-  if (answer.hits) {
-    for (const ListedTriangle& hit : *answer.hits) {
-      file_->stream() << fmt::format("{},{},{},{},{}\n", point, of_triangle(0, hit.triangle),
-                                     hit.distance.lower, hit.distance.upper,
-                                     name(answer.coverage()));
-    }
-  } else {
-    Closest closest = answer.closest;
-    closest.coverage = answer.coverage();
-    file_->stream() << fmt::format(
-        "{},{}{}{}\n", point, field_cells(closest, of_triangle),
-        answer.side ? "," + std::string(name(*answer.side)) : std::string(), georeference_.field());
-  }
-  if (!file_->stream().good()) {
-    file_->check();
-  }
-}
-
-void PointCsv::finish() {
-  if (file_) {
-    file_->commit();
-  }
+std::string list_row(std::uint64_t point, std::span<const ListedTriangle> hits, bool cut,
+                     const MeshView& mesh) {
+  const std::string distance = !hits.empty() ? readable(hits.front().distance.lower)
+                               : cut         ? "undecided"
+                                             : "none";
+  return cells(false, point, distance, hits_cell(hits, mesh), hits.size(), "");
 }
 
 }  // namespace soms::command

@@ -11,11 +11,9 @@
 #include "apps/cli/text.h"
 #include "apps/model/shapes.h"
 #include "apps/soms/pairs/pair_options.h"
-#include "apps/soms/pairs/pair_report.h"
 #include "apps/soms/probes/contains_by_part.h"
-#include "apps/soms/probes/contains_output.h"
 #include "apps/soms/probes/contains_winding.h"
-#include "apps/soms/probes/side_run.h"
+#include "apps/soms/probes/side_question.h"
 #include "apps/soms/solid/closed_body.h"
 
 #include <fmt/format.h>
@@ -30,31 +28,54 @@ namespace soms::command {
 
 namespace {
 
-/// A run whose rows are points beside a closed model.
-class ContainsRun : public SideRun {
+/// Which points are in a closed model?
+class ContainsQuestion : public SideQuestion<Contains> {
  public:
-  ContainsRun(const ContainsVerbOptions& options, SideFiles& files, Console& console)
-      : SideRun(options, files, console), body_(body_of(options)) {}
+  ContainsQuestion(const ContainsVerbOptions& options, const ProbeRows<PointSource>& rows,
+                   const Pose& pose, Console& console)
+      : SideQuestion(rows),
+        console_(console),
+        body_(body_of(options, pose)),
+        report_(options, body_.body().shape.mesh()) {}
+
+  std::uint64_t answer(const ShowProgress&) override {
+    set(contains(body_, points(), console_.limits()));
+    return 0;
+  }
+
+  [[nodiscard]] std::optional<std::string> difference(std::size_t k) override {
+    const Side side = at(k).side;
+    if (side == Side::undecided) {
+      return std::nullopt;
+    }
+    const Side truth = console_.run("verifying", [&](const Limits&) {
+      return reference::contains_by_brute_force(body_.body(), point(k));
+    });
+    return truth == side ? std::nullopt
+                         : std::optional(fmt::format("brute force finds {}, but the answer is {}",
+                                                     name(truth), name(side)));
+  }
 
  private:
-  [[nodiscard]] ClosedBody body_of(const ContainsVerbOptions& options) {
+  [[nodiscard]] ClosedBody body_of(const ContainsVerbOptions& options, const Pose& pose) {
     const ShapeOptions built{.build = options.build};
     Shape shape =
         options.closed_parts
-            ? build_shape(without_open_parts(read_model(options.model, options.reading, console())),
-                          built, console())
-            : load_shape(options.model, options.reading, built, console());
-    return closed_body(Body(std::move(shape), pose()),
+            ? build_shape(without_open_parts(
+                              read_only_model(options.model, options.reading, console_), pose),
+                          built, console_)
+            : load_only_model(options.model, options.reading, built, console_).shape;
+    return closed_body(Body(std::move(shape), pose),
                        "add --closed-parts, --by part, or --winding, which answers for open "
                        "models, too",
-                       console());
+                       console_);
   }
 
   /// What --closed-parts asks about. Says what is left out.
-  [[nodiscard]] Mesh without_open_parts(Mesh mesh) {
+  [[nodiscard]] Mesh without_open_parts(Mesh mesh, const Pose& pose) {
     const std::uint64_t all = mesh.triangles.size();
-    Mesh left = console().run("looking for closed parts", [&](const Parallel& parallel) {
-      return closed_parts(mesh, pose(), parallel);
+    Mesh left = console_.run("looking for closed parts", [&](const Limits& limits) {
+      return closed_parts(mesh, pose, limits);
     });
     if (left.triangles.empty() && all != 0) {
       throw Error(ErrorKind::not_closed, printable(mesh.source) + ": no connected part is closed",
@@ -62,55 +83,22 @@ class ContainsRun : public SideRun {
     }
     left_out_ = all - left.triangles.size();
     if (left_out_ != 0) {
-      console().note(fmt::format("{}: {} of open parts left out", printable(mesh.source),
-                                 counted(left_out_, "triangle")));
+      console_.note(fmt::format("{}: {} of open parts left out", printable(mesh.source),
+                                counted(left_out_, "triangle")));
     }
     return left;
   }
 
-  std::uint64_t answer_block() override {
-    answers_ = contains(body_, block(), {.deadline = console().deadline()}, console().parallel());
-    return 0;
+  [[nodiscard]] std::string row_keys(const AnsweredRow& row) const override {
+    return (left_out_ != 0 && row.number == 0 ? fmt::format(",\"triangles_left_out\":{}", left_out_)
+                                              : std::string()) +
+           report_.keys(row);
   }
 
-  [[nodiscard]] const MeshView& mesh() const override { return body_.body().shape.mesh(); }
-
-  [[nodiscard]] Side side(std::size_t k) const override { return answers_.side[k]; }
-
-  [[nodiscard]] bool is_cut(std::size_t k) const override {
-    return answers_.side[k] == Side::undecided;
-  }
-
-  [[nodiscard]] std::optional<std::string> difference(std::size_t k) override {
-    const Side side = answers_.side[k];
-    if (side == Side::undecided) {
-      return std::nullopt;
-    }
-    const Side truth = console().run("verifying", [&](const Parallel&) {
-      return reference::contains_by_brute_force(body_.body(), block()[k]);
-    });
-    return truth == side ? std::nullopt
-                         : std::optional(fmt::format("brute force finds {}, but the answer is {}",
-                                                     name(truth), name(side)));
-  }
-
-  void put(std::size_t k, SideFiles& files) const override {
-    files.csv.add(totals().rows, answers_.at(k));
-    files.columns.add(answers_.at(k));
-  }
-
-  [[nodiscard]] std::string keys(std::size_t k) const override {
-    const Contains answer = answers_.at(k);
-    std::string keys = field_keys(answer) + coverage_keys(answer.coverage, answer.cost);
-    if (left_out_ != 0 && totals().rows == 0) {
-      keys += fmt::format(",\"triangles_left_out\":{}", left_out_);
-    }
-    return keys;
-  }
-
+  Console& console_;
   std::uint64_t left_out_ = 0;  // triangles of open parts
   ClosedBody body_;
-  ContainsBatch answers_;
+  ProbeReport report_;
 };
 
 /// \errors ErrorKind::usage for options that have no effect together.
@@ -126,9 +114,11 @@ void check_question(const Parser& parser, const ContainsVerbOptions& options) {
     throw Error(ErrorKind::usage, "--by part and --by connected answer for each part by itself",
                 "leave out --winding and --closed-parts");
   }
-  if (options.by != ContainsBy::model && !options.binary.empty()) {
-    throw Error(ErrorKind::usage, "--binary has one row per point, and --by part several",
-                "leave out one of them");
+  if (options.by != ContainsBy::model && !options.outputs.npz.empty()) {
+    throw Error(
+        ErrorKind::usage,
+        fmt::format("-o {} has one row per point, and --by part several", options.outputs.npz),
+        "leave out one of them");
   }
 }
 
@@ -164,8 +154,6 @@ Action add_contains(Parser& parser, Shared&) {
           "with --winding: by how much far triangles may widen its bracket")
       ->option_text("W")
       ->group(kQuestionGroup);
-  add_output(parser, "--csv", options->csv, "write the answers as CSV")->group(kQuestionGroup);
-  add_binary(parser, options->binary);
   add_probe_options(parser, *options);
   parser.footer(
       "Exact for every point: inside, outside, or on the surface. The model must be closed; soms\n"
@@ -175,25 +163,22 @@ Action add_contains(Parser& parser, Shared&) {
       "  printf 'x,y,z\\n0,0,0\\n2,0,0\\n' | soms contains ball.off --points -");
   return [options, &parser](Console& console) {
     check_question(parser, *options);
-    check_probe_options(parser, *options, options->points);
+    check_probe_options(parser, *options, "--points", options->points);
     return run_contains(*options, console);
   };
 }
 
 int run_contains(const ContainsVerbOptions& options, Console& console) {
-  check_outputs({{"MODEL", options.model},
-                 {"--points", options.points},
-                 {"--pose", options.pose.value_or("")}},
-                {{"--csv", options.csv}, {"--binary", options.binary}});
-  check_extension("--csv", options.csv, {".csv"});
-  check_extension("--binary", options.binary, {".npz"});
   if (options.by != ContainsBy::model) {
-    PartSideCsv csv(options.csv);
-    return run_contains_by_part(options, csv, console);
+    return run_contains_by_part(options, console);
   }
-  SideFiles files(options);
-  return options.winding ? run_contains_winding(options, files, console)
-                         : ContainsRun(options, files, console).run();
+  if (options.winding) {
+    return run_contains_winding(options, console);
+  }
+  return run_probes<PointSource>(options, options.points, {.verb = "contains"}, console,
+                                 [&](const auto& rows, const Pose& pose) {
+                                   return ContainsQuestion(options, rows, pose, console);
+                                 });
 }
 
 }  // namespace soms::command

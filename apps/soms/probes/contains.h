@@ -17,7 +17,6 @@ struct ContainsVerbOptions : PointOptions {
   bool winding = false;       ///< decide by the winding number
   double width = 1e-9;        ///< WindingOptions::width
   ContainsBy by = ContainsBy::model;
-  std::string csv = {};  ///< empty: none
 };
 
 [[nodiscard]] Action add_contains(Parser& parser, Shared& shared);

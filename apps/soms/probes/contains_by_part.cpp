@@ -1,6 +1,7 @@
 #include "apps/soms/probes/contains_by_part.h"
 
 #include "soms/base/error.h"
+#include "soms/base/text.h"
 #include "soms/query/contains_parts.h"
 #include "soms/query/reference/contains.h"
 
@@ -8,11 +9,11 @@
 #include "apps/cli/text.h"
 #include "apps/model/shapes.h"
 #include "apps/output/json.h"
+#include "apps/rows/csv_file.h"
 #include "apps/rows/point_source.h"
-#include "apps/soms/pairs/pair_options.h"
+#include "apps/soms/answers/batch_question.h"
 #include "apps/soms/pairs/pair_report.h"
-#include "apps/soms/probes/probe_run.h"
-#include "apps/soms/solid/closed_body.h"
+#include "apps/soms/probes/probe_rows.h"
 #include "apps/world/part_names.h"
 
 #include <fmt/format.h>
@@ -42,33 +43,120 @@ Mesh triangles_of_part(const DividedBody& body, std::uint32_t part) {
   return mesh;
 }
 
-class PartsRun : public ProbeRun<PointSource> {
+/// Which parts of a model hold each point?
+class ContainsPartsQuestion : public Question {
  public:
-  PartsRun(const ContainsVerbOptions& options, PartSideCsv& csv, Console& console)
-      : ProbeRun(options, options.points, {.verb = "contains", .has_files = !options.csv.empty()},
-                 console),
-        csv_(csv),
-        body_(body_of(options)) {
+  ContainsPartsQuestion(const ContainsVerbOptions& options, const ProbeRows<PointSource>& rows,
+                        const Pose& pose, const Console& console)
+      : rows_(rows),
+        console_(console),
+        body_(body_of(options, pose)),
+        report_(options, body_.body().shape.mesh()) {
     note_open_parts();
   }
 
- private:
-  [[nodiscard]] DividedBody body_of(const ContainsVerbOptions& options) {
-    Shape shape = load_shape(options.model, options.reading, {.build = options.build}, console());
-    const Partition partition =
-        options.by == ContainsBy::part ? Partition::named : Partition::connected;
-    return console().run("looking for parts that are closed", [&](const Parallel& parallel) {
-      return DividedBody(Body(std::move(shape), pose()), partition, parallel);
+  std::uint64_t answer(const ShowProgress&) override {
+    answers_ = contains(body_, rows_.block(), console_.limits());
+    return answers_.parts.size();
+  }
+
+  [[nodiscard]] RowOutcome outcome(std::size_t k) const override {
+    const bool cut = answers_.coverage[k] == Coverage::cut;
+    return {.found = !answers_.parts_of(k).empty(), .undecided = cut, .cut = cut};
+  }
+
+  [[nodiscard]] std::optional<std::string> difference(std::size_t k) override {
+    if (answers_.coverage[k] == Coverage::cut) {
+      return std::nullopt;
+    }
+    return console_.run("verifying", [&](const Limits& limits) {
+      std::optional<std::string> found;
+      for (std::uint32_t part = 0; part < body_.parts().size() && !found; ++part) {
+        check_stop(limits);
+        found = difference_of_part(k, part);
+      }
+      return found;
     });
   }
 
-  [[nodiscard]] const MeshView& mesh() const { return body_.body().shape.mesh(); }
+  void count(const AnsweredRow& row) override {
+    held_ += answers_.parts_of(row.k).empty() ? 0U : 1U;
+  }
+
+  void json(const AnsweredRow& row, JsonRows& rows) const override {
+    const std::size_t k = row.k;
+    Json parts = Json::array();
+    for (const PartSide& part : answers_.parts_of(k)) {
+      parts.push_back(part_json(part.part));
+      parts.back()["side"] = std::string(name(part.side));
+    }
+    std::string keys =
+        ",\"parts\":" + json_text(parts) + coverage_keys(answers_.coverage[k], answers_.costs[k]);
+    if (row.number == 0) {
+      Json open = Json::array();
+      for (std::uint32_t part = 0; part < body_.parts().size(); ++part) {
+        if (!body_.parts()[part].closed) {
+          open.push_back(part_json(part));
+          open.back()["odd_edges"] = body_.parts()[part].odd_edges;
+        }
+      }
+      keys += ",\"open_parts\":" + json_text(open);
+    }
+    rows.put(json_row("contains", "row", row, keys + report_.keys(row)));
+    rows.end_row();
+  }
+
+  [[nodiscard]] std::string text_head() const override {
+    return fmt::format("{:>6}  {}\n", "point", "at, and parts that hold it");
+  }
+
+  [[nodiscard]] std::string text(const AnsweredRow& row) const override {
+    return fmt::format("{:>6}  {}: {}\n", row.number, point_in_text(rows_.block()[row.k]),
+                       in_words(row.k));
+  }
+
+  [[nodiscard]] std::string totals(const RowTotals& totals) const override {
+    return fmt::format("{}: {} in or on {}, {} of them closed\n", counted(totals.rows, "point"),
+                       with_commas(held_), counted(body_.parts().size(), "part"),
+                       with_commas(body_.parts().size() - body_.open_parts()));
+  }
+
+  [[nodiscard]] std::string csv_head() const override {
+    return "row,part,name,path,first,side,coverage";
+  }
+
+  void csv(const AnsweredRow& row, CsvFile& file) const override {
+    for (const PartSide& found : answers_.parts_of(row.k)) {
+      const DividedPart& part = body_.parts()[found.part];
+      const std::string path =
+          part.named == Part::kNoParent ? "" : csv_field(part_path_label(mesh(), part.named));
+      file.line() +=
+          fmt::format("{},{},{},{},{},{}", row.number, part_csv_fields(mesh(), part.named), path,
+                      numbers_(part.first), name(found.side), name(answers_.coverage[row.k]));
+      file.end_line();
+    }
+  }
+
+ private:
+  [[nodiscard]] DividedBody body_of(const ContainsVerbOptions& options, const Pose& pose) {
+    ModelShape model =
+        load_only_model(options.model, options.reading, {.build = options.build}, console_);
+    numbers_ = model.numbers;
+    const Partition partition =
+        options.by == ContainsBy::part ? Partition::named : Partition::connected;
+    return console_.run("looking for parts that are closed", [&](const Limits& limits) {
+      return DividedBody(Body(std::move(model.shape), pose), partition, limits);
+    });
+  }
+
+  [[nodiscard]] const MeshView& mesh() const { return report_.mesh(); }
 
   /// The path of a named part; "the part of triangle 12" of another one. Printable.
   [[nodiscard]] std::string label(std::uint32_t part) const {
     const DividedPart& found = body_.parts()[part];
-    return found.named != Part::kNoParent ? printable(body_label(mesh(), found.named, found.joined))
-                                          : fmt::format("the part of triangle {}", found.first);
+    return found.named != Part::kNoParent
+               ? printable(body_label(mesh(), found.named, found.joined))
+               : fmt::format("the part of triangle {}", numbers_(found.first));
   }
 
   void note_open_parts() {
@@ -84,34 +172,10 @@ class PartsRun : public ProbeRun<PointSource> {
         ++named;
       }
     }
-    console().note(fmt::format("{}: {} of {} not closed, and no point is inside of them: {}{}",
-                               printable(mesh().source), body_.open_parts(),
-                               counted(body_.parts().size(), "part"), names,
-                               body_.open_parts() > kNamed ? ", ..." : ""));
-  }
-
-  std::uint64_t answer_block() override {
-    answers_ = contains(body_, block(), {.deadline = console().deadline()}, console().parallel());
-    return answers_.parts.size();
-  }
-
-  [[nodiscard]] Outcome outcome(std::size_t k) const override {
-    const bool cut = answers_.coverage[k] == Coverage::cut;
-    return {.found = !answers_.parts_of(k).empty(), .undecided = cut, .cut = cut};
-  }
-
-  [[nodiscard]] std::optional<std::string> difference(std::size_t k) override {
-    if (answers_.coverage[k] == Coverage::cut) {
-      return std::nullopt;
-    }
-    return console().run("verifying", [&](const Parallel& parallel) {
-      std::optional<std::string> found;
-      for (std::uint32_t part = 0; part < body_.parts().size() && !found; ++part) {
-        check_stop(parallel);
-        found = difference_of_part(k, part);
-      }
-      return found;
-    });
+    console_.note(fmt::format("{}: {} of {} not closed, and no point is inside of them: {}{}",
+                              printable(mesh().source), body_.open_parts(),
+                              counted(body_.parts().size(), "part"), names,
+                              body_.open_parts() > kNamed ? ", ..." : ""));
   }
 
   [[nodiscard]] std::optional<std::string> difference_of_part(std::size_t k, std::uint32_t part) {
@@ -121,9 +185,9 @@ class PartsRun : public ProbeRun<PointSource> {
     const Side side = found == row.end() ? Side::outside : found->side;
     auto& alone = alone_[part];
     if (!alone) {
-      alone.emplace(triangles_of_part(body_, part), pose());
+      alone.emplace(triangles_of_part(body_, part), body_.body().pose);
     }
-    Side truth = reference::contains_by_brute_force(*alone, block()[k]);
+    Side truth = reference::contains_by_brute_force(*alone, rows_.block()[k]);
     if (!body_.parts()[part].closed && truth != Side::on) {
       truth = Side::outside;
     }
@@ -131,22 +195,6 @@ class PartsRun : public ProbeRun<PointSource> {
                          : std::optional(fmt::format("of {} brute force finds {}, but the answer "
                                                      "is {}",
                                                      label(part), name(truth), name(side)));
-  }
-
-  void print_row(std::size_t k, bool right, bool last) override {
-    held_ += answers_.parts_of(k).empty() ? 0U : 1U;
-    csv_.add(totals().rows, body_, answers_, k);
-    if (console().shared().json) {
-      print_json(mesh(), "row", keys(k), right, last);
-      return;
-    }
-    if (totals().rows == 0) {
-      console().print(fmt::format("{:>6}  {}\n", "point", "at, and parts that hold it"));
-    }
-    if (totals().rows < kProbesInText) {
-      console().print(
-          fmt::format("{:>6}  {}: {}\n", totals().rows, point_in_text(block()[k]), in_words(k)));
-    }
   }
 
   [[nodiscard]] std::string in_words(std::size_t k) const {
@@ -166,43 +214,15 @@ class PartsRun : public ProbeRun<PointSource> {
     Json json = body_.partition() == Partition::named
                     ? body_as_json(mesh(), found.named, found.joined)
                     : Json::object();
-    json["first"] = found.first;
+    json["first"] = numbers_(found.first);
     return json;
   }
 
-  [[nodiscard]] std::string keys(std::size_t k) const {
-    Json parts = Json::array();
-    for (const PartSide& part : answers_.parts_of(k)) {
-      parts.push_back(part_json(part.part));
-      parts.back()["side"] = std::string(name(part.side));
-    }
-    std::string keys =
-        ",\"parts\":" + json_text(parts) + coverage_keys(answers_.coverage[k], answers_.costs[k]);
-    if (totals().rows == 0) {
-      Json open = Json::array();
-      for (std::uint32_t part = 0; part < body_.parts().size(); ++part) {
-        if (!body_.parts()[part].closed) {
-          open.push_back(part_json(part));
-          open.back()["odd_edges"] = body_.parts()[part].odd_edges;
-        }
-      }
-      keys += ",\"open_parts\":" + json_text(open);
-    }
-    return keys;
-  }
-
-  void print_totals() override {
-    print_left_out();
-    console().print(fmt::format("{}: {} in or on {}, {} of them closed\n",
-                                counted(totals().rows, "point"), with_commas(held_),
-                                counted(body_.parts().size(), "part"),
-                                with_commas(body_.parts().size() - body_.open_parts())));
-  }
-
-  void finish(End) override { csv_.finish(); }
-
-  PartSideCsv& csv_;
+  const ProbeRows<PointSource>& rows_;
+  const Console& console_;
+  FileNumbers numbers_;
   DividedBody body_;
+  ProbeReport report_;
   ContainsPartsBatch answers_;
   std::map<std::uint32_t, std::optional<Body>> alone_;  // parts that brute force has looked at
   std::uint64_t held_ = 0;
@@ -210,8 +230,11 @@ class PartsRun : public ProbeRun<PointSource> {
 
 }  // namespace
 
-int run_contains_by_part(const ContainsVerbOptions& options, PartSideCsv& csv, Console& console) {
-  return PartsRun(options, csv, console).run();
+int run_contains_by_part(const ContainsVerbOptions& options, Console& console) {
+  return run_probes<PointSource>(options, options.points, {.verb = "contains"}, console,
+                                 [&](const auto& rows, const Pose& pose) {
+                                   return ContainsPartsQuestion(options, rows, pose, console);
+                                 });
 }
 
 }  // namespace soms::command

@@ -3,13 +3,11 @@
 #pragma once
 
 #include "apps/soms/probes/contains.h"
-#include "apps/soms/probes/contains_output.h"
 
 namespace soms::command {
 
 class Console;
 
-[[nodiscard]] int run_contains_by_part(const ContainsVerbOptions& options, PartSideCsv& csv,
-                                       Console& console);
+[[nodiscard]] int run_contains_by_part(const ContainsVerbOptions& options, Console& console);
 
 }  // namespace soms::command

@@ -3,13 +3,11 @@
 #pragma once
 
 #include "apps/soms/probes/contains.h"
-#include "apps/soms/probes/contains_output.h"
 
 namespace soms::command {
 
 class Console;
 
-[[nodiscard]] int run_contains_winding(const ContainsVerbOptions& options, SideFiles& files,
-                                       Console& console);
+[[nodiscard]] int run_contains_winding(const ContainsVerbOptions& options, Console& console);
 
 }  // namespace soms::command

@@ -4,6 +4,7 @@
 
 #include "apps/cli/console.h"
 #include "apps/cli/shared.h"
+#include "apps/model/part_filter.h"
 #include "apps/rows/pose_source.h"
 #include "apps/soms/pairs/pair_options.h"
 
@@ -40,6 +41,9 @@ void add_points(Parser& parser, PointOptions& options, const std::string& model)
 }
 
 void add_probe_options(Parser& parser, ProbeOptions& options) {
+  add_renamed_outputs(parser, options.outputs,
+                      {AnswerFile::csv, AnswerFile::npz, AnswerFile::json, AnswerFile::lines},
+                      kQuestionGroup);
   parser
       .add_flag("--verify", options.verify,
                 "compare with brute force; exit with status 6 if they differ")
@@ -47,16 +51,21 @@ void add_probe_options(Parser& parser, ProbeOptions& options) {
   add_model_options(parser, options.reading, "--scale", "--up", "the model");
   add_allow_empty(parser, options.reading);
   add_strict(parser, options.reading.strict);
+  add_part_filter(parser, options.reading.parts, "the model");
   add_tree_list(parser, options.build);
 }
 
-void check_probe_options(Parser& parser, ProbeOptions& options, const std::string& rows) {
+void check_probe_options(Parser& parser, ProbeOptions& options, const std::string& rows_option,
+                         const std::string& rows) {
   options.reading.offers_empty = true;
   check_build(parser, options.build);
   const std::array<std::string, 3> inputs{options.model, rows, options.pose.value_or("")};
   if (std::count(inputs.begin(), inputs.end(), "-") > 1) {
     throw Error(ErrorKind::usage, "standard input is given twice", "give one of them as a file");
   }
+  check_answer_outputs(
+      {{"MODEL", options.model}, {rows_option, rows}, {"--pose", options.pose.value_or("")}},
+      options.outputs);
 }
 
 Pose stated_pose(const ProbeOptions& options, const Console& console) {

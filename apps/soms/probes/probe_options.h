@@ -7,6 +7,7 @@
 
 #include "apps/cli/verb.h"
 #include "apps/model/models.h"
+#include "apps/rows/answer_outputs.h"
 
 #include <cstdint>
 #include <optional>
@@ -21,7 +22,7 @@ inline constexpr std::uint64_t kProbesInText = 20;
 struct ProbeOptions {
   std::string model;
   std::optional<std::string> pose;  ///< unset: not moved
-  std::string binary = {};          ///< file of columns; empty: none
+  AnswerOutputs outputs = {};
   bool verify = false;
   ModelOptions reading;
   BuildOptions build;
@@ -45,12 +46,15 @@ void add_model_pose(Parser& parser, ProbeOptions& options);
 /// Adds MODEL, --points and --pose.
 void add_points(Parser& parser, PointOptions& options, const std::string& model);
 
-/// Adds what follows the options of the question: --verify, and those of the model and its tree.
+/// Adds what follows the options of the question: -o, --verify, and those of the model and its
+/// tree.
 void add_probe_options(Parser& parser, ProbeOptions& options);
 
-/// Settles the options once they are parsed. `rows` is the file of rows.
-/// \errors ErrorKind::usage for standard input given twice.
-void check_probe_options(Parser& parser, ProbeOptions& options, const std::string& rows);
+/// Settles the options once they are parsed. `rows` is the file of rows that
+/// `rows_option` names.
+/// \errors ErrorKind::usage for standard input given twice, or as `check_answer_outputs`.
+void check_probe_options(Parser& parser, ProbeOptions& options, const std::string& rows_option,
+                         const std::string& rows);
 
 /// The pose that --pose gives, by its text or a file of one row.
 /// \errors As `PoseSource`; ErrorKind::usage for more than one row.

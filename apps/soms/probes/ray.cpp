@@ -3,25 +3,24 @@
 #include "soms/base/error.h"
 
 #include "apps/cli/parse.h"
-#include "apps/rows/ray_source.h"
 #include "apps/soms/pairs/pair_options.h"
-#include "apps/soms/probes/ray_run.h"
+#include "apps/soms/probes/crossings_question.h"
+#include "apps/soms/probes/ray_question.h"
 
 #include <fmt/format.h>
 
 #include <memory>
-#include <variant>
 
 namespace soms::command {
 
 namespace {
 
-std::string found_by_brute_force(const RayAnswer& truth) {
-  if (const auto* all = std::get_if<Crossings>(&truth)) {
-    return fmt::format("{} of {}", counted(all->places.size(), "crossing"),
-                       counted(all->count(), "triangle"));
-  }
-  const auto& hit = std::get<ClosestHit>(truth);
+std::optional<std::string> unless(bool right, const std::string& found) {
+  return right ? std::nullopt
+               : std::optional("brute force finds " + found + ", and the answer is another");
+}
+
+std::string in_words(const ClosestHit& hit) {
   return hit.triangle ? fmt::format("triangle {} at t from {} to {}", *hit.triangle, hit.t.lower,
                                     hit.t.upper)
                       : "nothing";
@@ -45,29 +44,24 @@ void check_ray_options(const RayVerbOptions& options) {
   if (options.any && options.all) {
     throw Error(ErrorKind::usage, "--any and --all exclude each other", "give one of them");
   }
-  check_outputs({{"MODEL", options.model},
-                 {"--rays", options.rays},
-                 {"--segments", options.segments},
-                 {"--pose", options.pose.value_or("")}},
-                {{"--csv", options.csv}, {"--binary", options.binary}});
-  check_extension("--csv", options.csv, {".csv"});
-  check_extension("--binary", options.binary, {".npz"});
 }
 
 }  // namespace
 
-std::optional<std::string> difference_of(const RayAnswer& answer, const RayAnswer& truth) {
-  bool right = true;
-  if (const auto* first = std::get_if<ClosestHit>(&answer)) {
-    right = agree(*first, std::get<ClosestHit>(truth));
-  } else if (const auto* all = std::get_if<Crossings>(&answer)) {
-    right = is_cut(answer) || all->places == std::get<Crossings>(truth).places;
-  } else {
-    right = is_hit(answer) == is_hit(truth) || (is_cut(answer) && !is_hit(answer));
-  }
-  return right ? std::nullopt
-               : std::optional("brute force finds " + found_by_brute_force(truth) +
-                               ", and the answer is another");
+std::optional<std::string> difference_of(const ClosestHit& answer, const ClosestHit& truth) {
+  return unless(agree(answer, truth), in_words(truth));
+}
+
+std::optional<std::string> difference_of(const AnyHit& answer, const ClosestHit& truth) {
+  return unless(
+      answer.hit == truth.triangle.has_value() || (answer.coverage == Coverage::cut && !answer.hit),
+      in_words(truth));
+}
+
+std::optional<std::string> difference_of(const Crossings& answer, const Crossings& truth) {
+  return unless(answer.coverage == Coverage::cut || answer.places == truth.places,
+                fmt::format("{} of {}", counted(truth.places.size(), "crossing"),
+                            counted(truth.count(), "triangle")));
 }
 
 Action add_ray(Parser& parser, Shared&) {
@@ -92,8 +86,6 @@ Action add_ray(Parser& parser, Shared&) {
   add_choice<bool>(parser, "--fail-if", options->fail_if_hit, {{"hit", true}},
                    "exit with status 1 if a ray hits anything")
       ->group(kQuestionGroup);
-  add_output(parser, "--csv", options->csv, "write the answers as CSV")->group(kQuestionGroup);
-  add_binary(parser, options->binary);
   add_probe_options(parser, *options);
   parser.footer(
       "The first point of the surface on each ray, decided exactly: none slips through an edge or\n"
@@ -104,17 +96,40 @@ Action add_ray(Parser& parser, Shared&) {
       "--rays -");
   return [options, &parser](Console& console) {
     check_ray_options(*options);
-    check_probe_options(parser, *options,
-                        options->rays.empty() ? options->segments : options->rays);
+    const bool rays = !options->rays.empty();
+    check_probe_options(parser, *options, rays ? "--rays" : "--segments",
+                        rays ? options->rays : options->segments);
     return run_ray(*options, console);
   };
 }
 
+namespace {
+
+template <class Source>
+int run_rays(const RayVerbOptions& options, const std::string& file, Console& console) {
+  const ProbeTerms terms{.verb = "ray", .fail_if_found = options.fail_if_hit};
+  if (options.all) {
+    return run_probes<Source>(options, file, terms, console,
+                              [&](const auto& rows, const Pose& pose) {
+                                return CrossingsQuestion<Source>(options, rows, pose, console);
+                              });
+  }
+  if (options.any) {
+    return run_probes<Source>(options, file, terms, console,
+                              [&](const auto& rows, const Pose& pose) {
+                                return HitQuestion<AnyHit, Source>(options, rows, pose, console);
+                              });
+  }
+  return run_probes<Source>(options, file, terms, console, [&](const auto& rows, const Pose& pose) {
+    return HitQuestion<ClosestHit, Source>(options, rows, pose, console);
+  });
+}
+
+}  // namespace
+
 int run_ray(const RayVerbOptions& options, Console& console) {
-  RayFiles files(options);
-  return options.rays.empty()
-             ? RayRun<SegmentSource>(options, options.segments, files, console).run()
-             : RayRun<RaySource>(options, options.rays, files, console).run();
+  return options.rays.empty() ? run_rays<SegmentSource>(options, options.segments, console)
+                              : run_rays<RaySource>(options, options.rays, console);
 }
 
 }  // namespace soms::command

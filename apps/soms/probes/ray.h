@@ -19,7 +19,6 @@ struct RayVerbOptions : ProbeOptions {
   bool all = false;           ///< every place that is hit
   std::optional<TriangleId> skip = std::nullopt;
   bool fail_if_hit = false;
-  std::string csv = {};  ///< empty: none
 };
 
 [[nodiscard]] Action add_ray(Parser& parser, Shared& shared);

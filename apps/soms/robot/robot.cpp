@@ -7,9 +7,11 @@
 #include "apps/cli/parse.h"
 #include "apps/cli/parser.h"
 #include "apps/cli/text.h"
+#include "apps/model/part_filter.h"
 #include "apps/output/output.h"
-#include "apps/rows/json_list.h"
+#include "apps/rows/csv_file.h"
 #include "apps/rows/row_run.h"
+#include "apps/rows/sinks.h"
 #include "apps/soms/pairs/pair_options.h"
 #include "apps/soms/robot/robot_output.h"
 #include "apps/soms/robot/robot_states.h"
@@ -25,67 +27,15 @@ namespace soms::command {
 
 namespace {
 
-/// States that the text lists: as many as a person may want to read.
-constexpr std::uint64_t kStatesInText = 20;
 constexpr std::uint64_t kMostRandom = 1'000'000'000;
 
-/// Files that the answers go to, too.
-class RobotFiles {
+/// States of a robot, and what they touch.
+class RobotQuestion : public Rows, public Question {
  public:
-  explicit RobotFiles(const std::vector<std::string>& names) {
-    for (const std::string& name : names) {
-      File& file = files_.emplace_back(File{.file = std::make_unique<OutputFile>(name)});
-      if (extension_of(name) == ".csv") {
-        file.file->stream() << robot_csv_header();
-      } else {
-        file.list.emplace(file.file->stream(), name);
-      }
-    }
-  }
-
-  [[nodiscard]] bool empty() const { return files_.empty(); }
-
-  void add(const std::string& csv, const std::string& json) {
-    for (File& file : files_) {
-      if (file.list) {
-        file.list->add_text(json);
-      } else {
-        file.file->stream() << csv;
-      }
-    }
-  }
-
-  void finish(const Json& totals) {
-    for (File& file : files_) {
-      if (file.list) {
-        file.list->finish(totals);
-      }
-      file.file->commit();
-    }
-  }
-
- private:
-  struct File {
-    std::unique_ptr<OutputFile> file = {};
-    std::optional<JsonListWriter> list = std::nullopt;  ///< none: CSV
-  };
-
-  std::vector<File> files_;
-};
-
-/// A run whose rows are states of a robot.
-class RobotRun : public RowRun {
- public:
-  RobotRun(const RobotVerbOptions& options, RobotModels models, Console& console)
-      : RowRun({.verb = "robot",
-                .noun = "state",
-                .verify = options.verify,
-                .fail_if_found = options.fail_if_contact,
-                .has_files = !options.outputs.empty()},
-               console),
-        options_(options),
+  RobotQuestion(const RobotVerbOptions& options, RobotModels models, Console& console)
+      : options_(options),
         models_(std::move(models)),
-        files_(options.outputs),
+        console_(console),
         states_(options, models_, console),
         report_{.models = models_, .path = options.path, .distance = options.distance} {
     for (const RobotBody& body : models_.model.cell_bodies()) {
@@ -93,17 +43,13 @@ class RobotRun : public RowRun {
     }
   }
 
- private:
   void begin() override {
-    if (!console().shared().json) {
-      console().print(models_in_text(models_));
+    if (!console_.shared().json) {
+      console_.print(models_in_text(models_));
     }
   }
 
-  /// Whoever reads a program's answers needs no other form for a single row.
-  [[nodiscard]] bool is_single() const override { return false; }
-
-  void clear_block() override {
+  void clear() override {
     block_.clear();
     boxes_.clear();
     twins_.clear();
@@ -111,7 +57,7 @@ class RobotRun : public RowRun {
 
   bool ready() override { return states_.ready(); }
 
-  bool read_row() override {
+  bool read() override {
     const auto state = states_.next();
     if (!state) {
       return false;
@@ -121,22 +67,20 @@ class RobotRun : public RowRun {
     return true;
   }
 
-  std::uint64_t answer_block() override {
+  std::uint64_t answer(const ShowProgress&) override {
     answers_.clear();
     if (boxes_.empty()) {
       return 0;
     }
-    const RobotOptions query{.first_contact = options_.any,
-                             .distance = options_.distance,
-                             .at_most = options_.at_most,
-                             .deadline = console().deadline()};
-    answers_ = robot_contacts(models_.model, block_, query, console().parallel());
+    const RobotOptions query{
+        .first_contact = options_.any, .distance = options_.distance, .at_most = options_.at_most};
+    answers_ = robot_contacts(models_.model, block_, query, console_.limits());
     // Without movable joints, rows are empty, and all the same.
     answers_.resize(boxes_.size(), answers_.front());
     return 0;
   }
 
-  [[nodiscard]] Outcome outcome(std::size_t k) const override {
+  [[nodiscard]] RowOutcome outcome(std::size_t k) const override {
     return {.found = answers_[k].verdict == RobotVerdict::contact,
             .undecided = answers_[k].verdict == RobotVerdict::undecided,
             .cut = answers_[k].coverage == Coverage::cut};
@@ -147,12 +91,12 @@ class RobotRun : public RowRun {
     if (twins_.empty()) {
       std::vector<RobotAnswer> twins(boxes_.size());
       const std::size_t width = models_.model.kinematics().size();
-      console().run("verifying", [&](const Parallel& parallel) {
-        for_each_chunk(twins.size(), 1, parallel, [&](std::size_t begin, std::size_t end) {
+      console_.run("verifying", [&](const Limits& limits) {
+        for_each_chunk(twins.size(), 1, limits, [&](std::size_t begin, std::size_t end) {
           for (std::size_t i = begin; i < end; ++i) {
             twins[i] = reference::robot_contacts_by_brute_force(
                 models_.model, std::span(block_).subspan(i * width, width), options_.distance,
-                {.stop = parallel.stop});
+                {.stop = limits.stop});
           }
         });
       });
@@ -161,69 +105,69 @@ class RobotRun : public RowRun {
     if (reference::agrees(answers_[k], twins_[k])) {
       return std::nullopt;
     }
-    return "brute force finds: " + answer_in_text(models_, totals().rows, twins_[k]);
+    return "brute force finds: " + answer_in_text(models_, reported_, twins_[k]);
   }
 
-  void print_row(std::size_t k, bool right, bool last) override {
-    const std::uint64_t state = totals().rows;
-    const RobotAnswer& answer = answers_[k];
-    boxes_watched_.look(boxes_[k], cell_box_);
-    report_.totals.add(answer);
-    report_.timed_out = report_.timed_out || last;
-    all_right_ = all_right_ && right;
-    const bool json = console().shared().json;
-    std::string line;
-    if (json || !files_.empty()) {
-      line = json_text(answer_as_json(models_, state, answer,
-                                      options_.verify ? std::optional(right) : std::nullopt));
-    }
-    if (!files_.empty()) {
-      files_.add(answer_as_csv(models_, state, answer), line);
-    }
-    if (json) {
-      console().print(line + "\n");
-    } else if (state < kStatesInText) {
-      console().print(answer_in_text(models_, state, answer));
-    }
+  void report(const AnsweredRow& row) override {
+    boxes_watched_.look(boxes_[row.k], cell_box_);
+    report_.totals.add(answers_[row.k]);
+    report_.timed_out = report_.timed_out || row.last;
+    all_right_ = all_right_ && row.right;
+    ++reported_;
   }
 
-  void print_totals() override {
-    if (totals().rows > kStatesInText) {
-      console().print(fmt::format("and {} more; --json or -o FILE lists all\n",
-                                  counted(totals().rows - kStatesInText, "state")));
-    }
-    console().print(totals_in_text(report_));
+  void json(const AnsweredRow& row, JsonRows& rows) const override {
+    rows.put(json_text(answer_as_json(models_, row.number, answers_[row.k],
+                                      options_.verify ? std::optional(row.right) : std::nullopt)));
+    rows.end_row();
+  }
+
+  [[nodiscard]] Json json_totals() const override { return totals_as_json(report_); }
+
+  [[nodiscard]] std::string text(const AnsweredRow& row) const override {
+    return answer_in_text(models_, row.number, answers_[row.k]);
+  }
+
+  [[nodiscard]] std::string left_out(const std::string& states) const override {
+    return fmt::format("and {} more; --json or -o FILE lists all\n", states);
+  }
+
+  [[nodiscard]] std::string totals(const RowTotals& /*totals*/) const override {
+    return totals_in_text(report_);
+  }
+
+  [[nodiscard]] std::string csv_head() const override { return robot_csv_header(); }
+
+  void csv(const AnsweredRow& row, CsvFile& file) const override {
+    file.line() += answer_as_csv(models_, row.number, answers_[row.k]);
+    file.end_line();
   }
 
   void doubt() override {
     if (!models_.cell.empty() && boxes_watched_.always_apart()) {
       models_.warnings.push_back(
           apart_warning("the robot", "the cell", boxes_watched_.least_gap(), "at every state "));
-      tell_warnings({models_.warnings.back()}, options_.reading.strict, console());
+      tell_warnings({models_.warnings.back()}, options_.reading.strict, console_);
     }
     if (const auto warning = open_warning(report_)) {
       if (options_.reading.strict) {
         throw Error(warning->kind(), "--strict: " + warning->place(), warning->remedy());
       }
-      console().note(std::string("warning: ") + warning->what());
+      console_.note(std::string("warning: ") + warning->what());
     }
   }
 
-  void finish(End end) override {
-    report_.interrupted = end == End::interrupted;
-    report_.timed_out = end == End::out_of_time;
+  bool end(RunEnd end) override {
+    report_.interrupted = end == RunEnd::interrupted;
+    report_.timed_out = end == RunEnd::out_of_time;
     report_.verified = options_.verify && all_right_;
-    const Json ending = totals_as_json(report_);
-    if (console().shared().json) {
-      console().print(json_line(ending));
-      console().flush();
-    }
-    files_.finish(ending);
+    return true;
   }
 
+ private:
   const RobotVerbOptions& options_;
   RobotModels models_;
-  RobotFiles files_;
+  Console& console_;
   RobotStates states_;
   RobotReport report_;
   std::vector<double> block_;
@@ -232,6 +176,7 @@ class RobotRun : public RowRun {
   std::vector<RobotAnswer> twins_;
   Box cell_box_;
   BoxWatch boxes_watched_;
+  std::uint64_t reported_ = 0;  ///< rows
   bool all_right_ = true;
 };
 
@@ -250,16 +195,16 @@ void check_options(const Parser& parser, const RobotVerbOptions& options) {
     throw Error(ErrorKind::usage, "--at-most has no effect without --distance",
                 "leave it out, or also give --distance");
   }
+  if (options.reading.parts->is_given() && options.cell.empty()) {
+    throw Error(ErrorKind::usage,
+                options.reading.parts->options() + " has no effect without --cell",
+                "leave it out, or also give --cell FILE");
+  }
   NamedFiles taken{{"ROBOT", options.urdf}, {"--srdf", options.srdf}, {"--states", options.states}};
   for (const std::string& file : options.cell) {
     taken.emplace_back("--cell", file);
   }
-  NamedFiles outputs;
-  for (const std::string& file : options.outputs) {
-    check_extension("-o", file, {".csv", ".json", ".jsonl"});
-    outputs.emplace_back("-o", file);
-  }
-  check_outputs(std::move(taken), outputs);
+  check_answer_outputs(std::move(taken), options.outputs);
   if (std::count(options.cell.begin(), options.cell.end(), "-") + (options.states == "-" ? 1 : 0) >
       1) {
     throw Error(ErrorKind::usage, "standard input is given twice", "give one of them as a file");
@@ -282,9 +227,10 @@ void add_robot_models(Parser& parser, RobotVerbOptions& options) {
       .add_option("--base", options.base,
                   "pose of the root link in the cell: \"x y z [qw qx qy qz]\"")
       ->option_text("POSE");
-  add_repeatable(parser, "--ignore", options.ignored,
+  add_repeatable(parser, "--ignore-pair", options.ignored,
                  "leave out a pair of links, besides those of the SRDF file; may be repeated",
-                 "LINK,LINK");
+                 "LINK,LINK")
+      ->old_name("--ignore", has_comma);
   add_repeatable(parser, "--off-cell", options.off_cell,
                  "do not compare a link with the cell, such as one that stands on it; may be "
                  "repeated",
@@ -292,7 +238,7 @@ void add_robot_models(Parser& parser, RobotVerbOptions& options) {
   add_positive(parser, "--round-error", options.round_error,
                "how far meshes of cylinders and spheres may exceed them, in meters (0.0005)");
   for (const char* const name :
-       {"--package", "--cell", "--base", "--ignore", "--off-cell", "--round-error"}) {
+       {"--package", "--cell", "--base", "--ignore-pair", "--off-cell", "--round-error"}) {
     parser.option(name)->group(kGroup);
   }
 }
@@ -329,10 +275,8 @@ void add_robot_questions(Parser& parser, RobotVerbOptions& options) {
       .add_flag("--verify", options.verify,
                 "compare with brute force; exit with status 6 if they differ")
       ->group(kQuestionGroup);
-  add_repeatable(
-      parser, "-o,--output", options.outputs,
-      "write the states to a file, by its extension: .csv, .json or .jsonl; may be repeated",
-      "FILE");
+  add_answer_outputs(parser, options.outputs,
+                     {AnswerFile::csv, AnswerFile::json, AnswerFile::lines}, kQuestionGroup);
 }
 
 }  // namespace
@@ -342,6 +286,7 @@ Action add_robot(Parser& parser, Shared& shared) {
   add_robot_models(parser, *options);
   add_robot_questions(parser, *options);
   add_model_options(parser, options->reading, "--scale", "--up", "the cell");
+  add_part_filter(parser, options->reading.parts, "the cell");
   parser
       .add_flag("--strict", options->reading.strict,
                 "make errors of notes, warnings, states out of limits or undecided by an open body")
@@ -363,7 +308,15 @@ Action add_robot(Parser& parser, Shared& shared) {
 }
 
 int run_robot(const RobotVerbOptions& options, Console& console) {
-  return RobotRun(options, read_robot_models(options, console), console).run();
+  RobotModels models = read_robot_models(options, console);
+  Sinks sinks(options.outputs, console);
+  RobotQuestion question(options, std::move(models), console);
+  return RowRun({.verb = "robot",
+                 .noun = "state",
+                 .verify = options.verify,
+                 .fail_if_found = options.fail_if_contact},
+                question, question, sinks, console)
+      .run();
 }
 
 }  // namespace soms::command

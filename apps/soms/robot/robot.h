@@ -3,11 +3,11 @@
 #pragma once
 
 #include "apps/cli/verb.h"
+#include "apps/rows/answer_outputs.h"
 #include "apps/soms/robot/robot_models.h"
 
 #include <limits>
 #include <string>
-#include <vector>
 
 namespace soms::command {
 
@@ -23,7 +23,7 @@ struct RobotVerbOptions : RobotModelsOptions {
   bool path = false;  ///< states follow each other
   bool fail_if_contact = false;
   bool verify = false;
-  std::vector<std::string> outputs;  ///< files
+  AnswerOutputs outputs = {};
 };
 
 [[nodiscard]] Action add_robot(Parser& parser, Shared& shared);

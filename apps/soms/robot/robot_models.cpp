@@ -6,6 +6,7 @@
 #include "apps/cli/console.h"
 #include "apps/cli/suggest.h"
 #include "apps/cli/text.h"
+#include "apps/model/part_filter.h"
 #include "apps/rows/pose_source.h"
 #include "apps/soms/clash/clash_models.h"
 #include "apps/world/part_names.h"
@@ -71,37 +72,25 @@ Error in_words_of_robot(const Error& error) {
 
 Robot read_named_robot(const RobotModelsOptions& options, const Console& console) {
   const RobotReadOptions read = read_options(options, console);
-  return console.run("reading " + printable(options.urdf), [&](const Parallel& parallel) {
+  return console.run("reading " + printable(options.urdf), [&](const Limits& limits) {
     try {
-      return read_robot(options.urdf, read, parallel);
+      return read_robot(options.urdf, read, limits);
     } catch (const Error& error) {
       throw in_words_of_robot(error);
     }
   });
 }
 
-/// A model of the cell, rotated to z up where its file says that it is not.
-Mesh read_cell_model(const std::string& file, const ModelOptions& options, const Console& console) {
-  Mesh mesh = read_model(file, options, console);
-  const UpAxis up = mesh.up;
-  if (options.up == UpAxis::unknown && (up == UpAxis::x || up == UpAxis::y)) {
-    mesh = transformed(std::move(mesh), 1, up);
-    console.note(fmt::format("{}: the file declares that {} is up; rotated to z",
-                             printable(mesh.source), up == UpAxis::x ? "x" : "y"));
-  }
-  return mesh;
-}
-
 LinkPair ignored_pair(const Robot& robot, const std::string& text) {
   const std::size_t comma = text.find(',');
   if (comma == std::string::npos) {
-    throw Error(ErrorKind::usage, "--ignore: " + text + " is no pair of links",
-                "give two links with a comma between: --ignore wrist,tool");
+    throw Error(ErrorKind::usage, "--ignore-pair: " + text + " is no pair of links",
+                "give two links with a comma between: --ignore-pair wrist,tool");
   }
-  const auto a = RobotModels::link_named(robot, "--ignore", text.substr(0, comma));
-  const auto b = RobotModels::link_named(robot, "--ignore", text.substr(comma + 1));
+  const auto a = RobotModels::link_named(robot, "--ignore-pair", text.substr(0, comma));
+  const auto b = RobotModels::link_named(robot, "--ignore-pair", text.substr(comma + 1));
   if (a == b) {
-    throw Error(ErrorKind::usage, "--ignore: " + text + " names one link", "name two links");
+    throw Error(ErrorKind::usage, "--ignore-pair: " + text + " names one link", "name two links");
   }
   return {std::min(a, b), std::max(a, b)};
 }
@@ -185,14 +174,17 @@ RobotModels read_robot_models(const RobotModelsOptions& options, Console& consol
   std::vector<NamedFrame> frames;
   const auto [files, notes] = model_files(options.cell, console);
   for (const std::string& file : files) {
-    cell.push_back(read_cell_model(file, options.reading, console));
+    cell.push_back(read_model_of_set(file, options.reading, console));
     frames.push_back(named_frame(cell.back(), options.reading, "--scale", "--up"));
   }
   for (NamedFrame& frame : frames) {
     frame.is_shared = frames.size() > 1;
   }
-  RobotModel built = console.run("building trees", [&](const Parallel& parallel) {
-    return RobotModel(robot, cell, model, parallel);
+  if (options.reading.parts) {
+    options.reading.parts->finish(console);
+  }
+  RobotModel built = console.run("building trees", [&](const Limits& limits) {
+    return RobotModel(robot, cell, model, limits);
   });
   RobotModels models{.robot = std::move(robot), .cell = std::move(cell), .model = std::move(built)};
   models.notes = notes;

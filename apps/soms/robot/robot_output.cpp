@@ -353,7 +353,7 @@ Json totals_as_json(const RobotReport& report) {
 }
 
 std::string robot_csv_header() {
-  return "state,verdict,contacts,pairs,out_of_limits,gap_lower,gap_upper,gap_a,gap_b\n";
+  return "state,verdict,contacts,pairs,out_of_limits,gap_lower,gap_upper,gap_a,gap_b";
 }
 
 std::string answer_as_csv(const RobotModels& models, std::uint64_t state,
@@ -375,7 +375,7 @@ std::string answer_as_csv(const RobotModels& models, std::uint64_t state,
         found.pair ? csv_field(models.model.link_names()[found.pair->link]) : std::string(),
         found.pair ? csv_field(other_label(models, *found.pair)) : std::string());
   }
-  return fmt::format("{},{},{},{},{},{}\n", state, name(answer.verdict), answer.contacts.size(),
+  return fmt::format("{},{},{},{},{},{}", state, name(answer.verdict), answer.contacts.size(),
                      csv_field(pairs), csv_field(joints), gap);
 }
 

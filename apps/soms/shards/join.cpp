@@ -20,6 +20,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <system_error>
 #include <tuple>
 #include <vector>
@@ -28,13 +29,24 @@ namespace soms::command {
 
 namespace {
 
-/// Every shard-*.json of a folder, in the order of its rows.
+/// True of shard-3.json.
+bool is_receipt(std::string_view name) {
+  constexpr std::string_view kEnd = ".json";
+  if (!name.ends_with(kEnd)) {
+    return false;
+  }
+  name.remove_suffix(kEnd.size());
+  const std::size_t last = name.find_last_not_of("0123456789");
+  return last != std::string_view::npos && name[last] == '-' && last + 1 < name.size();
+}
+
+/// The receipts of a folder, in the order of their rows.
 std::vector<Receipt> receipts_of(const std::string& folder) {
   std::error_code failed;
   std::vector<Receipt> receipts;
   for (const auto& entry : std::filesystem::directory_iterator(folder, failed)) {
     const std::string name = entry.path().filename().string();
-    if (name.starts_with("shard-") && name.ends_with(".json")) {
+    if (is_receipt(name)) {
       receipts.push_back(read_receipt(std::filesystem::path(folder) / name));
     }
   }
@@ -100,8 +112,8 @@ std::vector<std::filesystem::path> files_of(std::span<const Receipt> receipts,
     if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
       throw Error(ErrorKind::bad_file,
                   fmt::format("{}: its shard has no .{}", receipt.path.string(), kind),
-                  fmt::format("join to .{}, or answer the shards with the other option, too",
-                              kinds.empty() ? "npz" : kinds.front()));
+                  fmt::format("join to .{}, or answer the shards with -o FILE.{}, too",
+                              kinds.empty() ? "npz" : kinds.front(), kind));
     }
     if (!receipt.is_whole(kind)) {
       throw Error(ErrorKind::bad_file,
@@ -149,8 +161,8 @@ Action add_join(Parser& parser, Shared&) {
       "  soms generate knot --triangles 2000 -o knot.ply\n"
       "  soms generate sphere --triangles 800 -o ball.off\n"
       "  printf 'x,y,z\\n0.5,0,0\\n0,0.5,0\\n' > poses.csv\n"
-      "  soms overlap knot.ply ball.off --pose poses.csv --shard 1/2 --binary answers\n"
-      "  soms overlap knot.ply ball.off --pose poses.csv --shard 2/2 --binary answers\n"
+      "  soms overlap knot.ply ball.off --pose poses.csv --shard 1/2 -o answers/shard.npz\n"
+      "  soms overlap knot.ply ball.off --pose poses.csv --shard 2/2 -o answers/shard.npz\n"
       "  soms join answers -o answers.npz");
   return [options](Console& console) { return run_join(*options, console); };
 }

@@ -46,8 +46,9 @@ Action add_bench(Parser& parser, Shared&) {
   add_count(parser, "--rounds", options->rounds, 1, 1000,
             "timed rounds, in which libraries alternate (default 7)")
       ->group(group);
-  add_output(parser, "--out", options->out, "also write peers.csv and peers.md to this folder",
-             "FOLDER")
+  add_output(parser, "-o,--output", options->out,
+             "also write peers.csv and peers.md to this folder", "FOLDER")
+      ->old_name("--out")
       ->group(group);
   add_strict(parser, options->strict);
   parser.footer(

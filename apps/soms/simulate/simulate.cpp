@@ -4,6 +4,7 @@
 
 #include "apps/cli/console.h"
 #include "apps/cli/exit_status.h"
+#include "apps/model/part_filter.h"
 #include "apps/output/output.h"
 #include "apps/soms/shell/viewer.h"
 #include "apps/soms/simulate/map.h"
@@ -52,6 +53,18 @@ void check_files(const SimulateOptions& options) {
   check_extension("--map", options.map, {".svg"});
   check_extension("--report", options.report, {".html", ".htm"});
   check_extension("--picture", options.picture, {".png"});
+}
+
+/// Throws ErrorKind::usage for a recording, or a window, of parts of a city.
+void check_parts(const SimulateOptions& options) {
+  const PartFilter& parts = *options.world.city_model.parts;
+  if (parts.is_given() && (options.view || !options.record.empty() || !options.picture.empty())) {
+    throw Error(ErrorKind::usage,
+                parts.options() +
+                    " does not go with --view, --record and --picture, which name "
+                    "whole models",
+                "write a city of these parts first: soms convert CITY PARTS.ply " + parts.text());
+  }
 }
 
 /// Throws ErrorKind::usage for a recording of models that nobody could find again.
@@ -118,10 +131,10 @@ std::vector<FrameWarning> doubt_boxes(const World& world, double clearance,
   return {apart_warning("the movers", world.title, outcome.boxes.least_gap(), "in every frame ")};
 }
 
-/// The pairs of --ignore. \errors ErrorKind::usage for what is no pair, or changes nothing.
+/// The pairs of --ignore-pair. \errors ErrorKind::usage for what is no pair, or changes nothing.
 std::vector<NamedPair> parse_ignored(const SimulateOptions& options) {
   if (!options.ignored.empty() && !options.between_movers) {
-    throw Error(ErrorKind::usage, "--ignore has no effect with --no-between-movers",
+    throw Error(ErrorKind::usage, "--ignore-pair has no effect with --no-between-movers",
                 "leave out one of the two");
   }
   std::vector<NamedPair> pairs;
@@ -197,6 +210,7 @@ int run_window(const SimulateOptions& options, const Console& console) {
 int run_simulate(const SimulateOptions& given, Console& console) {
   check_count(given.world);
   const std::vector<NamedPair> ignored = parse_ignored(given);
+  check_parts(given);
   if (given.view) {
     return run_window(given, console);
   }

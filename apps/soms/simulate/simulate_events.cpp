@@ -114,7 +114,8 @@ void write_contacts(std::ostream& out, const World& world, const Outcome& outcom
       out << "mover " << contact.other << ',' << model_field(world, contact.other) << ",,";
     } else {
       out << csv_field(world.city[contact.part].name) << ','
-          << csv_field(parts.name(contact.part, contact.other)) << ',' << contact.other << ',';
+          << csv_field(parts.name(contact.part, contact.other)) << ','
+          << world.numbers[contact.part](contact.other) << ',';
     }
     out << contact.begin << ',' << contact.end << ',' << event_of[k] << '\n';
   }

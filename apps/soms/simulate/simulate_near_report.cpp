@@ -22,6 +22,11 @@ std::string mover_name(const World& world, MoverId mover) {
   return fmt::format("{} {}", model_name(world, mover), mover);
 }
 
+/// The number in its file of the triangle of the other body.
+TriangleId other_triangle(const World& world, const NearEvent& event) {
+  return event.between_movers() ? event.j : world.numbers[event.part](event.j);
+}
+
 std::string other_name(const World& world, const NearEvent& event) {
   return event.between_movers() ? mover_name(world, event.other)
                                 : part_name(world, event.part, event.j);
@@ -87,7 +92,7 @@ void add_near_json(Json& json, const World& world, const Outcome& outcome,
     row["frame"] = event.nearest;
     row["lower"] = event.distance.lower;
     row["upper"] = event.distance.upper;
-    row["triangles"] = Json::array({event.i, event.j});
+    row["triangles"] = Json::array({event.i, other_triangle(world, event)});
     row["points"] = Json::array({point_json(event.point_a), point_json(event.point_b)});
     json["nearest"].push_back(std::move(row));
   }
@@ -106,7 +111,7 @@ void write_near_events(std::ostream& out, const World& world, const Outcome& out
     }
     out << fmt::format(",{},{},{},,,,,,,{},{},{},{},{}", event.begin, event.end,
                        event.end - event.begin + 1, event.distance.lower, event.distance.upper,
-                       event.nearest, event.i, event.j);
+                       event.nearest, event.i, other_triangle(world, event));
     if (event.touches()) {
       out << ",,,,,,";
     } else {

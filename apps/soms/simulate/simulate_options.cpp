@@ -1,5 +1,6 @@
 #include "apps/cli/parse.h"
 #include "apps/cli/parser.h"
+#include "apps/model/part_filter.h"
 #include "apps/soms/simulate/simulate.h"
 
 #include <fmt/format.h>
@@ -48,6 +49,7 @@ std::vector<std::string> words_of_trees(const Parser& parser) {
 Action add_simulate(Parser& parser, Shared&) {
   const auto options = std::make_shared<SimulateOptions>();
   add_world_options(parser, options->world);
+  add_part_filter(parser, options->world.city_model.parts, "the city");
   add_tree_list(parser, options->world.build);
   options->traversal = add_traversal_by_name(parser);
   const Option* frames =
@@ -59,10 +61,11 @@ Action add_simulate(Parser& parser, Shared&) {
       "--no-between-movers", [options] { options->between_movers = false; },
       "test movers against the city alone, not against each other");
   add_repeatable(
-      parser, "--ignore", options->ignored,
+      parser, "--ignore-pair", options->ignored,
       "do not test two movers against each other, as neighboring links of\n"
       "a robot; each is a number as in --events or the name of a model;\nmay be repeated",
-      "A,B");
+      "A,B")
+      ->old_name("--ignore", has_comma);
   add_positive(parser, "--clearance", options->clearance,
                "report what comes within this distance (above 0), too, and how\n"
                "near; --map, --report and --picture draw it, --record keeps it");

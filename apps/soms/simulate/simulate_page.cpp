@@ -39,7 +39,7 @@ std::vector<TrianglePair> pairs_of(const World& world, const Contact& contact) {
   one.triangles = {{0, 1, 2}};
   std::vector<TrianglePair> pairs = overlap(mover, Body(std::move(one))).pairs;
   for (TrianglePair& pair : pairs) {
-    pair.second = contact.other;
+    pair.b = contact.other;
   }
   return pairs;
 }
@@ -98,7 +98,8 @@ report::SceneContact contact_of(const World& world, const Contact& contact, std:
 void add_bodies(report::Scene& scene, const World& world) {
   for (const Body& body : world.city) {
     scene.bodies.push_back({.model = scene.models.size(), .name = body.name, .moves = false});
-    scene.models.push_back({body.shape.mesh(), body.name});
+    const FileNumbers& numbers = world.numbers[scene.models.size()];
+    scene.models.push_back({body.shape.mesh(), body.name, numbers.list()});
   }
   const std::size_t first = scene.models.size();
   for (const Model& model : world.models) {
@@ -123,7 +124,7 @@ std::vector<TrianglePair> pairs_of(const World& world, const CityParts& parts,
   std::vector<TrianglePair> pairs;
   std::uint64_t seen = 0;
   for (const TrianglePair& pair : overlap(mover, other).pairs) {
-    if (between || parts.number(event.b.body.id, pair.second) == event.b.part) {
+    if (between || parts.number(event.b.body.id, pair.b) == event.b.part) {
       if (seen * most / event.most_pairs < (seen + 1) * most / event.most_pairs) {
         pairs.push_back(pair);
       }

@@ -107,7 +107,7 @@ double rounded(double value) {
 }  // namespace
 
 std::string name_of(const World& world, const Touched& touched) {
-  return fmt::format("triangle {} of {}", touched.triangle,
+  return fmt::format("triangle {} of {}", world.numbers[touched.part](touched.triangle),
                      part_name(world, touched.part, touched.triangle));
 }
 
@@ -144,8 +144,8 @@ Figures figures_of(const World& world, const Outcome& outcome, const SimulateOpt
   if (!world.filter.between) {
     figures.emplace_back("not tested", "movers against each other (--no-between-movers)");
   } else if (!world.filter.ignored.empty()) {
-    figures.emplace_back("not tested",
-                         counted(world.filter.ignored.size(), "pair") + " of movers (--ignore)");
+    figures.emplace_back(
+        "not tested", counted(world.filter.ignored.size(), "pair") + " of movers (--ignore-pair)");
   }
   add_most_touched(figures, world, outcome);
   if (options.clearance > 0) {
@@ -222,7 +222,7 @@ std::string json_of(const World& world, const Outcome& outcome, const SimulateOp
   for (const Touched& touched : outcome.contacts.most_touched(kMostTouched)) {
     json["most_touched"].push_back({{"city", world.city[touched.part].name},
                                     {"part", part_name(world, touched.part, touched.triangle)},
-                                    {"triangle", touched.triangle},
+                                    {"triangle", world.numbers[touched.part](touched.triangle)},
                                     {"contacts", touched.contacts},
                                     {"mover_frames", touched.frames}});
   }

@@ -30,14 +30,14 @@ Place place_of(const World& world, std::size_t mover, const Pose& pose) {
 
 /// Poses of one frame, set and stepped; the time of both.
 StepReport run_frame(Scene& scene, const World& world, std::uint64_t frame, const StepOptions& step,
-                     const Parallel& parallel, std::vector<Pose>& poses,
+                     const Limits& limits, std::vector<Pose>& poses,
                      std::vector<std::size_t>& lines, float& seconds) {
   constexpr std::uint32_t kPosesBetweenAsks = 4096;
   const auto begin = Clock::now();
   constexpr std::size_t kAhead = 8;
   for (std::uint32_t k = 0; k < world.routes.size(); ++k) {
     if (k % kPosesBetweenAsks == 0) {
-      check_stop(parallel);
+      check_stop(limits);
     }
     if (k + kAhead < world.routes.size()) {
       world.routes[k + kAhead].fetch(lines[k + kAhead]);
@@ -45,7 +45,7 @@ StepReport run_frame(Scene& scene, const World& world, std::uint64_t frame, cons
     poses[k] = world.routes[k].at(frame, lines[k]);
     scene.set_pose(k, poses[k]);
   }
-  StepReport report = scene.step(step, parallel);
+  StepReport report = scene.step(step, limits);
   seconds = std::chrono::duration<float>(Clock::now() - begin).count();
   return report;
 }
@@ -112,18 +112,18 @@ class Run {
   /// One frame, whole or (by an exception) not at all.
   std::uint64_t run(std::uint64_t frame) {
     float seconds = 0;
-    const Parallel parallel = console_.limited();
+    const Limits limits = console_.limited();
     const StepReport report = run_frame(scene_, world_, frame,
                                         {.mover_mover = world_.filter.between,
                                          .method = method_.get(),
                                          .clearance = options_.clearance},
-                                        parallel, poses_, lines_, seconds);
+                                        limits, poses_, lines_, seconds);
     VerifiedGaps gaps;
     if (gap_verifier_) {
-      gaps = gap_verifier_->verify(report, poses_, parallel);
+      gaps = gap_verifier_->verify(report, poses_, limits);
     }
     if (verifier_) {
-      verifier_->verify(report, poses_, parallel);
+      verifier_->verify(report, poses_, limits);
     }
     if (recorder_ != nullptr) {
       recorder_->add(poses_, report);
@@ -210,7 +210,7 @@ double Outcome::queries_a_second() const {
 Outcome run_frames(const World& world, const SimulateOptions& options, Console& console,
                    Recorder* recorder) {
   Scene scene = console.run("placing movers",
-                            [&](const Parallel& parallel) { return make_scene(world, parallel); });
+                            [&](const Limits& limits) { return make_scene(world, limits); });
   const MachineUse use;
   Outcome outcome = Run(world, options, console, recorder, std::move(scene)).go();
   outcome.share_of_others = use.share_of_others();

@@ -94,7 +94,7 @@ std::vector<Verifier::Subject> Verifier::choose(const StepReport& report,
 
 /// Compares what was said of each subject with what all triangles of the city say.
 void Verifier::scan_city(std::span<Subject> subjects, const std::vector<Pose>& poses,
-                         const Parallel& alone) const {
+                         const Limits& alone) const {
   std::vector<std::vector<EnvironmentContact>> seen(subjects.size());
   std::vector<Near> near(subjects.size());
   std::array<std::uint8_t, kBlock> meets{};
@@ -154,7 +154,7 @@ bool Verifier::far_apart(MoverId a, MoverId b, const std::vector<Pose>& poses) c
 /// Touching triangles of two movers: a scan of each for what lies in the other's box, then all
 /// pairs of these.
 std::vector<TrianglePair> Verifier::pairs_of(MoverId a, MoverId b, const std::vector<Pose>& poses,
-                                             const Parallel& alone) const {
+                                             const Limits& alone) const {
   const auto near_to = [&](MoverId mover, const Box& box) {
     Near near;
     const MeshView& whole = mesh(mover);
@@ -173,14 +173,14 @@ std::vector<TrianglePair> Verifier::pairs_of(MoverId a, MoverId b, const std::ve
   const Overlap answer = reference::overlap(near_a.mesh_of(mesh(a)), poses[a],
                                             near_b.mesh_of(mesh(b)), poses[b], alone);
   for (const auto& [i, j] : answer.pairs) {
-    pairs.emplace_back(near_a.triangles[i], near_b.triangles[j]);
+    pairs.push_back({near_a.triangles[i], near_b.triangles[j]});
   }
   return pairs;
 }
 
 /// True if brute force finds a mover that `subject` touches and that the report does not name.
 bool Verifier::touches_unsaid(const Subject& subject, const MoverPairs& said,
-                              const std::vector<Pose>& poses, const Parallel& alone) const {
+                              const std::vector<Pose>& poses, const Limits& alone) const {
   const MoverId mover = subject.mover;
   for (MoverId other = 0; other < poses.size(); ++other) {
     check_stop(alone);
@@ -197,7 +197,7 @@ bool Verifier::touches_unsaid(const Subject& subject, const MoverPairs& said,
 
 /// All touching pairs of movers; the list is sorted, so a pair's contacts stand together.
 void Verifier::verify_movers(const StepReport& report, const std::vector<Pose>& poses,
-                             const Parallel& parallel) {
+                             const Limits& limits) {
   std::vector<std::pair<std::size_t, std::size_t>> runs;
   const std::vector<MoverContact>& all = report.movers;
   for (std::size_t begin = 0; begin < all.size();) {
@@ -209,13 +209,13 @@ void Verifier::verify_movers(const StepReport& report, const std::vector<Pose>& 
     begin = end;
   }
   std::atomic<std::uint64_t> wrong = 0;
-  for_each_chunk(runs.size(), 1, parallel, [&](std::size_t k, std::size_t) {
+  for_each_chunk(runs.size(), 1, limits, [&](std::size_t k, std::size_t) {
     const auto [begin, end] = runs[k];
     const MoverContact& first = all[begin];
-    const auto pairs = pairs_of(first.a, first.b, poses, {.stop = parallel.stop});
+    const auto pairs = pairs_of(first.a, first.b, poses, {.stop = limits.stop});
     bool right = world_.filter.tests(first.a, first.b) && pairs.size() == end - begin;
     for (std::size_t p = 0; right && p < pairs.size(); ++p) {
-      right = all[begin + p] == MoverContact{first.a, first.b, pairs[p].first, pairs[p].second};
+      right = all[begin + p] == MoverContact{first.a, first.b, pairs[p].a, pairs[p].b};
     }
     wrong += right ? 0 : 1;
   });
@@ -224,10 +224,10 @@ void Verifier::verify_movers(const StepReport& report, const std::vector<Pose>& 
 }
 
 void Verifier::verify(const StepReport& report, const std::vector<Pose>& poses,
-                      const Parallel& parallel) {
+                      const Limits& limits) {
   const Verified before = result_;
   try {
-    compare(report, poses, parallel);
+    compare(report, poses, limits);
   } catch (...) {
     result_ = before;
     throw;
@@ -235,18 +235,17 @@ void Verifier::verify(const StepReport& report, const std::vector<Pose>& poses,
 }
 
 void Verifier::compare(const StepReport& report, const std::vector<Pose>& poses,
-                       const Parallel& parallel) {
-  const Parallel alone{.stop = parallel.stop};
+                       const Limits& limits) {
+  const Limits alone = limits.alone();
   std::vector<Subject> subjects = choose(report, poses);
   MoverPairs touching;
   for (const MoverContact& contact : report.movers) {
     touching.emplace_back(contact.a, contact.b);
   }
-  for_each_chunk(subjects.size(), kSubjectsAPass, parallel,
-                 [&](std::size_t begin, std::size_t end) {
-                   scan_city(std::span(subjects).subspan(begin, end - begin), poses, alone);
-                 });
-  for_each_chunk(subjects.size(), 1, parallel, [&](std::size_t k, std::size_t) {
+  for_each_chunk(subjects.size(), kSubjectsAPass, limits, [&](std::size_t begin, std::size_t end) {
+    scan_city(std::span(subjects).subspan(begin, end - begin), poses, alone);
+  });
+  for_each_chunk(subjects.size(), 1, limits, [&](std::size_t k, std::size_t) {
     Subject& subject = subjects[k];
     subject.right = subject.right && !touches_unsaid(subject, touching, poses, alone);
   });
@@ -258,7 +257,7 @@ void Verifier::compare(const StepReport& report, const std::vector<Pose>& poses,
     }
     result_.wrong += subject.right ? 0 : 1;
   }
-  verify_movers(report, poses, parallel);
+  verify_movers(report, poses, limits);
 }
 
 }  // namespace soms::command

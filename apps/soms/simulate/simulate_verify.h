@@ -32,7 +32,7 @@ class Verifier {
   Verifier(const World& world, std::uint64_t seed);
 
   /// \errors ErrorKind::cancelled; the result is that of the frames before then.
-  void verify(const StepReport& report, const std::vector<Pose>& poses, const Parallel& parallel);
+  void verify(const StepReport& report, const std::vector<Pose>& poses, const Limits& limits);
 
   [[nodiscard]] const Verified& result() const { return result_; }
 
@@ -57,16 +57,16 @@ class Verifier {
 
   [[nodiscard]] std::vector<Subject> choose(const StepReport& report,
                                             const std::vector<Pose>& poses);
-  void compare(const StepReport& report, const std::vector<Pose>& poses, const Parallel& parallel);
+  void compare(const StepReport& report, const std::vector<Pose>& poses, const Limits& limits);
   void scan_city(std::span<Subject> subjects, const std::vector<Pose>& poses,
-                 const Parallel& alone) const;
+                 const Limits& alone) const;
   void verify_movers(const StepReport& report, const std::vector<Pose>& poses,
-                     const Parallel& parallel);
+                     const Limits& limits);
   [[nodiscard]] bool touches_unsaid(const Subject& subject, const MoverPairs& said,
-                                    const std::vector<Pose>& poses, const Parallel& alone) const;
+                                    const std::vector<Pose>& poses, const Limits& alone) const;
   [[nodiscard]] std::vector<TrianglePair> pairs_of(MoverId a, MoverId b,
                                                    const std::vector<Pose>& poses,
-                                                   const Parallel& alone) const;
+                                                   const Limits& alone) const;
   [[nodiscard]] bool far_apart(MoverId a, MoverId b, const std::vector<Pose>& poses) const;
   [[nodiscard]] Box moved_box(MoverId mover, const std::vector<Pose>& poses) const;
   [[nodiscard]] const MeshView& mesh(MoverId mover) const;

@@ -44,10 +44,10 @@ struct Gathered {
   Mesh mesh;
   std::vector<TriangleId> triangles;
 
-  Gathered(const Body& body, const Box& box, double most, const Parallel& parallel) {
+  Gathered(const Body& body, const Box& box, double most, const Limits& limits) {
     for (TriangleId i = 0; i < body.shape.mesh().triangles.size(); ++i) {
       if (i % (1U << 20) == 0) {
-        check_stop(parallel);
+        check_stop(limits);
       }
       const Triangle t = moved(body, i);
       if (!apart(bounds(t), box, most)) {
@@ -69,22 +69,21 @@ struct Found {
 };
 
 /// The distance of two bodies where it is at most the clearance and they do not touch.
-std::optional<Found> gap_of(const Body& a, const Body& b, double clearance,
-                            const Parallel& parallel) {
-  const Gathered from(a, box_of(b), clearance, parallel);
+std::optional<Found> gap_of(const Body& a, const Body& b, double clearance, const Limits& limits) {
+  const Gathered from(a, box_of(b), clearance, limits);
   Box box;
   for (const Vec3& v : from.mesh.vertices) {
     box.grow(v);
   }
-  const Gathered to(b, box, clearance, parallel);
+  const Gathered to(b, box, clearance, limits);
   if (from.triangles.empty() || to.triangles.empty()) {
     return std::nullopt;
   }
-  const Distance answer = distance(Body(Shape(from.mesh)), Body(Shape(to.mesh)), {}, parallel);
+  const Distance answer = distance(Body(Shape(from.mesh)), Body(Shape(to.mesh)), {}, limits);
   if (answer.distance.upper == 0 || answer.distance.upper > clearance) {
     return std::nullopt;
   }
-  return Found{{from.triangles[answer.triangles->first], to.triangles[answer.triangles->second]},
+  return Found{{from.triangles[answer.triangles->a], to.triangles[answer.triangles->b]},
                answer.distance};
 }
 
@@ -117,7 +116,7 @@ std::vector<MoverId> GapVerifier::choose(const StepReport& report, std::size_t m
 
 /// True if brute force finds the gaps of a mover that the report says, and no other.
 bool GapVerifier::right(MoverId mover, const StepReport& report, const std::vector<Pose>& poses,
-                        const Parallel& parallel) const {
+                        const Limits& limits) const {
   const auto said_with_city = [&](EnvironmentId part) -> std::optional<Found> {
     for (const EnvironmentGap& gap : report.environment_gaps) {
       if (gap.mover == mover && gap.part == part) {
@@ -136,7 +135,7 @@ bool GapVerifier::right(MoverId mover, const StepReport& report, const std::vect
   };
   const Body subject = body(mover, poses);
   for (EnvironmentId part = 0; part < world_.city.size(); ++part) {
-    if (gap_of(subject, world_.city[part], clearance_, parallel) != said_with_city(part)) {
+    if (gap_of(subject, world_.city[part], clearance_, limits) != said_with_city(part)) {
       return false;
     }
   }
@@ -149,7 +148,7 @@ bool GapVerifier::right(MoverId mover, const StepReport& report, const std::vect
     const std::optional<Found> said = said_of_movers(a, b);
     std::optional<Found> seen;
     if (world_.filter.tests(a, b) && !apart(box, box_of(body(other, poses)), clearance_)) {
-      seen = gap_of(body(a, poses), body(b, poses), clearance_, parallel);
+      seen = gap_of(body(a, poses), body(b, poses), clearance_, limits);
     }
     if (seen != said) {
       return false;
@@ -159,11 +158,11 @@ bool GapVerifier::right(MoverId mover, const StepReport& report, const std::vect
 }
 
 VerifiedGaps GapVerifier::verify(const StepReport& report, const std::vector<Pose>& poses,
-                                 const Parallel& parallel) {
+                                 const Limits& limits) {
   const std::vector<MoverId> chosen = choose(report, poses.size());
   std::vector<std::uint8_t> is_right(chosen.size());
-  for_each_chunk(chosen.size(), 1, parallel, [&](std::size_t k, std::size_t) {
-    is_right[k] = right(chosen[k], report, poses, {.stop = parallel.stop}) ? 1 : 0;
+  for_each_chunk(chosen.size(), 1, limits, [&](std::size_t k, std::size_t) {
+    is_right[k] = right(chosen[k], report, poses, {.stop = limits.stop}) ? 1 : 0;
   });
   VerifiedGaps verified;
   for (std::size_t k = 0; k < chosen.size(); ++k) {

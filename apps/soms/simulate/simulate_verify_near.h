@@ -36,12 +36,12 @@ class GapVerifier {
 
   /// What it says to one frame. \errors ErrorKind::cancelled.
   [[nodiscard]] VerifiedGaps verify(const StepReport& report, const std::vector<Pose>& poses,
-                                    const Parallel& parallel);
+                                    const Limits& limits);
 
  private:
   [[nodiscard]] std::vector<MoverId> choose(const StepReport& report, std::size_t movers);
   [[nodiscard]] bool right(MoverId mover, const StepReport& report, const std::vector<Pose>& poses,
-                           const Parallel& parallel) const;
+                           const Limits& limits) const;
   [[nodiscard]] Body body(MoverId mover, const std::vector<Pose>& poses) const;
 
   const World& world_;

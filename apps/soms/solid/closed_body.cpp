@@ -12,9 +12,8 @@ namespace soms::command {
 
 ClosedBody closed_body(Body body, std::string_view otherwise, Console& console) {
   try {
-    return console.run(
-        "looking for edges of an odd number of triangles",
-        [&](const Parallel& parallel) { return ClosedBody(std::move(body), parallel); });
+    return console.run("looking for edges of an odd number of triangles",
+                       [&](const Limits& limits) { return ClosedBody(std::move(body), limits); });
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::not_closed) {
       throw;

@@ -1,6 +1,7 @@
 #include "apps/soms/solid/solid.h"
 
 #include "soms/base/error.h"
+#include "soms/base/text.h"
 #include "soms/query/print.h"
 #include "soms/query/reference/solid.h"
 
@@ -9,8 +10,9 @@
 #include "apps/cli/parser.h"
 #include "apps/cli/text.h"
 #include "apps/output/json.h"
-#include "apps/soms/pairs/pose_run.h"
-#include "apps/soms/solid/solid_output.h"
+#include "apps/soms/answers/array_columns.h"
+#include "apps/soms/pairs/pair_question.h"
+#include "apps/soms/solid/closed_body.h"
 #include "apps/soms/solid/solid_parts.h"
 #include "apps/soms/solid/solid_text.h"
 #include "apps/world/part_names.h"
@@ -20,83 +22,58 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace soms::command {
 
 namespace {
 
-constexpr std::uint64_t kPosesInText = 20;  // that a person may want to read
+constexpr const char* kOtherwise = "add --by part, which answers for the parts that are closed";
 
-/// The relation of two models, pose by pose.
-class SolidRun : public PoseRun {
+struct AskSolid {
+  ClosedBody a;
+  ClosedBody b;
+
+  Solid operator()(const Limits& limits, const Body& at_a, const Body& at_b) const {
+    try {
+      return solid(a.at(at_a.pose), b.at(at_b.pose), limits);
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::not_closed) {
+        throw;
+      }
+      return open_answer(at_a, at_b, limits);
+    }
+  }
+
+  SolidBatch operator()(const Limits& limits, const Shape& /*a*/, std::span<const Pose> poses,
+                        const Body& still) const {
+    return solid(a, poses, b.at(still.pose), limits);
+  }
+};
+
+/// The relation of two models.
+class SolidQuestion : public PairQuestion<Solid, AskSolid> {
  public:
-  SolidRun(const SolidVerbOptions& options, SolidFiles& files, Console& console)
-      : PoseRun(options,
-                {.verb = "solid",
-                 .fail_if_found = options.fail_if_solid,
-                 .has_files = !options.csv.empty() || !options.binary.empty()},
-                console),
-        files_(files),
-        options_{.deadline = console.deadline()},
-        a_(closed_body(shape_a())),
-        b_(closed_body(shape_b())) {}
-
- private:
-  [[nodiscard]] ClosedBody closed_body(const Shape& shape) const {
-    try {
-      return console().run(
-          "looking for edges of an odd number of triangles",
-          [&](const Parallel& parallel) { return ClosedBody(Body(shape), parallel); });
-    } catch (const Error& error) {
-      if (error.kind() != ErrorKind::not_closed) {
-        throw;
-      }
-      throw Error(error.kind(), printable(error.place()),
-                  "soms info lists these edges; close the surface there, or add --by part, which "
-                  "answers for the parts that are closed");
-    }
-  }
-
-  void reserve(std::size_t rows) override { answers_.assign(rows, {}); }
-
-  void ask(std::size_t k, const Body& a, const Body& b, const Parallel& parallel) override {
-    try {
-      answers_[k] = solid(a_.at(a.pose), b_.at(b.pose), options_, parallel);
-    } catch (const Error& error) {
-      if (error.kind() != ErrorKind::not_closed) {
-        throw;
-      }
-      answers_[k] = open_answer(a, b, options_.deadline, parallel);
-    }
-  }
-
-  void ask(std::size_t begin, const Shape&, std::span<const Pose> poses, const Body& b,
-           const Parallel& parallel) override {
-    const SolidBatch batch = solid(a_, poses, b_.at(b.pose), options_, parallel);
-    for (std::size_t k = 0; k < batch.size(); ++k) {
-      answers_[begin + k] = batch.at(k);
-    }
-  }
-
-  [[nodiscard]] Outcome outcome(std::size_t k) const override {
-    const Solid& answer = answers_[k];
-    return {.found = shares_interior(answer.relation),
-            .undecided = answer.relation == Relation::undecided,
-            .cut = answer.coverage == Coverage::cut};
-  }
+  SolidQuestion(const PoseRows& rows, Console& console)
+      : PairQuestion(rows, "solid",
+                     {closed_body(Body(rows.shape_a()), kOtherwise, console),
+                      closed_body(Body(rows.shape_b()), kOtherwise, console)}),
+        console_(console) {}
 
   [[nodiscard]] std::optional<std::string> difference(std::size_t k) override {
-    const Solid& answer = answers_[k];
-    if (answer.relation == Relation::undecided) {
+    const Solid answer = at(k);
+    if (undecided(answer)) {
       return std::nullopt;
     }
-    const Solid truth = console().run("verifying", [&](const Parallel& parallel) {
-      return reference::solid_by_brute_force(body_a(k), body_b(k), parallel);
+    const Solid truth = console_.run("verifying", [&](const Limits& limits) {
+      return reference::solid_by_brute_force(rows().body_a(k), rows().body_b(k), limits);
     });
     if (truth.relation == answer.relation && truth.surfaces_meet == answer.surfaces_meet) {
       return std::nullopt;
@@ -105,100 +82,62 @@ class SolidRun : public PoseRun {
                        printed(answer));
   }
 
-  void print_answer(std::size_t k, bool right) override {
-    const Solid& answer = answers_[k];
-    const std::uint64_t pose = totals().rows;
-    ++counts_[static_cast<std::size_t>(answer.relation)];
-    files_.csv.add(pose, answer);
-    files_.columns.add(answer);
-    if (console().shared().json) {
-      console().print(fmt::format("{{\"schema\":\"soms.solid/2\",\"pose\":{}{}{}{}}}\n", pose,
-                                  field_keys(answer), coverage_keys(answer.coverage, answer.cost),
-                                  report_keys(report(), pose, right)));
-    } else if (report().single) {
-      console().print(
-          solid_in_words(answer, printable(report().a.source), printable(report().b.source)) +
-          "\n");
-    } else {
-      print_line(pose, answer);
-    }
+  void count(const AnsweredRow& row) override {
+    ++counts_[static_cast<std::size_t>(at(row.k).relation)];
   }
 
-  void print_line(std::uint64_t pose, const Solid& answer) {
-    if (pose == 0) {
-      console().print(fmt::format("{:>6}  {:<9}  surfaces meet\n", "pose", "relation"));
-    }
-    if (pose < kPosesInText) {
-      console().print(fmt::format("{:>6}  {:<9}  {}\n", pose, relation_label(answer.relation),
-                                  answer.surfaces_meet ? "yes" : "no"));
-    }
+  [[nodiscard]] std::string sentence(std::size_t k) const override {
+    return solid_in_words(at(k), printable(pair().a.source), printable(pair().b.source)) + "\n";
   }
 
-  void print_totals() override {
-    if (report().single) {
-      return;
-    }
-    if (totals().rows > kPosesInText) {
-      console().print(fmt::format("   and {} more; --json lists all\n",
-                                  counted(totals().rows - kPosesInText, "pose")));
-    }
-    std::string line = counted(totals().rows, "pose");
+  [[nodiscard]] std::string text_head() const override {
+    return fmt::format(kRow, "pose", "relation", "surfaces meet");
+  }
+
+  [[nodiscard]] std::string text(const AnsweredRow& row) const override {
+    const Solid answer = at(row.k);
+    return fmt::format(kRow, row.number, relation_label(answer.relation),
+                       answer.surfaces_meet ? "yes" : "no");
+  }
+
+  [[nodiscard]] std::string totals(const RowTotals& totals) const override {
+    std::string line = counted(totals.rows, "pose");
     for (std::size_t i = 0; i < counts_.size(); ++i) {
       if (counts_[i] != 0) {
         line += fmt::format("{} {} {}", line.find(':') == std::string::npos ? ":" : ",",
                             with_commas(counts_[i]), relation_label(static_cast<Relation>(i)));
       }
     }
-    console().print(line + "\n");
+    return line + "\n";
   }
 
-  void finish_outputs() override {
-    files_.csv.finish();
-    files_.columns.finish();
+ private:
+  static constexpr const char kRow[] = "{:>6}  {:<9}  {}\n";
+
+  [[nodiscard]] bool found(const Solid& answer) const override {
+    return shares_interior(answer.relation);
   }
 
-  SolidFiles& files_;
-  SolidOptions options_;
-  ClosedBody a_;
-  ClosedBody b_;
-  std::vector<Solid> answers_;
+  [[nodiscard]] bool undecided(const Solid& answer) const override {
+    return answer.relation == Relation::undecided;
+  }
+
+  const Console& console_;
   std::array<std::uint64_t, 7> counts_ = {};  // of each relation
 };
 
-/// The relations of the parts of two models, pose by pose.
-class SolidPartsRun : public PoseRun {
+/// The relations of the parts of two models.
+class SolidPartsQuestion : public Question, private PoseAnswers {
  public:
-  SolidPartsRun(const SolidVerbOptions& options, SolidPartFiles& files, Console& console)
-      : PoseRun(options,
-                {.verb = "solid",
-                 .fail_if_found = options.fail_if_solid,
-                 .has_files = !options.csv.empty() || !options.binary.empty()},
-                console),
-        files_(files),
-        a_(parts_of(report().a)),
-        b_(parts_of(report().b)) {}
+  SolidPartsQuestion(const PoseRows& rows, const Console& console)
+      : rows_(rows),
+        console_(console),
+        a_(parts_of(rows.shape_a().mesh())),
+        b_(parts_of(rows.shape_b().mesh())) {}
 
- private:
-  [[nodiscard]] std::vector<PartBody> parts_of(const MeshView& mesh) const {
-    return console().run("looking for closed parts", [&](const Parallel& parallel) {
-      return part_bodies(mesh, {}, parallel, OpenParts::joined);
-    });
-  }
-
-  void reserve(std::size_t rows) override { answers_.assign(rows, {}); }
-
-  void ask(std::size_t k, const Body& a, const Body& b, const Parallel& parallel) override {
-    answers_[k] = solid_pairs(a_, a.pose, b_, b.pose, console().deadline(), parallel);
-  }
-
-  void ask(std::size_t begin, const Shape& a, std::span<const Pose> poses, const Body& b,
-           const Parallel& parallel) override {
-    for (std::size_t k = 0; k < poses.size(); ++k) {
-      ask(begin + k, Body(a, poses[k]), b, parallel);
-    }
-  }
-
-  [[nodiscard]] std::uint64_t held() const override {
+  std::uint64_t answer(const ShowProgress& show) override {
+    answers_.assign(rows_.size(), {});
+    rows_.answer(*this, show);
     std::uint64_t pairs = 0;
     for (const std::vector<SolidPair>& answer : answers_) {
       pairs += answer.size();
@@ -206,15 +145,8 @@ class SolidPartsRun : public PoseRun {
     return pairs;
   }
 
-  [[nodiscard]] Coverage coverage(std::size_t k) const {
-    return std::any_of(answers_[k].begin(), answers_[k].end(),
-                       [](const SolidPair& p) { return p.answer.coverage == Coverage::cut; })
-               ? Coverage::cut
-               : Coverage::complete;
-  }
-
-  [[nodiscard]] Outcome outcome(std::size_t k) const override {
-    Outcome outcome{.cut = coverage(k) == Coverage::cut};
+  [[nodiscard]] RowOutcome outcome(std::size_t k) const override {
+    RowOutcome outcome{.cut = coverage(k) == Coverage::cut};
     for (const SolidPair& pair : answers_[k]) {
       outcome.found = outcome.found || shares_interior(pair.answer.relation);
       outcome.undecided = outcome.undecided || pair.answer.relation == Relation::undecided;
@@ -228,9 +160,9 @@ class SolidPartsRun : public PoseRun {
       if (pair.answer.relation == Relation::undecided) {
         continue;
       }
-      const Solid truth = console().run("verifying", [&](const Parallel& parallel) {
-        return reference::solid_by_brute_force(Body(pair.a->body.shape, pose_a(k)),
-                                               Body(pair.b->body.shape, pose_b(k)), parallel);
+      const Solid truth = console_.run("verifying", [&](const Limits& limits) {
+        return reference::solid_by_brute_force(Body(pair.a->body.shape, rows_.pose_a(k)),
+                                               Body(pair.b->body.shape, rows_.pose_b(k)), limits);
       });
       if (truth.relation != pair.answer.relation) {
         return fmt::format("brute force finds parts {} and {} {}, but the answer is {}",
@@ -241,25 +173,129 @@ class SolidPartsRun : public PoseRun {
     return std::nullopt;
   }
 
-  void print_answer(std::size_t k, bool right) override {
-    files_.csv.add(totals().rows, report().a, report().b, answers_[k]);
-    files_.columns.add(answers_[k], coverage(k) == Coverage::cut);
-    if (console().shared().json) {
-      print_json(k, right);
-      return;
+  void json(const AnsweredRow& row, JsonRows& rows) const override {
+    const std::vector<SolidPair>& answer = answers_[row.k];
+    Cost cost;
+    for (const SolidPair& pair : answer) {
+      cost += pair.answer.cost;
     }
-    const std::string pose = report().single ? "" : fmt::format("pose {}: ", totals().rows);
+    std::string text = fmt::format("{{\"schema\":\"soms.solid/2\",\"pose\":{}{}{},\"parts\":[",
+                                   row.number, coverage_keys(coverage(row.k), cost),
+                                   report_keys(pair(), row.number, row.right));
+    for (const SolidPair& one : answer) {
+      text += fmt::format("{}{{\"a\":{},\"b\":{}{}", &one == answer.data() ? "" : ",",
+                          json_text(body_as_json(pair().a, one.a->part, one.a->joined)),
+                          json_text(body_as_json(pair().b, one.b->part, one.b->joined)),
+                          field_keys(one.answer));
+      if (one.answer.why == Undecided::open) {
+        text += fmt::format(",\"odd_edges\":[{},{}]", one.a->odd_edges, one.b->odd_edges);
+      }
+      rows.put(text + "}");
+      text.clear();
+    }
+    rows.put(text + "]}");
+    rows.end_row();
+  }
+
+  [[nodiscard]] std::string sentence(std::size_t k) const override {
     const std::size_t count = answers_[k].size();
-    console().print(count == 0 ? fmt::format("{}all parts are clear of each other\n", pose)
-                               : fmt::format("{}{} of parts {} not clear{}\n", pose,
-                                             counted(count, "pair"), count == 1 ? "is" : "are",
-                                             report().single ? ":" : ""));
-    for (std::size_t i = 0; i < count && report().single; ++i) {
-      const SolidPair& pair = answers_[k][i];
-      console().print(fmt::format("  {} and {}: {}{}\n", body_in_text(report().a, *pair.a),
-                                  body_in_text(report().b, *pair.b),
-                                  relation_label(pair.answer.relation), reason(pair)));
+    std::string text = summary(count, ":");
+    for (const SolidPair& one : answers_[k]) {
+      text += fmt::format("  {} and {}: {}{}\n", body_in_text(pair().a, *one.a),
+                          body_in_text(pair().b, *one.b), relation_label(one.answer.relation),
+                          reason(one));
     }
+    return text;
+  }
+
+  [[nodiscard]] std::string text(const AnsweredRow& row) const override {
+    return fmt::format("pose {}: {}", row.number, summary(answers_[row.k].size(), ""));
+  }
+
+  [[nodiscard]] std::uint64_t most_text() const override {
+    return std::numeric_limits<std::uint64_t>::max();
+  }
+
+  [[nodiscard]] std::string totals(const RowTotals& totals) const override {
+    return fmt::format("{}: parts share interior at {}\n", counted(totals.rows, "pose"),
+                       with_commas(totals.found));
+  }
+
+  [[nodiscard]] std::string csv_head() const override {
+    return "pose,part_a,name_a,path_a,part_b,name_b,path_b,relation,surfaces_meet,why,"
+           "odd_edges_a,odd_edges_b,coverage";
+  }
+
+  void csv(const AnsweredRow& row, CsvFile& file) const override {
+    for (const SolidPair& one : answers_[row.k]) {
+      const Solid& answer = one.answer;
+      file.line() += fmt::format(
+          "{},{},{},{},{},{},{},{},{},{},{}", row.number, part_csv_fields(pair().a, one.a->part),
+          path_field(pair().a, one.a->part), part_csv_fields(pair().b, one.b->part),
+          path_field(pair().b, one.b->part), name(answer.relation), answer.surfaces_meet,
+          name(answer.why), one.a->odd_edges, one.b->odd_edges, name(answer.coverage));
+      file.end_line();
+    }
+  }
+
+  void begin_columns(NpzFile& file) override {
+    relation_ = &file.names("relation", kWords<Relation>.names);
+    surfaces_meet_ = &file.column("surfaces_meet", NpzColumn::Kind::flag);
+    why_ = &file.names("why", kWords<Undecided>.names);
+    offsets_.begin(file, "offsets");
+    parts_ = &file.column("parts", NpzColumn::Kind::count, {2});
+    coverage_ = &file.names("coverage", kWords<Coverage>.names);
+  }
+
+  void add_columns(std::size_t rows) override {
+    for (std::size_t k = 0; k < rows; ++k) {
+      for (const SolidPair& one : answers_[k]) {
+        parts_->add(number_of_part(one.a->part));
+        parts_->add(number_of_part(one.b->part));
+        add_code(*relation_, one.answer.relation);
+        surfaces_meet_->add(one.answer.surfaces_meet);
+        add_code(*why_, one.answer.why);
+      }
+      offsets_.add(answers_[k].size());
+      add_code(*coverage_, coverage(k));
+    }
+  }
+
+ private:
+  void answer_one(std::size_t k, const Body& a, const Body& b, const Limits& limits) override {
+    answers_[k] = solid_pairs(a_, a.pose, b_, b.pose, limits);
+  }
+
+  void answer_some(std::size_t begin, const Shape& a, std::span<const Pose> poses,
+                   const StillBody& b, const Limits& limits) override {
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+      answer_one(begin + k, Body(a, poses[k]), std::get<Body>(b), limits);
+    }
+  }
+
+  [[nodiscard]] std::vector<PartBody> parts_of(const MeshView& mesh) const {
+    return console_.run("looking for closed parts", [&](const Limits& limits) {
+      return part_bodies(mesh, {}, limits, OpenParts::joined);
+    });
+  }
+
+  [[nodiscard]] const PairReport& pair() const { return rows_.pair(); }
+
+  [[nodiscard]] Coverage coverage(std::size_t k) const {
+    return std::any_of(answers_[k].begin(), answers_[k].end(),
+                       [](const SolidPair& p) { return p.answer.coverage == Coverage::cut; })
+               ? Coverage::cut
+               : Coverage::complete;
+  }
+
+  [[nodiscard]] static std::string summary(std::size_t count, const char* end) {
+    return count == 0 ? "all parts are clear of each other\n"
+                      : fmt::format("{} of parts {} not clear{}\n", counted(count, "pair"),
+                                    count == 1 ? "is" : "are", end);
+  }
+
+  [[nodiscard]] static std::string path_field(const MeshView& mesh, std::uint32_t part) {
+    return csv_field(part_path_label(mesh, part));
   }
 
   [[nodiscard]] static std::string body_in_text(const MeshView& mesh, const PartBody& body) {
@@ -281,45 +317,17 @@ class SolidPartsRun : public PoseRun {
                                                               : text;
   }
 
-  void print_json(std::size_t k, bool right) {
-    const std::uint64_t pose = totals().rows;
-    Cost cost;
-    for (const SolidPair& pair : answers_[k]) {
-      cost += pair.answer.cost;
-    }
-    console().print(fmt::format("{{\"schema\":\"soms.solid/2\",\"pose\":{}{}{},\"parts\":[", pose,
-                                coverage_keys(coverage(k), cost),
-                                report_keys(report(), pose, right)));
-    for (const SolidPair& pair : answers_[k]) {
-      std::string text =
-          fmt::format("{}{{\"a\":{},\"b\":{}{}", &pair == answers_[k].data() ? "" : ",",
-                      json_text(body_as_json(report().a, pair.a->part, pair.a->joined)),
-                      json_text(body_as_json(report().b, pair.b->part, pair.b->joined)),
-                      field_keys(pair.answer));
-      if (pair.answer.why == Undecided::open) {
-        text += fmt::format(",\"odd_edges\":[{},{}]", pair.a->odd_edges, pair.b->odd_edges);
-      }
-      console().print(text + "}");
-    }
-    console().print("]}\n");
-  }
-
-  void print_totals() override {
-    if (!report().single) {
-      console().print(fmt::format("{}: parts share interior at {}\n",
-                                  counted(totals().rows, "pose"), with_commas(totals().found)));
-    }
-  }
-
-  void finish_outputs() override {
-    files_.csv.finish();
-    files_.columns.finish();
-  }
-
-  SolidPartFiles& files_;
+  const PoseRows& rows_;
+  const Console& console_;
   std::vector<PartBody> a_;
   std::vector<PartBody> b_;
   std::vector<std::vector<SolidPair>> answers_;
+  OffsetColumn offsets_;
+  NpzColumn* parts_ = nullptr;
+  NpzColumn* relation_ = nullptr;
+  NpzColumn* surfaces_meet_ = nullptr;
+  NpzColumn* why_ = nullptr;
+  NpzColumn* coverage_ = nullptr;
 };
 
 }  // namespace
@@ -333,8 +341,9 @@ Action add_solid(Parser& parser, Shared&) {
   add_choice<bool>(parser, "--fail-if", options->fail_if_solid, {{"solid", true}},
                    "exit with status 1 if interior is shared; touching is not enough")
       ->group(kQuestionGroup);
-  add_output(parser, "--csv", options->csv, "write the answers as CSV")->group(kQuestionGroup);
-  add_binary(parser, options->binary);
+  add_renamed_outputs(parser, options->outputs,
+                      {AnswerFile::csv, AnswerFile::npz, AnswerFile::json, AnswerFile::lines},
+                      kQuestionGroup);
   add_verify(parser, *options);
   add_model_reading(parser, *options);
   parser.footer(
@@ -348,16 +357,13 @@ Action add_solid(Parser& parser, Shared&) {
 }
 
 int run_solid(const SolidVerbOptions& options, Console& console) {
-  check_files(options, {{"--csv", options.csv}, {"--binary", options.binary}});
-  check_extension("--csv", options.csv, {".csv"});
-  check_extension("--binary", options.binary, {".npz"});
+  PoseTerms terms{.verb = "solid", .fail_if_found = options.fail_if_solid};
   if (options.by_part) {
-    SolidPartFiles files{SolidPartCsv(options.csv), SolidPartColumns(options.binary)};
-    return SolidPartsRun(options, files, console).run();
+    return run_pairs(options, std::move(terms), console,
+                     [&](const PoseRows& rows) { return SolidPartsQuestion(rows, console); });
   }
-  SolidFiles files{FieldCsv::of<Solid>(options.csv, "pose"), AnswerArrays(options.binary)};
-  files.columns.begin<Solid>();
-  return SolidRun(options, files, console).run();
+  return run_pairs(options, std::move(terms), console,
+                   [&](const PoseRows& rows) { return SolidQuestion(rows, console); });
 }
 
 }  // namespace soms::command

@@ -14,8 +14,6 @@ namespace soms::command {
 /// Options of the verb `solid`.
 struct SolidVerbOptions : PairOptions {
   bool by_part = false;
-  std::string csv = {};     ///< empty: none
-  std::string binary = {};  ///< file of columns; empty: none
   bool fail_if_solid = false;
 };
 

@@ -44,32 +44,29 @@ std::vector<PlacedPart> placed_parts(const std::vector<PartBody>& parts, const P
 
 }  // namespace
 
-Solid open_answer(const Body& a, const Body& b,
-                  std::optional<std::chrono::steady_clock::time_point> deadline,
-                  const Parallel& parallel) {
-  const Overlap met = overlap(a, b, {.mode = OverlapMode::any, .deadline = deadline}, parallel);
+Solid open_answer(const Body& a, const Body& b, const Limits& limits) {
+  const Overlap met = overlap(a, b, {.mode = OverlapMode::any}, limits);
   return {
       .surfaces_meet = met.any, .why = Undecided::open, .coverage = met.coverage, .cost = met.cost};
 }
 
 std::vector<SolidPair> solid_pairs(const std::vector<PartBody>& a, const Pose& pose_a,
                                    const std::vector<PartBody>& b, const Pose& pose_b,
-                                   std::optional<std::chrono::steady_clock::time_point> deadline,
-                                   const Parallel& parallel) {
+                                   const Limits& limits) {
   const std::vector<PlacedPart> placed_a = placed_parts(a, pose_a);
   const std::vector<PlacedPart> placed_b = placed_parts(b, pose_b);
-  const Parallel alone{.threads = 1, .stop = parallel.stop};
+  const Limits alone = limits.alone();
   std::vector<SolidPair> pairs;
   for (const PlacedPart& pa : placed_a) {
-    check_stop(parallel);
+    check_stop(limits);
     for (const PlacedPart& pb : placed_b) {
       if (!overlaps(pa.box, pb.box)) {
         continue;
       }
       const Solid answer = pa.closed && pb.closed
-                               ? solid(*pa.closed, *pb.closed, {.deadline = deadline}, alone)
+                               ? solid(*pa.closed, *pb.closed, alone)
                                : open_answer(Body(pa.part->body.shape, pose_a),
-                                             Body(pb.part->body.shape, pose_b), deadline, alone);
+                                             Body(pb.part->body.shape, pose_b), alone);
       if (answer.relation != Relation::clear) {
         pairs.push_back({pa.part, pb.part, answer});
       }

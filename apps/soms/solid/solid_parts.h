@@ -20,17 +20,13 @@ struct SolidPair {
 
 /// The answer where one of two bodies is open: undecided, and whether their surfaces meet.
 /// \errors As `overlap`.
-[[nodiscard]] Solid open_answer(
-    const Body& a, const Body& b,
-    std::optional<std::chrono::steady_clock::time_point> deadline = std::nullopt,
-    const Parallel& parallel = {});
+[[nodiscard]] Solid open_answer(const Body& a, const Body& b, const Limits& limits = {});
 
 /// The pairs of parts that are not clear, by part of a, then of b. An open part is undecided beside
 /// every part whose box meets its own.
 /// \errors ErrorKind::cancelled.
-[[nodiscard]] std::vector<SolidPair> solid_pairs(
-    const std::vector<PartBody>& a, const Pose& pose_a, const std::vector<PartBody>& b,
-    const Pose& pose_b, std::optional<std::chrono::steady_clock::time_point> deadline,
-    const Parallel& parallel);
+[[nodiscard]] std::vector<SolidPair> solid_pairs(const std::vector<PartBody>& a, const Pose& pose_a,
+                                                 const std::vector<PartBody>& b, const Pose& pose_b,
+                                                 const Limits& limits);
 
 }  // namespace soms::command

@@ -190,8 +190,8 @@ std::vector<ThesisResult> run_trips(std::vector<ThesisTrip> trips, const ThesisO
   std::vector<ThesisResult> results;
   for (ThesisTrip& trip : trips) {
     const std::string doing = fmt::format("test {} of {}", trip.trip.test, trip.trip.moving);
-    results.push_back(console.run(doing, [&](const Parallel& parallel) {
-      return run_trip(std::move(trip), options.traversal, options.repetitions, parallel);
+    results.push_back(console.run(doing, [&](const Limits& limits) {
+      return run_trip(std::move(trip), options.traversal, options.repetitions, limits);
     }));
   }
   return results;

@@ -58,12 +58,12 @@ std::string_view interactive_word(double fps) {
 }
 
 ThesisResult run_trip(ThesisTrip what, const TraversalOptions& traversal, int repetitions,
-                      const Parallel& parallel) {
+                      const Limits& limits) {
   const reproduce::NamedTraversal named{"", traversal};
   ThesisResult result{.what = std::move(what)};
-  result.frames = reproduce::answer_frames(result.what.trip, named, parallel);
+  result.frames = reproduce::answer_frames(result.what.trip, named, limits);
   const std::vector<reproduce::FrameTimes> times =
-      reproduce::time_frames(result.what.trip, std::span(&named, 1), repetitions, parallel);
+      reproduce::time_frames(result.what.trip, std::span(&named, 1), repetitions, limits);
   for (const reproduce::Timing& frame : times.front().collision) {
     result.ms.push_back(frame.median);
   }

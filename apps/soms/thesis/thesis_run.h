@@ -46,6 +46,6 @@ struct ThesisResult {
 /// one that warms up.
 /// \errors ErrorKind::cancelled.
 [[nodiscard]] ThesisResult run_trip(ThesisTrip what, const TraversalOptions& traversal,
-                                    int repetitions, const Parallel& parallel);
+                                    int repetitions, const Limits& limits);
 
 }  // namespace soms::command

@@ -189,8 +189,8 @@ ThesisTrip drive_of_thesis(const reproduce::Model& scene, const reproduce::Model
 ThesisTrips trips_of_thesis(const ThesisOptions& options, const Console& console) {
   const bool drives =
       options.test.empty() || options.test == kAllTests || options.test == kDriveTest;
-  const reproduce::Models models = console.run("finding the models", [&](const Parallel& parallel) {
-    return reproduce::find_models(options.models, {.objects = true, .scenes = drives}, parallel);
+  const reproduce::Models models = console.run("finding the models", [&](const Limits& limits) {
+    return reproduce::find_models(options.models, {.objects = true, .scenes = drives}, limits);
   });
   ThesisTrips all{.remarks = models.remarks};
   for (const reproduce::Model& object : models.objects) {

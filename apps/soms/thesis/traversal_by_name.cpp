@@ -32,16 +32,16 @@ class ThesisTraversal final : public TraversalByName {
   void check(const Parser& parser) const override { check_traversal(parser, options_); }
 
   [[nodiscard]] CountedAnswer overlap(const Body& a, const Body& b, const OverlapOptions& options,
-                                      const Parallel& parallel) const override {
-    return reported(thesis::overlap(a, b, options_, options, parallel));
+                                      const Limits& limits) const override {
+    return reported(thesis::overlap(a, b, options_, options, limits));
   }
 
   [[nodiscard]] std::vector<CountedAnswer> overlap(const Shape& mover, std::span<const Pose> poses,
                                                    const Body& fixed, const OverlapOptions& options,
-                                                   const Parallel& parallel) const override {
+                                                   const Limits& limits) const override {
     std::vector<CountedAnswer> answers;
     answers.reserve(poses.size());
-    for (auto& answer : thesis::overlap(mover, poses, fixed, options_, options, parallel)) {
+    for (auto& answer : thesis::overlap(mover, poses, fixed, options_, options, limits)) {
       answers.push_back(reported(std::move(answer)));
     }
     return answers;

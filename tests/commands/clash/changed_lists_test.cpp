@@ -318,11 +318,11 @@ TEST(ChangedLists, AListThatLacksRowsByAFilterIsNoBaselineWithoutIt) {
   ASSERT_EQ(list.run({"-o", list.old}).status, 0);
   const std::string kind =
       Json::parse(read_text(list.old)).at("rows").at(0).at("class").get<std::string>();
-  ASSERT_EQ(list.run({"-o", list.old, "--ignore", kind}).status, 0);
+  ASSERT_EQ(list.run({"-o", list.old, "--ignore-class", kind}).status, 0);
   const RunResult bare = list.run({"--baseline", list.old});
   EXPECT_EQ(bare.status, 2) << bare.err;
-  EXPECT_NE(bare.err.find("also give --ignore " + kind), std::string::npos) << bare.err;
-  EXPECT_EQ(list.run({"--baseline", list.old, "--ignore", kind}).status, 0);
+  EXPECT_NE(bare.err.find("also give --ignore-class " + kind), std::string::npos) << bare.err;
+  EXPECT_EQ(list.run({"--baseline", list.old, "--ignore-class", kind}).status, 0);
 }
 
 TEST(ChangedLists, AListByStatusIsNoBaseline) {

@@ -64,15 +64,15 @@ TEST(ClashLists, WhatIsNotLookedAtIsNotResolved) {
   const TemporaryFolder folder;
   const std::string model = row_of_boxes(folder);
   const std::string old = (folder.path() / "old.json").string();
-  ASSERT_EQ(soms_run({"clash", model, "--within", "1", "-o", old}).status, 0);
+  ASSERT_EQ(soms_run({"clash", model, "--clearance", "1", "-o", old}).status, 0);
   const auto resolved = [&](const std::vector<std::string>& words) {
     std::vector<std::string> all = {"clash", model, "--baseline", old, "--json"};
     all.insert(all.end(), words.begin(), words.end());
     return totals_of_list(all).at("by_status").at("resolved").get<int>();
   };
-  EXPECT_EQ(resolved({"--within", "1"}), 0);
-  EXPECT_EQ(resolved({}), 0);                    // near ones are not looked for
-  EXPECT_EQ(resolved({"--within", "0.25"}), 0);  // nor those that are farther
+  EXPECT_EQ(resolved({"--clearance", "1"}), 0);
+  EXPECT_EQ(resolved({}), 0);                       // near ones are not looked for
+  EXPECT_EQ(resolved({"--clearance", "0.25"}), 0);  // nor those that are farther
   EXPECT_EQ(resolved({"--set", "P=p1", "--set", "T=t", "--between", "T,row"}), 0);
   // What is gone is.
   BoxFile file;
@@ -81,8 +81,8 @@ TEST(ClashLists, WhatIsNotLookedAtIsNotResolved) {
   file.add("t", {3, 0, 0}, {6, 1, 1});
   file.write(model);
   EXPECT_EQ(resolved({}), 1);
-  EXPECT_EQ(resolved({"--within", "0.5"}), 1);
-  EXPECT_EQ(resolved({"--within", "1"}), 1 + 1);  // the far box is gone, too, and was within 1
+  EXPECT_EQ(resolved({"--clearance", "0.5"}), 1);
+  EXPECT_EQ(resolved({"--clearance", "1"}), 1 + 1);  // the far box is gone, too, and was within 1
 }
 
 TEST(ClashLists, AListThatWasCutIsNoBaseline) {
@@ -150,7 +150,7 @@ TEST(ClashLists, ADamagedJournalIsNotBelieved) {
   const std::filesystem::path journal = folder.path() / "row.journal";
   const auto run = [&] {
     return soms_run(
-        {"clash", model, "--within", "1", "--json", "--quiet", "--journal", journal.string()});
+        {"clash", model, "--clearance", "1", "--json", "--quiet", "--journal", journal.string()});
   };
   const auto rows = [](const RunResult& result) {
     std::vector<Json> lines = json_lines(result.out);

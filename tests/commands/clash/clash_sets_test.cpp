@@ -135,8 +135,8 @@ std::vector<Json> without_cost(const std::string& text) {
 TEST(ClashJournal, GoesOnWhereItEnded) {
   const TemporaryFolder folder;
   const std::string journal = (folder.path() / "clash.journal").string();
-  const RunResult plain = building({"--json", "--within", "0.5"});
-  const RunResult first = building({"--json", "--within", "0.5", "--journal", journal});
+  const RunResult plain = building({"--json", "--clearance", "0.5"});
+  const RunResult first = building({"--json", "--clearance", "0.5", "--journal", journal});
   EXPECT_EQ(without_cost(first.out), without_cost(plain.out));
   const std::string whole = read_text(journal);
   // As after a crash in the middle of a line: what stands before it is kept.
@@ -144,7 +144,7 @@ TEST(ClashJournal, GoesOnWhereItEnded) {
   ASSERT_LT(second_block, whole.size());
   for (const std::size_t end : {second_block, second_block + 40, whole.size() - 1, whole.size()}) {
     write_text(journal, whole.substr(0, end));
-    const RunResult again = building({"--json", "--within", "0.5", "--journal", journal});
+    const RunResult again = building({"--json", "--clearance", "0.5", "--journal", journal});
     EXPECT_EQ(without_cost(again.out), without_cost(plain.out));
     EXPECT_GT(json_lines(again.out).back().at("resumed"), 0);
     EXPECT_EQ(read_text(journal), whole);
@@ -155,7 +155,7 @@ TEST(ClashJournal, IsOfTheSameModelsAndOptions) {
   const TemporaryFolder folder;
   const std::string journal = (folder.path() / "clash.journal").string();
   ASSERT_EQ(building({"--journal", journal}).status, 0);
-  const RunResult other = building({"--journal", journal, "--within", "1"});
+  const RunResult other = building({"--journal", journal, "--clearance", "1"});
   EXPECT_EQ(other.status, 2);
   EXPECT_NE(other.err.find("of other models or options"), std::string::npos) << other.err;
   write_text(journal, "no journal\n");

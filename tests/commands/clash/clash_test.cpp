@@ -47,7 +47,7 @@ std::vector<std::string> in_short(const ClashLines& lines) {
 }
 
 TEST(ClashVerb, ListsEveryClass) {
-  const RunResult result = special({"--within", "0.01", "--json", "--verify"});
+  const RunResult result = special({"--clearance", "0.01", "--json", "--verify"});
   EXPECT_EQ(result.status, 0) << result.err;
   const ClashLines lines = lines_of(result.out);
   EXPECT_EQ(in_short(lines),
@@ -62,7 +62,7 @@ TEST(ClashVerb, ListsEveryClass) {
 }
 
 TEST(ClashVerb, AnswersInTheSchema) {
-  const ClashLines lines = lines_of(special({"--within", "0.01", "--json"}).out);
+  const ClashLines lines = lines_of(special({"--clearance", "0.01", "--json"}).out);
   for (const Json& row : lines.rows) {
     EXPECT_EQ(row.at("schema"), "soms.clash/1");
     EXPECT_EQ(row.at("key").get<std::string>().size(), 16U);
@@ -78,7 +78,7 @@ TEST(ClashVerb, AnswersInTheSchema) {
 }
 
 TEST(ClashVerb, SaysItInWords) {
-  const RunResult result = special({"--within", "0.01"});
+  const RunResult result = special({"--clearance", "0.01"});
   EXPECT_NE(result.out.find("5 clashes: 1 crossing, 1 inside, 1 same, 1 touching, 1 near\n"),
             std::string::npos)
       << result.out;
@@ -163,7 +163,8 @@ TEST(ClashVerb, CountsWhatIsIgnored) {
   const TemporaryFolder folder;
   const std::string pairs = (folder.path() / "pairs.csv").string();
   write_text(pairs, "# known\n\nIn*,Sl?b\r\n\"Twin\",\"Twin again\"\n");
-  const RunResult result = special({"--ignore", "touching", "--ignore-pairs", pairs, "--json"});
+  const RunResult result =
+      special({"--ignore-class", "touching", "--ignore-pairs", pairs, "--json"});
   const ClashLines lines = lines_of(result.out);
   EXPECT_EQ(in_short(lines), std::vector<std::string>{"Slab - Crosses slab: crossing"});
   EXPECT_EQ(lines.totals.at("removed"), (Json{{"touching", 1}, {"ignore-pairs", 2}}));
@@ -182,10 +183,10 @@ TEST(ClashVerb, NamesALineThatIsNoPair) {
 TEST(ClashVerb, ComparesWithAnOlderList) {
   const TemporaryFolder folder;
   const std::string old = (folder.path() / "old.json").string();
-  ASSERT_EQ(special({"-o", old, "--ignore", "crossing"}).status, 0);
+  ASSERT_EQ(special({"-o", old, "--ignore-class", "crossing"}).status, 0);
   // What is removed now is not resolved.
-  const std::vector<std::string> same = {"--baseline", old,        "--ignore", "touching",
-                                         "--ignore",   "crossing", "--json"};
+  const std::vector<std::string> same = {"--baseline",     old,        "--ignore-class", "touching",
+                                         "--ignore-class", "crossing", "--json"};
   const ClashLines lines = lines_of(special(same).out);
   std::map<std::string, std::string> status;
   for (const Json& row : lines.rows) {
@@ -195,18 +196,18 @@ TEST(ClashVerb, ComparesWithAnOlderList) {
             (std::map<std::string, std::string>{{"In slab", "active"}, {"Twin again", "active"}}));
   EXPECT_EQ(lines.totals.at("by_status"), (Json{{"new", 0}, {"active", 2}, {"resolved", 0}}));
   // Without the older list's filter one would be new that was there before.
-  EXPECT_EQ(special({"--baseline", old, "--ignore", "touching"}).status, 2);
+  EXPECT_EQ(special({"--baseline", old, "--ignore-class", "touching"}).status, 2);
   // What the older list looked for less far is new.
-  EXPECT_EQ(
-      special({"--baseline", old, "--ignore", "crossing", "--within", "0.01", "--fail-if", "new"})
-          .status,
-      1);
+  EXPECT_EQ(special({"--baseline", old, "--ignore-class", "crossing", "--clearance", "0.01",
+                     "--fail-if", "new"})
+                .status,
+            1);
 }
 
 TEST(ClashVerb, TellsWhatIsResolved) {
   const TemporaryFolder folder;
   const std::string old = (folder.path() / "old.json").string();
-  ASSERT_EQ(special({"-o", old, "--within", "0.01"}).status, 0);
+  ASSERT_EQ(special({"-o", old, "--clearance", "0.01"}).status, 0);
   // Without the part that crosses the slab.
   const std::string model = (folder.path() / "special_b.obj").string();
   const std::string whole = read_text(clash_data("special_b.obj"));
@@ -218,7 +219,7 @@ TEST(ClashVerb, TellsWhatIsResolved) {
     return soms_run(words);
   };
   const RunResult result =
-      run({"--baseline", old, "--within", "0.01", "--json", "--fail-if", "new"});
+      run({"--baseline", old, "--clearance", "0.01", "--json", "--fail-if", "new"});
   EXPECT_EQ(result.status, 0);
   const ClashLines lines = lines_of(result.out);
   EXPECT_EQ(lines.totals.at("by_status"), (Json{{"new", 0}, {"active", 4}, {"resolved", 1}}));
@@ -226,8 +227,8 @@ TEST(ClashVerb, TellsWhatIsResolved) {
   EXPECT_EQ(lines.rows.back().at("b").at("part"), "Crosses slab");
   // A list with resolved rows is an older list, too; its resolved rows are not.
   const std::string second = (folder.path() / "second.json").string();
-  ASSERT_EQ(run({"--baseline", old, "--within", "0.01", "-o", second}).status, 0);
-  EXPECT_EQ(lines_of(run({"--baseline", second, "--within", "0.01", "--json"}).out)
+  ASSERT_EQ(run({"--baseline", old, "--clearance", "0.01", "-o", second}).status, 0);
+  EXPECT_EQ(lines_of(run({"--baseline", second, "--clearance", "0.01", "--json"}).out)
                 .totals.at("by_status"),
             (Json{{"new", 0}, {"active", 4}, {"resolved", 0}}));
 }
@@ -237,7 +238,7 @@ TEST(ClashVerb, ListsOnlyTheStatusesThatAreNamed) {
   const std::string old = (folder.path() / "old.json").string();
   ASSERT_EQ(special({"-o", old}).status, 0);
   const auto listed = [&](const std::vector<std::string>& names) {
-    std::vector<std::string> words = {"--baseline", old, "--within", "0.01", "--json"};
+    std::vector<std::string> words = {"--baseline", old, "--clearance", "0.01", "--json"};
     for (const std::string& name : names) {
       words.insert(words.end(), {"--status", name});
     }
@@ -335,9 +336,9 @@ TEST(ClashVerb, KeysSurviveRenumbering) {
   write_text(turned, again);
   const auto keys = [&](const std::string& b) {
     std::map<std::string, Json> found;
-    const std::string out =
-        soms_run({"clash", clash_data("special.obj"), "--against", b, "--within", "0.01", "--json"})
-            .out;
+    const std::string out = soms_run({"clash", clash_data("special.obj"), "--against", b,
+                                      "--clearance", "0.01", "--json"})
+                                .out;
     for (const Json& row : lines_of(out).rows) {
       found[row.at("key")] =
           Json{row.at("class"), row.at("b").at("part"), row.at("gap"), row.at("triangle_pairs")};
@@ -351,7 +352,7 @@ TEST(ClashVerb, WritesEachRowToEachFile) {
   const TemporaryFolder folder;
   const std::string csv = (folder.path() / "list.csv").string();
   const std::string json = (folder.path() / "list.jsonl").string();
-  ASSERT_EQ(special({"--within", "0.01", "-o", csv, "-o", json}).status, 0);
+  ASSERT_EQ(special({"--clearance", "0.01", "-o", csv, "-o", json}).status, 0);
   const ClashLines lines = lines_of(read_text(json));
   const auto rows = read_csv(csv);
   ASSERT_EQ(rows.size(), 1 + lines.rows.size());
@@ -404,17 +405,17 @@ TEST(ClashVerb, DecidesWhatIsKnownOfOpenParts) {
 
 TEST(ClashVerb, RefusesWhatIsNoDistance) {
   for (const char* const within : {"nan", "-1", "inf", "x"}) {
-    EXPECT_EQ(special({"--within", within}).status, 2) << within;
+    EXPECT_EQ(special({"--clearance", within}).status, 2) << within;
   }
-  EXPECT_EQ(special({"--ignore", "soft"}).status, 2);
+  EXPECT_EQ(special({"--ignore-class", "soft"}).status, 2);
   EXPECT_EQ(special({"--fail-if", "new"}).status, 2);
 }
 
 TEST(ClashVerb, FailsOnRequest) {
   EXPECT_EQ(special({"--fail-if", "clash"}).status, 1);
   EXPECT_EQ(special({"--fail-if", "hard"}).status, 1);
-  EXPECT_EQ(special({"--fail-if", "hard", "--ignore", "crossing", "--ignore", "inside", "--ignore",
-                     "same"})
+  EXPECT_EQ(special({"--fail-if", "hard", "--ignore-class", "crossing", "--ignore-class", "inside",
+                     "--ignore-class", "same"})
                 .status,
             0);
 }

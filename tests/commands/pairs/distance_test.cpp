@@ -67,7 +67,7 @@ TEST(DistanceVerb, DrawsTheNearestPointsOnItsPage) {
   const std::string poses = file_of(folder, "p.csv", "x,y,z\n5,0,0\n2,0,0\n3,0,0\n9,0,0\n");
   const std::string path = (folder.path() / "page.html").string();
   const RunResult result =
-      soms_run({"distance", box(), box(), "--pose", poses, "--at-most", "6", "--report", path});
+      soms_run({"distance", box(), box(), "--pose", poses, "--at-most", "6", "-o", path});
   ASSERT_EQ(result.status, 0) << result.err;
   const std::string page = read_text(path);
   const Json scene = scene_of(page);
@@ -101,10 +101,10 @@ TEST(DistanceVerb, HoldsTheNearestOfManyPosesOnItsPage) {
     rows += std::to_string(5000 - k) + ",0,0\n";
   }
   const std::string path = (folder.path() / "page.html").string();
-  ASSERT_EQ(soms_run({"distance", box(), box(), "--pose", file_of(folder, "p.csv", rows),
-                      "--report", path})
-                .status,
-            0);
+  ASSERT_EQ(
+      soms_run({"distance", box(), box(), "--pose", file_of(folder, "p.csv", rows), "-o", path})
+          .status,
+      0);
   const Json scene = scene_of(read_text(path));
   EXPECT_EQ(scene["gaps"]["listed"], 1000);
   EXPECT_EQ(scene["gaps"]["all"], 5000);
@@ -122,8 +122,8 @@ TEST(DistanceVerb, RefusesAPageThatIsAnotherFile) {
   const TemporaryFolder folder;
   const std::string path = (folder.path() / "x").string();
   EXPECT_EQ(soms_run({"distance", box(), box(), "--report", path, "--csv", path}).status, 2);
-  EXPECT_EQ(soms_run({"distance", box(), box(), "--report", path + ".svg"}).status, 2);
-  EXPECT_NE(soms_run({"distance", box(), box(), "--report", path + "/no/page.html"}).status, 0);
+  EXPECT_EQ(soms_run({"distance", box(), box(), "-o", path + ".svg"}).status, 2);
+  EXPECT_NE(soms_run({"distance", box(), box(), "-o", path + "/no/page.html"}).status, 0);
 }
 
 TEST(DistanceVerb, IsZeroExactlyWhereTrianglesOverlap) {
@@ -269,8 +269,7 @@ TEST(DistanceVerb, WritesATable) {
   const std::string csv = (walls.folder.path() / "answers.csv").string();
   const std::string poses = file_of(walls.folder, "poses.csv", "x,y,z\n0,0,0\n0,0,-99\n");
   ASSERT_EQ(
-      soms_run({"distance", walls.a, walls.b, "--pose", poses, "--at-most", "9", "--csv", csv})
-          .status,
+      soms_run({"distance", walls.a, walls.b, "--pose", poses, "--at-most", "9", "-o", csv}).status,
       0);
   const std::string text = read_text(csv);
   EXPECT_TRUE(

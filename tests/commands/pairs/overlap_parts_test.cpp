@@ -74,7 +74,7 @@ class OverlapParts : public ::testing::Test {
 
   std::string page_of(std::vector<std::string> words) {
     words.insert(words.begin(), "overlap");
-    words.insert(words.end(), {"--report", at("page.html"), "--quiet"});
+    words.insert(words.end(), {"-o", at("page.html"), "--quiet"});
     const test::RunResult run = test::soms_run(words);
     EXPECT_EQ(run.status, 0) << run.err;
     return test::read_text(at("page.html"));
@@ -301,7 +301,7 @@ TEST_F(OverlapParts, PageSetsWarningsApartAndSaysHowModelsWereRead) {
 TEST_F(OverlapParts, CsvHasARowForEachPairOfPartsAndPose) {
   const std::vector<std::string> files = fins(3, 2);
   const std::string poses = write("poses.csv", "x,y,z\n0,0,0\n0,0,1\n");
-  ASSERT_EQ(test::soms_run({"overlap", files[0], files[1], "--pose", poses, "--by", "part", "--csv",
+  ASSERT_EQ(test::soms_run({"overlap", files[0], files[1], "--pose", poses, "--by", "part", "-o",
                             at("parts.csv")})
                 .status,
             0);
@@ -316,7 +316,7 @@ TEST_F(OverlapParts, CsvHasARowForEachPairOfPartsAndPose) {
 
 TEST_F(OverlapParts, CsvHasARowForEachPairOfTrianglesOtherwise) {
   const std::vector<std::string> files = fins(2, 2);
-  ASSERT_EQ(test::soms_run({"overlap", files[0], files[1], "--csv", at("pairs.csv")}).status, 0);
+  ASSERT_EQ(test::soms_run({"overlap", files[0], files[1], "-o", at("pairs.csv")}).status, 0);
   const std::string text = test::read_text(at("pairs.csv"));
   EXPECT_EQ(text.substr(0, text.find('\n')),
             "pose,triangle_a,part_a,name_a,triangle_b,part_b,name_b");
@@ -331,8 +331,8 @@ TEST_F(OverlapParts, RefusesWhatByPartCannotMean) {
         << other;
   }
   EXPECT_EQ(test::soms_run({"overlap", files[0], files[1], "--by", "pole"}).status, 2);
-  EXPECT_EQ(test::soms_run({"overlap", files[0], files[1], "--csv", at("x.txt")}).status, 2);
-  EXPECT_EQ(test::soms_run({"overlap", files[0], files[1], "--csv", files[0]}).status, 2);
+  EXPECT_EQ(test::soms_run({"overlap", files[0], files[1], "-o", at("x.txt")}).status, 2);
+  EXPECT_EQ(test::soms_run({"overlap", files[0], files[1], "-o", files[0]}).status, 2);
 }
 
 TEST_F(OverlapParts, R116ClashesOfABuildingAreAllOnThePage) {

@@ -1,19 +1,14 @@
 #include "apps/soms/pairs/overlap_report.h"
 
-#include "apps/cli/console.h"
-#include "tests/commands/run.h"
+#include "apps/soms/pairs/overlap_parts.h"
+
+#include <gtest/gtest.h>
 
 namespace soms::command {
 namespace {
 
 std::string printed(const OverlapReport& report, const Overlap& answer) {
-  testing::internal::CaptureStdout();
-  {
-    Console console(Shared{});
-    print_answer(report, 0, {answer, {}}, true, console);
-    console.flush();
-  }
-  return testing::internal::GetCapturedStdout();
+  return text_of(report, 0, {answer, {}}, {}, false);
 }
 
 TEST(OverlapReportText, SaysThatALesserPairMayBeThereWhenTimeIsUp) {

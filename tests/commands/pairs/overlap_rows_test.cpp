@@ -37,7 +37,7 @@ TEST(OverlapRows, SampleIsFairBoundedAndSpreadOverPoses) {
   OverlapRows rows(a, b, 100);
   std::vector<TrianglePair> pairs;
   for (TriangleId k = 0; k < 10; ++k) {
-    pairs.emplace_back(k, 0);
+    pairs.push_back({k, 0});
   }
   constexpr std::uint64_t kPoses = 1000;
   for (std::uint64_t pose = 0; pose < kPoses; ++pose) {
@@ -65,9 +65,9 @@ TEST(OverlapRows, OneOfManyTrianglesLeavesRoomForOneOfFew) {
   OverlapRows rows(a, b, 40);
   std::vector<TrianglePair> pairs;
   for (TriangleId k = 0; k < 500; ++k) {
-    pairs.emplace_back(0, k);
+    pairs.push_back({0, k});
   }
-  pairs.emplace_back(1, 499);
+  pairs.push_back({1, 499});
   add(rows, 0, pairs);
   ASSERT_EQ(rows.rows().size(), 501U) << "each is listed, with a sample or without";
   EXPECT_EQ(rows.held(), 40U);

@@ -278,8 +278,8 @@ TEST(OverlapVerb, AnswersAreCutWhenTimeIsUp) {
   write_text(poses, rows);
   const RunResult result = run_with_time(
       [&](const std::string& seconds) {
-        return soms_run({"overlap", box(), box(), "--pose", poses, "--no-pairs", "--json",
-                         "--report", page, "--timeout", seconds});
+        return soms_run({"overlap", box(), box(), "--pose", poses, "--no-pairs", "--json", "-o",
+                         page, "--timeout", seconds});
       },
       [](const RunResult& run) { return run.status != 4; });
   EXPECT_EQ(result.status, 0) << result.err;

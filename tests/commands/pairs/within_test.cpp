@@ -137,7 +137,7 @@ TEST(WithinVerb, AnswersRowsOfPoses) {
   }
   const std::string csv = (folder.path() / "answers.csv").string();
   const RunResult text =
-      soms_run({"within", box(), box(), "--clearance", "1", "--pose", poses, "--csv", csv});
+      soms_run({"within", box(), box(), "--clearance", "1", "--pose", poses, "-o", csv});
   EXPECT_TRUE(
       text.out.starts_with("  pose  within 1          triangle of A         triangle of B\n"
                            "     0  no\n     1  yes               "))
@@ -169,7 +169,7 @@ bool contains(const std::string& text, const std::string& part) {
 TEST(WithinVerb, DrawsThePairThatProvesItOnItsPage) {
   const TwoSheets sheets;
   const RunResult result = soms_run({"within", sheets.sheet, sheets.sheet, "--clearance", "1",
-                                     "--pose", sheets.poses, "--report", sheets.page});
+                                     "--pose", sheets.poses, "-o", sheets.page});
   ASSERT_EQ(result.status, 0) << result.err;
   const std::string page = read_text(sheets.page);
   const Json scene = scene_of(page);
@@ -199,7 +199,7 @@ TEST(WithinVerb, DrawsThePairThatProvesItOnItsPage) {
 TEST(WithinVerb, SaysOnItsPageWhatIsApart) {
   const TwoSheets sheets;
   ASSERT_EQ(soms_run({"within", sheets.sheet, sheets.sheet, "--clearance", "2", "--pose", "0 0 3",
-                      "--report", sheets.page})
+                      "-o", sheets.page})
                 .status,
             0);
   const std::string page = read_text(sheets.page);
@@ -213,7 +213,7 @@ TEST(WithinVerb, SaysOnItsPageWhatIsApart) {
 TEST(WithinVerb, ShowsATinyLength) {
   const TwoSheets sheets;
   ASSERT_EQ(soms_run({"within", sheets.sheet, sheets.sheet, "--clearance", "1", "--pose",
-                      "0 0 1e-200", "--report", sheets.page})
+                      "0 0 1e-200", "-o", sheets.page})
                 .status,
             0);
   EXPECT_TRUE(contains(read_text(sheets.page), "<td>yes, at most 1e-200</td>"));
@@ -226,7 +226,7 @@ TEST(WithinVerb, ListsAsManyPosesAsItsPageHasRoomFor) {
     rows += k % 3 == 0 ? "0,0,0.5\n" : "0,0,7\n";
   }
   ASSERT_EQ(soms_run({"within", sheets.sheet, sheets.sheet, "--clearance", "1", "--pose",
-                      file_of(sheets.folder, "many.csv", rows), "--report", sheets.page})
+                      file_of(sheets.folder, "many.csv", rows), "-o", sheets.page})
                 .status,
             0);
   const std::string page = read_text(sheets.page);
@@ -240,11 +240,11 @@ TEST(WithinVerb, ListsAsManyPosesAsItsPageHasRoomFor) {
 TEST(WithinVerb, RefusesAPageThatIsAnotherFile) {
   const TwoSheets sheets;
   const auto status = [&](const std::string& page, const std::string& csv) {
-    return soms_run({"within", sheets.sheet, sheets.sheet, "--clearance", "1", "--report", page,
-                     "--csv", csv})
+    return soms_run(
+               {"within", sheets.sheet, sheets.sheet, "--clearance", "1", "-o", page, "-o", csv})
         .status;
   };
-  EXPECT_EQ(status(sheets.page, sheets.page), 2);
+  EXPECT_EQ(status(sheets.page, sheets.page + ".html"), 2);
   EXPECT_EQ(status(sheets.page + ".svg", sheets.page + ".csv"), 2);
   EXPECT_NE(status(sheets.page + "/no/page.html", sheets.page + ".csv"), 0);
 }
@@ -256,7 +256,7 @@ TEST(NearPage, SaysWhatItDoesNotKnow) {
   mesh.triangles = {{0, 1, 2}};
   const command::PairReport report{.a = mesh, .b = mesh};
   command::NearPage page(
-      {mesh, "a", mesh, "b"},
+      {{Shape(mesh)}, "a", {Shape(mesh)}, "b"},
       {.column = "within 1", .named = "yes, at most ", .apart = "no, at least "});
   page.add({}, {.at_least = 0.25, .coverage = Coverage::cut});
   page.add({}, {.at_least = std::numeric_limits<double>::infinity()});
@@ -296,21 +296,21 @@ TEST(WithinVerb, IsWhatOverlapAsksWithAClearance) {
   const TemporaryFolder folder;
   const std::string poses = file_of(folder, "poses.csv", "x,y,z\n5,0,0\n2.5,0,0\n0.5,0,0\n");
   for (const char* form : {"--json", "--quiet", "--verify"}) {
-    EXPECT_EQ(soms_run({"overlap", box(), box(), "--within", "1", "--pose", poses, form}).out,
+    EXPECT_EQ(soms_run({"overlap", box(), box(), "--clearance", "1", "--pose", poses, form}).out,
               soms_run({"within", box(), box(), "--clearance", "1", "--pose", poses, form}).out);
   }
   const std::string page = (folder.path() / "page.html").string();
-  ASSERT_EQ(soms_run({"overlap", box(), box(), "--within", "1", "--pose", poses, "--report", page})
-                .status,
-            0);
+  ASSERT_EQ(
+      soms_run({"overlap", box(), box(), "--clearance", "1", "--pose", poses, "-o", page}).status,
+      0);
   EXPECT_NE(read_text(page).find("3 poses: 2 within 1 (the first at pose 1), 1 not"),
             std::string::npos);
   const auto status = [](std::vector<std::string> words) {
     words.insert(words.begin(), {"overlap", box(), box(), "--pose", "5 0 0"});
     return soms_run(words).status;
   };
-  EXPECT_EQ(status({"--within", "3", "--fail-if", "within"}), 1);
-  EXPECT_EQ(status({"--within", "2", "--fail-if", "within"}), 0);
+  EXPECT_EQ(status({"--clearance", "3", "--fail-if", "within"}), 1);
+  EXPECT_EQ(status({"--clearance", "2", "--fail-if", "within"}), 0);
 }
 
 TEST(WithinVerb, RefusesWhatOverlapCannotAskWithAClearance) {
@@ -324,15 +324,15 @@ TEST(WithinVerb, RefusesWhatOverlapCannotAskWithAClearance) {
                                                     {"--tree", "traversal=a-first"},
                                                     {"--fail-if", "overlap"}};
   for (std::vector<std::string> words : cases) {
-    words.insert(words.begin(), {"overlap", box(), box(), "--within", "1"});
+    words.insert(words.begin(), {"overlap", box(), box(), "--clearance", "1"});
     const RunResult result = soms_run(words);
     EXPECT_EQ(result.status, 2) << words[5];
-    EXPECT_NE(result.err.find("--within"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("--clearance"), std::string::npos) << result.err;
   }
   const RunResult idle = soms_run({"overlap", box(), box(), "--fail-if", "within"});
   EXPECT_EQ(idle.status, 2);
-  EXPECT_NE(idle.err.find("also give --within D"), std::string::npos) << idle.err;
-  EXPECT_EQ(soms_run({"overlap", box(), box(), "--within", "-1"}).status, 2);
+  EXPECT_NE(idle.err.find("also give --clearance D"), std::string::npos) << idle.err;
+  EXPECT_EQ(soms_run({"overlap", box(), box(), "--clearance", "-1"}).status, 2);
 }
 
 }  // namespace

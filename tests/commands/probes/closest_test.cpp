@@ -61,7 +61,7 @@ TEST(ClosestVerb, SaysOnWhichSideWhereRequested) {
             "farther than 0.25, inside\n");
   const TemporaryFolder folder;
   const std::string csv = (folder.path() / "a.csv").string();
-  EXPECT_EQ(ask_about(rows, {"--signed", "--csv", csv}).status, 0);
+  EXPECT_EQ(ask_about(rows, {"--signed", "-o", csv}).status, 0);
   const auto table = read_csv(csv);
   ASSERT_EQ(table.size(), 4U);
   EXPECT_EQ(table[0].back(), "side");
@@ -142,7 +142,7 @@ TEST(ClosestVerb, PrintsASentenceOrATable) {
 TEST(ClosestVerb, WritesCsv) {
   const TemporaryFolder folder;
   const std::string csv = (folder.path() / "out.csv").string();
-  ASSERT_EQ(ask_about("0,0,3\n0,0,9\n", {"--at-most", "2", "--csv", csv}).status, 0);
+  ASSERT_EQ(ask_about("0,0,3\n0,0,9\n", {"--at-most", "2", "-o", csv}).status, 0);
   const auto rows = read_csv(csv);
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_EQ(rows[0].size(), 12U);
@@ -151,7 +151,7 @@ TEST(ClosestVerb, WritesCsv) {
   EXPECT_EQ(rows[1][11], "complete");
   EXPECT_EQ(rows[2][3], "true");
   EXPECT_EQ(rows[2][4], "");
-  ASSERT_EQ(ask_about("0,0,3\n0,0,9\n", {"--nearest", "2", "--csv", csv}).status, 0);
+  ASSERT_EQ(ask_about("0,0,3\n0,0,9\n", {"--nearest", "2", "-o", csv}).status, 0);
   EXPECT_EQ(read_csv(csv).size(), 5U);
 }
 

@@ -207,7 +207,7 @@ TEST(RayVerb, WritesCsv) {
   const TemporaryFolder folder;
   const std::string csv = (folder.path() / "out.csv").string();
   const std::string rays = kRays + "0.25,0.5,3,0,0,-1\n5,0,3,0,0,-1\n";
-  ASSERT_EQ(ask(rays, {"--csv", csv}).status, 0);
+  ASSERT_EQ(ask(rays, {"-o", csv}).status, 0);
   const auto first = read_csv(csv);
   ASSERT_EQ(first.size(), 3U);
   EXPECT_EQ(first[0].size(), 12U);
@@ -218,9 +218,9 @@ TEST(RayVerb, WritesCsv) {
   EXPECT_EQ(first[2][1], "false");
   EXPECT_EQ(first[2][2], "inf");
   EXPECT_EQ(first[2][4], "");
-  ASSERT_EQ(ask(rays, {"--any", "--csv", csv}).status, 0);
+  ASSERT_EQ(ask(rays, {"--any", "-o", csv}).status, 0);
   EXPECT_EQ(read_text(csv), "ray,hit,coverage\n0,true,complete\n1,false,complete\n");
-  ASSERT_EQ(ask(kRays + "0,0,3,0,0,-1\n", {"--all", "--csv", csv}).status, 0);
+  ASSERT_EQ(ask(kRays + "0,0,3,0,0,-1\n", {"--all", "-o", csv}).status, 0);
   const auto all = read_csv(csv);
   ASSERT_EQ(all.size(), 5U);
   EXPECT_EQ(all[0].size(), 9U);
@@ -306,7 +306,7 @@ TEST(RayVerb, RefusesWrongUsage) {
   expect_refused(ask(ray, {"--any", "--all"}), 2, "--any and --all");
   expect_refused(ask(ray, {"--skip", "-1"}), 2, "--skip");
   expect_refused(ask(ray, {"--fail-if", "miss"}), 2, "--fail-if");
-  expect_refused(ask(ray, {"--csv", "out.txt"}), 2, "--csv");
+  expect_refused(ask(ray, {"-o", "out.txt"}), 2, "-o out.txt; use one of the extensions .csv");
   expect_refused(ask(ray, {"--pose", "1 2"}), 2, "--pose");
   expect_refused(soms_run({"ray", "-", "--rays", "-"}, ray), 2, "standard input is given twice");
   expect_refused(soms_run({"ray", box(), "--rays", "/nowhere/r.csv"}), 3, "/nowhere/r.csv");

@@ -29,8 +29,8 @@ std::map<std::string, Rows> rows_by_mesh() {
 std::string file_of_rays(const Rows& rows) {
   std::string text = "ox,oy,oz,dx,dy,dz,length\n";
   for (const RayTruthRow& row : rows) {
-    const auto& [o, d, length] = row.ray;
-    text += fmt::format("{},{},{},{},{},{},{}\n", o.x, o.y, o.z, d.x, d.y, d.z, length);
+    const auto& [o, d] = std::pair(row.ray.origin, row.ray.direction);
+    text += fmt::format("{},{},{},{},{},{},{}\n", o.x, o.y, o.z, d.x, d.y, d.z, row.ray.length);
   }
   return text;
 }

@@ -90,7 +90,7 @@ TEST_F(SimulateRoutes, TakeOneFileEachWhereverTheCityStands) {
         {"--route", still, wall(), "--mover", hand},
         {"--route", still, "--mover", hand, wall()},
         {wall(), "--route", still, "--mover", hand},
-        {"--mover", hand, "--mover", hand, "--ignore", "0,1", wall(), "--route", still}}) {
+        {"--mover", hand, "--mover", hand, "--ignore-pair", "0,1", wall(), "--route", still}}) {
     const RunResult result = simulate(words, {"--json"});
     ASSERT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(Json::parse(result.out)["city"], "wall");
@@ -161,19 +161,21 @@ TEST_F(SimulateRoutes, IgnoreThePairsThatAreNamed) {
   };
   // 0 and 1, 1 and 2, and the sails 0 and 2, which lie in one plane.
   EXPECT_EQ(between({}), std::pair(3, 0));
-  EXPECT_EQ(between({"--ignore", "0,1"}), std::pair(2, 1));
-  EXPECT_EQ(between({"--ignore", "1,0", "--ignore", "0,1"}), std::pair(2, 1));
-  EXPECT_EQ(between({"--ignore", "base,arm", "--ignore", "hand.off,1"}), std::pair(1, 2));
-  EXPECT_EQ(between({"--ignore", at("base.off") + ",arm", "--ignore", "0,2", "--ignore", "1,2"}),
+  EXPECT_EQ(between({"--ignore-pair", "0,1"}), std::pair(2, 1));
+  EXPECT_EQ(between({"--ignore-pair", "1,0", "--ignore-pair", "0,1"}), std::pair(2, 1));
+  EXPECT_EQ(between({"--ignore-pair", "base,arm", "--ignore-pair", "hand.off,1"}), std::pair(1, 2));
+  EXPECT_EQ(between({"--ignore-pair", at("base.off") + ",arm", "--ignore-pair", "0,2",
+                     "--ignore-pair", "1,2"}),
             std::pair(0, 3));
 }
 
 TEST_F(SimulateRoutes, IgnoreAllPairsOfTheModelsThatAreNamed) {
   std::vector<std::string> words = robot();
-  words.insert(words.end(), {"--count", "6", "--ignore", "base,arm"});
+  words.insert(words.end(), {"--count", "6", "--ignore-pair", "base,arm"});
   EXPECT_EQ(Json::parse(simulate(words).out)["ignored_pairs"], 4);
   EXPECT_EQ(
-      Json::parse(simulate(robot(), {"--count", "6", "--ignore", "arm,arm"}).out)["ignored_pairs"],
+      Json::parse(
+          simulate(robot(), {"--count", "6", "--ignore-pair", "arm,arm"}).out)["ignored_pairs"],
       1);
 }
 
@@ -190,9 +192,9 @@ TEST_F(SimulateRoutes, TestMoversAgainstTheCityAlone) {
   EXPECT_NE(simulate(words, {"--no-between-movers"})
                 .out.find("not tested    movers against each other (--no-between-movers)"),
             std::string::npos);
-  EXPECT_NE(
-      simulate(words, {"--ignore", "0,1"}).out.find("not tested    1 pair of movers (--ignore)"),
-      std::string::npos);
+  EXPECT_NE(simulate(words, {"--ignore-pair", "0,1"})
+                .out.find("not tested    1 pair of movers (--ignore-pair)"),
+            std::string::npos);
 }
 
 TEST_F(SimulateRoutes, RefuseAPairOfMoversThatIsNone) {
@@ -201,16 +203,16 @@ TEST_F(SimulateRoutes, RefuseAPairOfMoversThatIsNone) {
     EXPECT_EQ(result.status, 2) << what;
     EXPECT_NE(result.err.find(what), std::string::npos) << result.err;
   };
-  says({"--ignore", "0"}, "--ignore 0; give two movers, A,B");
-  says({"--ignore", "0,1,2"}, "--ignore 0,1,2; give two movers, A,B");
-  says({"--ignore", ",1"}, "--ignore ,1; give two movers, A,B");
-  says({"--ignore", "0,3"}, "there is no mover 3; give numbers from 0 to 2");
-  says({"--ignore", "elbow,0"}, "--ignore elbow,0: there is no mover elbow");
-  says({"--ignore", "1,arm"}, "these are the same mover");
-  says({"--ignore", "0,1", "--no-between-movers"},
-       "--ignore has no effect with --no-between-movers");
+  says({"--ignore-pair", "0"}, "--ignore-pair 0; give two movers, A,B");
+  says({"--ignore-pair", "0,1,2"}, "--ignore-pair 0,1,2; give two movers, A,B");
+  says({"--ignore-pair", ",1"}, "--ignore-pair ,1; give two movers, A,B");
+  says({"--ignore-pair", "0,3"}, "there is no mover 3; give numbers from 0 to 2");
+  says({"--ignore-pair", "elbow,0"}, "--ignore-pair elbow,0: there is no mover elbow");
+  says({"--ignore-pair", "1,arm"}, "these are the same mover");
+  says({"--ignore-pair", "0,1", "--no-between-movers"},
+       "--ignore-pair has no effect with --no-between-movers");
   for (const std::vector<std::string>& more :
-       {std::vector<std::string>{"--ignore", "0,1"}, {"--no-between-movers"}}) {
+       {std::vector<std::string>{"--ignore-pair", "0,1"}, {"--no-between-movers"}}) {
     const RunResult window = simulate({wall(), "--view"}, more);
     EXPECT_EQ(window.status, 2);
     EXPECT_NE(window.err.find("--view cannot be combined"), std::string::npos) << window.err;

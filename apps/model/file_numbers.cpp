@@ -1,0 +1,48 @@
+#include "apps/model/file_numbers.h"
+
+#include <algorithm>
+
+namespace soms::command {
+
+namespace {
+
+template <class Answer>
+Answer with_named_pair(const FileNumbers& a, const FileNumbers& b, Answer answer) {
+  if (answer.triangles) {
+    answer.triangles = in_files(a, b, *answer.triangles);
+  }
+  return answer;
+}
+
+}  // namespace
+
+std::optional<TriangleId> FileNumbers::in_shape(TriangleId number) const {
+  if (!numbers_) {
+    return number;
+  }
+  const auto at = std::lower_bound(numbers_->begin(), numbers_->end(), number);
+  return at != numbers_->end() && *at == number
+             ? std::optional(static_cast<TriangleId>(at - numbers_->begin()))
+             : std::nullopt;
+}
+
+TrianglePair in_files(const FileNumbers& a, const FileNumbers& b, const TrianglePair& pair) {
+  return {a(pair.a), b(pair.b)};
+}
+
+Overlap in_files(const FileNumbers& a, const FileNumbers& b, Overlap answer) {
+  for (TrianglePair& pair : answer.pairs) {
+    pair = in_files(a, b, pair);
+  }
+  return answer;
+}
+
+Distance in_files(const FileNumbers& a, const FileNumbers& b, Distance answer) {
+  return with_named_pair(a, b, std::move(answer));
+}
+
+Within in_files(const FileNumbers& a, const FileNumbers& b, Within answer) {
+  return with_named_pair(a, b, std::move(answer));
+}
+
+}  // namespace soms::command
