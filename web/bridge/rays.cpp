@@ -19,6 +19,7 @@ using soms::web::answer_of_batch;
 using soms::web::answer_of_lists;
 using soms::web::guarded;
 using soms::web::HeldShape;
+using soms::web::within_time;
 
 namespace {
 

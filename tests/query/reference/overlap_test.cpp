@@ -99,7 +99,7 @@ TEST(ReferenceOverlap, SwapsColumnsWhenTheMeshesAreSwapped) {
   const Pose turn = Pose::about_z(0.3, {0.1, 0, 0});
   std::vector<TrianglePair> swapped;
   for (const auto& [j, i] : reference::overlap(b, {}, a, turn).pairs) {
-    swapped.emplace_back(i, j);
+    swapped.push_back({i, j});
   }
   std::sort(swapped.begin(), swapped.end());
   EXPECT_EQ(reference::overlap(a, turn, b, {}).pairs, swapped);
