@@ -4,18 +4,6 @@
 
 namespace soms::command {
 
-namespace {
-
-template <class Answer>
-Answer with_named_pair(const FileNumbers& a, const FileNumbers& b, Answer answer) {
-  if (answer.triangles) {
-    answer.triangles = in_files(a, b, *answer.triangles);
-  }
-  return answer;
-}
-
-}  // namespace
-
 std::optional<TriangleId> FileNumbers::in_shape(TriangleId number) const {
   if (!numbers_) {
     return number;
@@ -35,14 +23,6 @@ Overlap in_files(const FileNumbers& a, const FileNumbers& b, Overlap answer) {
     pair = in_files(a, b, pair);
   }
   return answer;
-}
-
-Distance in_files(const FileNumbers& a, const FileNumbers& b, Distance answer) {
-  return with_named_pair(a, b, std::move(answer));
-}
-
-Within in_files(const FileNumbers& a, const FileNumbers& b, Within answer) {
-  return with_named_pair(a, b, std::move(answer));
 }
 
 }  // namespace soms::command

@@ -3,9 +3,7 @@
 #pragma once
 
 #include "soms/geometry/mesh.h"
-#include "soms/query/distance.h"
 #include "soms/query/overlap.h"
-#include "soms/query/within.h"
 #include "soms/tree/shape.h"
 
 #include <memory>
@@ -58,7 +56,5 @@ struct ModelShape {
 [[nodiscard]] TrianglePair in_files(const FileNumbers& a, const FileNumbers& b,
                                     const TrianglePair& pair);
 [[nodiscard]] Overlap in_files(const FileNumbers& a, const FileNumbers& b, Overlap answer);
-[[nodiscard]] Distance in_files(const FileNumbers& a, const FileNumbers& b, Distance answer);
-[[nodiscard]] Within in_files(const FileNumbers& a, const FileNumbers& b, Within answer);
 
 }  // namespace soms::command

@@ -22,9 +22,10 @@ class OverlapRun {
 
   /// `overlap` of `mover` at each of `poses` with `fixed`, in place of what `batch` held; the
   /// memory of that is used again. Each query takes the steps that it would take alone, so answers
-  /// and costs do not depend on its neighbors. Only `stop` of `limits` counts. \pre    All poses,
-  /// that of `fixed` too, have passed `check` and, with their shapes, `check_range`. \errors As
-  /// `overlap` but for poses.
+  /// and costs do not depend on its neighbors. Of `limits` the stop and the deadline count.
+  /// \pre    All poses, that of `fixed` too, have passed `check` and, with their shapes,
+  ///         `check_range`.
+  /// \errors As `overlap` but for poses.
   void ask(const Shape& mover, std::span<const Pose* const> poses, const Body& fixed,
            const OverlapOptions& options, const Limits& limits, OverlapBatch& batch);
 

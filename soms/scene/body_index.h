@@ -78,7 +78,7 @@ struct BodyHit : ClosestHit {
   [[nodiscard]] bool operator==(const BodyHit&) const = default;
 };
 
-/// Answers for a batch of rays or segments: the columns of ClosestHitBatch, and the bodies.
+/// Answers for a batch of rays: the columns of ClosestHitBatch, and the bodies.
 struct BodyHitBatch : ClosestHitBatch {
   std::vector<std::optional<std::uint32_t>> body;  ///< n
 
@@ -170,7 +170,7 @@ class BodyIndex {
                                          const BodyFilter& filter = {},
                                          const Limits& limits = {}) const;
 
-  /// The first point of all bodies on a ray or segment. Where coverage is `cut`, `triangle` is the
+  /// The first point of all bodies on a ray. Where coverage is `cut`, `triangle` is the
   /// first so far, if any, and the bracket's lower end is what was proved of all bodies.
   [[nodiscard]] BodyHit closest_hit(const Ray& ray, const RayOptions& options = {},
                                     const BodyFilter& filter = {}, const Limits& limits = {}) const;
@@ -179,14 +179,14 @@ class BodyIndex {
                                          const BodyFilter& filter = {},
                                          const Limits& limits = {}) const;
 
-  /// Whether a ray or segment hits any body.
+  /// Whether a ray hits any body.
   [[nodiscard]] AnyHit any_hit(const Ray& ray, const RayOptions& options = {},
                                const BodyFilter& filter = {}, const Limits& limits = {}) const;
   /// \shape `rays`: n.
   [[nodiscard]] AnyHitBatch any_hit(std::span<const Ray> rays, const RayOptions& options = {},
                                     const BodyFilter& filter = {}, const Limits& limits = {}) const;
 
-  /// Every triangle of all bodies that rays or segments meet: for each body the crossings that
+  /// Every triangle of all bodies that rays meet: for each body the crossings that
   /// `all_hits` has. Rows are sorted by exact t, crossings at the same t by body, then by their
   /// least triangles.
   /// \shape `rays`: n.

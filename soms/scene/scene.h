@@ -137,7 +137,7 @@ class Scene {
   ///          that is quadratic in the movers.
   [[nodiscard]] StepReport step(const StepOptions& options = {}, const Limits& limits = {});
 
-  /// The nearest point of all bodies at their present poses, the first hit of a ray or segment on
+  /// The nearest point of all bodies at their present poses, the first hit of a ray on
   /// them, whether there is one, and all of them. Contracts are those of the queries of BodyIndex.
   /// Equally near bodies are decided by the order of SceneBody. Groups and ignored pairs do not
   /// matter here. \errors  As for BodyIndex; ErrorKind::usage for a body of the filter that is not

@@ -92,7 +92,7 @@ struct SceneHit : ClosestHit {
   [[nodiscard]] bool operator==(const SceneHit&) const = default;
 };
 
-/// Answers for a batch of rays or segments, as BodyHitBatch.
+/// Answers for a batch of rays, as BodyHitBatch.
 struct SceneHitBatch : ClosestHitBatch {
   std::vector<std::optional<SceneBody>> body;  ///< n
 

@@ -19,7 +19,7 @@
 
 namespace soms::command {
 
-/// `ask(parallel, a, b)` answers two bodies, and `ask(parallel, shape, poses, b)` gives a batch: b
+/// `ask(limits, a, b)` answers two bodies, and `ask(limits, shape, poses, b)` gives a batch: b
 /// is a body, or tiles where that has a meaning.
 template <Described T, class Ask>
 class PairQuestion : public BatchQuestion<T>, private PoseAnswers {

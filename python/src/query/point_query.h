@@ -12,7 +12,7 @@
 
 namespace soms::python {
 
-/// `query(parallel, point)` for three numbers, else `query(parallel, points)`.
+/// `query(limits, point)` for three numbers, else `query(limits, points)`.
 template <class Query>
 py::object answer_points(const py::object& points, const CallLimits& allowed,
                          const py::object& progress, const Query& query) {
