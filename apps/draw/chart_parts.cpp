@@ -36,7 +36,7 @@ double distance(Spot at, Spot corner, double width, double height) {
   return std::hypot(dx, dy);
 }
 
-std::size_t place_of(int row, int column, int columns) {
+std::size_t cell_of(int row, int column, int columns) {
   return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
          static_cast<std::size_t>(column);
 }
@@ -172,7 +172,7 @@ void Clearings::cover(Spot corner, double width, double height) {
   const int bottom = cell(corner.y + height, plot_.top, rows_);
   for (int row = cell(corner.y, plot_.top, rows_); row <= bottom; ++row) {
     for (int column = cell(corner.x, plot_.left, columns_); column <= right; ++column) {
-      cells_[place_of(row, column, columns_)] = 1;
+      cells_[cell_of(row, column, columns_)] = 1;
     }
   }
 }
@@ -185,7 +185,7 @@ int Clearings::covered(Spot corner, double width, double height) const {
   int count = 0;
   for (int row = top; row < bottom; ++row) {
     for (int column = left; column < right; ++column) {
-      count += cells_[place_of(row, column, columns_)];
+      count += cells_[cell_of(row, column, columns_)];
     }
   }
   return count;
