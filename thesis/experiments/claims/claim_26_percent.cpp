@@ -27,11 +27,11 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr const ThesisClaim& kClaim = thesis_claim("26_percent");
+constexpr const ThesisClaim& kGainClaim = thesis_claim("26_percent");
 constexpr double kClaimedPercent = 26;
-constexpr const Demand& kAtLeast = kClaim.demands[0].demand;
-constexpr const Demand& kAbout = kClaim.demands[1].demand;
-constexpr std::string_view kAboutWords = kClaim.demands[1].words;
+constexpr const Demand& kAtLeast = kGainClaim.demands[0].demand;
+constexpr const Demand& kAbout = kGainClaim.demands[1].demand;
+constexpr std::string_view kAboutWords = kGainClaim.demands[1].words;
 constexpr double kMostDrawn = 150;  ///< a dot at +557 % would press the others together
 constexpr const char* kRelative = "relative gain";
 constexpr const char* kPoints = "gain in points of all triangles (the words hardly allow it)";
@@ -124,7 +124,7 @@ ClaimRow row_of(const Gain& gain, const Demanded& figure, bool relative) {
 std::vector<ClaimRow> matrix_of(std::span<const Gain> gains) {
   std::vector<ClaimRow> rows;
   for (const bool relative : {true, false}) {
-    for (const Demanded& figure : kClaim.demands) {
+    for (const Demanded& figure : kGainClaim.demands) {
       for (const Gain& gain : gains) {
         rows.push_back(row_of(gain, figure, relative));
       }
@@ -172,7 +172,7 @@ std::string reach_of(const Claim& claim) {
 }
 
 Claim claim_of(std::span<const Gain> gains) {
-  Claim claim = judged(kClaim, matrix_of(gains));
+  Claim claim = judged(kGainClaim, matrix_of(gains));
   claim.note = reach_of(claim);
   claim.why = fmt::format(
       "The claim is about one scene, which is not available: a generated scene of its size shows "

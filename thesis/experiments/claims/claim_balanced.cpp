@@ -24,7 +24,7 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr const ThesisClaim& kClaim = thesis_claim("balanced_trees_are_traversed_faster");
+constexpr const ThesisClaim& kBalancedClaim = thesis_claim("balanced_trees_are_traversed_faster");
 
 constexpr const char* kReason =
     "Balance bounds the depth of a tree; what a traversal tests depends on how well the boxes keep "
@@ -79,7 +79,7 @@ bool are_the_two_rules(const Ride& one, const Ride& other) {
 
 /// Of two trees by different rules the more balanced over the less balanced one.
 void add_comparison(std::vector<ClaimRow>& rows, const Ride& more, const Ride& less) {
-  const Demand cheaper = kClaim.demands[0].demand;
+  const Demand cheaper = kBalancedClaim.demands[0].demand;
   const std::size_t before = rows.size();
   const std::string reading =
       fmt::format("{} over the less balanced {}", more.build.title, less.build.title);
@@ -139,7 +139,8 @@ void compare_shares(std::vector<ClaimRow>& rows, const Ride& ride, const Limits&
     const std::string reading =
         fmt::format("nodes cut at 1/2 over cut at {}, all else alike (ours)", kShares[i].words);
     rows.push_back(counted_row(reading, "box tests, one triangle a leaf", ride.subject, "",
-                               kClaim.demands[0].demand, tests_over(tests.back(), tests[i])));
+                               kBalancedClaim.demands[0].demand,
+                               tests_over(tests.back(), tests[i])));
   }
 }
 
@@ -192,7 +193,7 @@ Result claim_balanced(const Context& context) {
     std::move(rides.begin(), rides.end(), std::back_inserter(all));
     steps.done_one();
   }
-  Claim claim = judged(kClaim, std::move(rows));
+  Claim claim = judged(kBalancedClaim, std::move(rows));
   claim.why = kReason;
   return {.tables = {pairs_table(all, context)},
           .claims = {std::move(claim)},

@@ -24,7 +24,7 @@ constexpr int kLeastLevel = 4;
 constexpr std::array kRowLevels{kLeastLevel, 8, 10, 12, kObjectLevel};
 
 /// Its demands take 8 % as a floor that was rounded, and as a hint of the size.
-constexpr const ThesisClaim& kClaim = thesis_claim("build_8_percent");
+constexpr const ThesisClaim& kBuildClaim = thesis_claim("build_8_percent");
 
 int rounds_of_the_object(const Context& context) {
   return context.quick ? 30 : 400;
@@ -101,14 +101,14 @@ ClaimRow row_of(const Race& race, const Demanded& meaning, const char* metric,
 std::vector<ClaimRow> rows_of(std::span<const Race> races, const RacedObject& subject) {
   std::vector<ClaimRow> rows;
   const std::vector<const Race*> chosen = races_in_rows(races, subject);
-  for (const Demanded& meaning : kClaim.demands) {
+  for (const Demanded& meaning : kBuildClaim.demands) {
     for (const Race* const one : chosen) {
       rows.push_back(row_of(*one, meaning, "time of the tree, saved by SOMS", gain(*one)));
     }
   }
   for (const Race* const one : chosen) {
     if (one->level == kObjectLevel && one->empty_side == EmptySide::stop) {
-      rows.push_back(row_of(*one, kClaim.demands[0], "time for a node, saved by SOMS",
+      rows.push_back(row_of(*one, kBuildClaim.demands[0], "time for a node, saved by SOMS",
                             gain_per_node(*one),
                             "the abstract speaks of the tree; table 5.1 has the time for a node, "
                             "and build_levels.csv has it at every level"));
@@ -182,9 +182,9 @@ std::string draw_gain(std::span<const Race> races, const Model& object) {
 }
 
 Claim claim_of(std::span<const Race> races, const RacedObject& subject) {
-  Claim claim = judged(kClaim, rows_of(races, subject),
+  Claim claim = judged(kBuildClaim, rows_of(races, subject),
                        fmt::format("{}, level {}; {}", reading_of(Builder::thesis_like),
-                                   subject.balanced_level, kClaim.demands[1].words));
+                                   subject.balanced_level, kBuildClaim.demands[1].words));
   claim.why = why(races, subject);
   claim.revision = Revision{Verdict::holds_under,
                             "it timed one builder, in which spatial median pays for boxes that it "

@@ -141,7 +141,7 @@ std::string unjudged_of(const Stuck& one) {
   return axis.empty() ? one.subject->unjudged : axis;
 }
 
-ClaimRow row_of(const Stuck& one) {
+ClaimRow stuck_row(const Stuck& one) {
   const auto count = [](const StuckNodes& nodes) { return static_cast<double>(nodes.partable); };
   ClaimRow row =
       counted_row(open_reading(one.open),
@@ -248,7 +248,7 @@ std::string spread_words(std::span<const StuckSubject> subjects, const Limits& l
 Claim claim_of(std::span<const StuckSubject> subjects, std::span<const Stuck> all,
                const Limits& limits) {
   std::vector<ClaimRow> rows;
-  std::transform(all.begin(), all.end(), std::back_inserter(rows), row_of);
+  std::transform(all.begin(), all.end(), std::back_inserter(rows), stuck_row);
   Claim claim = judged(thesis_claim("no_fallback"), std::move(rows));
   claim.note = note_of(all);
   claim.why = fmt::format(
