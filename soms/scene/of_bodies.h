@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <optional>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -36,19 +37,9 @@ concept AnswersInColumns = requires(const Answer& answers) {
 
 /// One name, where there is one; a column of such; or a column of names, one for each crossing.
 template <class Answer, class Name>
-struct NamesOf {
-  using Type = std::vector<Name>;
-};
-
-template <AnswerWithBatch Answer, class Name>
-struct NamesOf<Answer, Name> {
-  using Type = std::optional<Name>;
-};
-
-template <AnswersInColumns Answers, class Name>
-struct NamesOf<Answers, Name> {
-  using Type = std::vector<std::optional<Name>>;
-};
+using NamesOf = std::conditional_t<
+    AnswerWithBatch<Answer>, std::optional<Name>,
+    std::vector<std::conditional_t<AnswersInColumns<Answer>, std::optional<Name>, Name>>>;
 
 }  // namespace detail
 
@@ -63,7 +54,7 @@ template <class Answer, class Name>
 struct OfBodies : Answer {
   /// Which body: the least name among the bodies at exactly this distance or t. Nothing where no
   /// triangle is named. n of a batch, m of AllHits.
-  typename detail::NamesOf<Answer, Name>::Type body = {};
+  detail::NamesOf<Answer, Name> body = {};
 
   [[nodiscard]] bool operator==(const OfBodies&) const = default;
 

@@ -56,10 +56,6 @@ struct StepOptions {
   [[nodiscard]] bool operator==(const StepOptions&) const = default;
 };
 
-/// Throws ErrorKind::usage if the clearance is negative, infinite or not a number, or goes with
-/// StepScope::first_contact, which leaves pairs out.
-void check(const StepOptions& options);
-
 /// A static environment of meshes and movers that share shapes. Poses are set through the scene, so
 /// no stale box can exist and there is nothing to update, set up or clear.
 ///
@@ -134,8 +130,8 @@ class Scene : public BodyQueries<Scene, SceneBody, SceneFilter> {
   /// With a clearance D the least distance of each pair of bodies within D is reported as well. It
   /// is the answer of `distance` for the two, decided exactly, wherever the bodies lie. Groups and
   /// ignored pairs are left out as for contacts, and contacts are those of a step without it.
-  /// \errors  ErrorKind::cancelled; usage as `check(StepOptions)`; what
-  ///          StepOptions::method throws.
+  /// \errors  ErrorKind::cancelled; usage for a clearance that is negative, not finite,
+  ///          or with StepScope::first_contact; what StepOptions::method throws.
   /// \cost    Time and memory linear in the pairs of bodies whose boxes meet, or, with a clearance,
   ///          are within it. Where many movers of no group, or of many groups, are in one place,
   ///          that is quadratic in the movers.

@@ -5,7 +5,7 @@
 #include "soms/tree/detail/held_mesh.h"
 #include "soms/tree/layout/detail/fetch_corners.h"
 #include "soms/tree/layout/detail/parts.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <algorithm>
 #include <limits>

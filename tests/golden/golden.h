@@ -9,7 +9,7 @@
 #include "soms/base/pose.h"
 #include "soms/geometry/mesh.h"
 #include "soms/query/overlap.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 #include "soms/tree/shape.h"
 
 #include "tests/support/truth/answer_row.h"

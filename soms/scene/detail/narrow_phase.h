@@ -4,9 +4,9 @@
 
 #include "soms/base/parallel.h"
 #include "soms/query/body.h"
+#include "soms/query/detail/overlap_run.h"
 #include "soms/query/overlap.h"
 #include "soms/query/overlap_method.h"
-#include "soms/query/overlap_run.h"
 
 #include <cstddef>
 #include <cstdint>

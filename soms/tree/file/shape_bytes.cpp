@@ -8,8 +8,8 @@
 #include "soms/tree/file/detail/head.h"
 #include "soms/tree/file/detail/records.h"
 #include "soms/tree/file/detail/statements.h"
-#include "soms/tree/layout/pages.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/pages.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 
 #include "soms/base/parallel.h"
 #include "soms/tree/build/detail/reference.h"
-#include "soms/tree/layout/pages.h"
+#include "soms/tree/layout/detail/pages.h"
 
 #include <vector>
 

@@ -5,7 +5,7 @@
 #include "soms/base/box.h"
 #include "soms/base/parallel.h"
 #include "soms/geometry/mesh.h"
-#include "soms/tree/layout/pages.h"
+#include "soms/tree/layout/detail/pages.h"
 
 #include <array>
 #include <cstddef>

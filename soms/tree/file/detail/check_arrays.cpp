@@ -2,7 +2,7 @@
 
 #include "soms/base/pose.h"
 #include "soms/tree/file/detail/head.h"
-#include "soms/tree/layout/compact_node.h"
+#include "soms/tree/layout/detail/compact_node.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 
 #include "soms/base/parallel.h"
 #include "soms/tree/layout/detail/frame.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <span>
 

@@ -6,8 +6,8 @@
 
 #include "soms/base/parallel.h"
 #include "soms/base/vector.h"
-#include "soms/tree/layout/ground_plan.h"
-#include "soms/tree/layout/stored.h"
+#include "soms/tree/layout/detail/ground_plan.h"
+#include "soms/tree/layout/detail/stored.h"
 
 #include <array>
 #include <cstddef>

@@ -10,7 +10,7 @@
 #include <memory>
 #include <span>
 
-namespace soms {
+namespace soms::detail {
 
 /// Memory for runs; one that was moved from has none. \threads One caller at a time.
 class OverlapRun {
@@ -34,4 +34,4 @@ class OverlapRun {
   std::unique_ptr<Memory> memory_;
 };
 
-}  // namespace soms
+}  // namespace soms::detail

@@ -1,8 +1,8 @@
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
-#include "soms/tree/layout/compact_node.h"
 #include "soms/tree/layout/detail/block.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/compact_node.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <algorithm>
 #include <vector>
