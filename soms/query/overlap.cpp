@@ -3,6 +3,7 @@
 #include "soms/base/arithmetic.h"
 #include "soms/base/hash.h"
 #include "soms/base/idle_option.h"
+#include "soms/base/parallel.h"
 #include "soms/query/detail/check_options.h"
 #include "soms/query/detail/engine/block_source.h"
 #include "soms/query/detail/engine/limit.h"

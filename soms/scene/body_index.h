@@ -22,7 +22,6 @@
 #include "soms/scene/body_queries.h"
 #include "soms/scene/of_bodies.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -30,25 +29,6 @@
 #include <span>
 
 namespace soms {
-
-/// The answers of a BodyIndex name a body by its number.
-using BodyClosest = OfBodies<Closest, std::uint32_t>;
-using BodyClosestBatch = OfBodies<ClosestBatch, std::uint32_t>;
-using BodyHit = OfBodies<ClosestHit, std::uint32_t>;
-using BodyHitBatch = OfBodies<ClosestHitBatch, std::uint32_t>;
-using BodyAllHits = OfBodies<AllHits, std::uint32_t>;
-
-template <>
-inline constexpr std::array<const char*, 4> kNamesOfBodies<Closest, std::uint32_t> = {
-    "BodyClosest", "Answer of closest about a BodyIndex.", "BodyClosestBatch",
-    "Answers of closest about a BodyIndex."};
-template <>
-inline constexpr std::array<const char*, 4> kNamesOfBodies<ClosestHit, std::uint32_t> = {
-    "BodyHit", "Answer of closest_hit about a BodyIndex.", "BodyHitBatch",
-    "Answers of closest_hit about a BodyIndex."};
-template <>
-inline constexpr std::array<const char*, 4> kNamesOfBodies<AllHits, std::uint32_t> = {
-    "BodyAllHits", "All places where n rays meet many bodies."};
 
 /// Which bodies take part in a query of many.
 struct BodyFilter {

@@ -91,4 +91,23 @@ struct Fields<OfBodies<AllHits, Name>> {
       std::tuple(list("body", &OfBodies<AllHits, Name>::body, "m", "The body of each crossing."));
 };
 
+/// The answers of a BodyIndex name a body by its number.
+using BodyClosest = OfBodies<Closest, std::uint32_t>;
+using BodyClosestBatch = OfBodies<ClosestBatch, std::uint32_t>;
+using BodyHit = OfBodies<ClosestHit, std::uint32_t>;
+using BodyHitBatch = OfBodies<ClosestHitBatch, std::uint32_t>;
+using BodyAllHits = OfBodies<AllHits, std::uint32_t>;
+
+template <>
+inline constexpr std::array<const char*, 4> kNamesOfBodies<Closest, std::uint32_t> = {
+    "BodyClosest", "Answer of closest about a BodyIndex.", "BodyClosestBatch",
+    "Answers of closest about a BodyIndex."};
+template <>
+inline constexpr std::array<const char*, 4> kNamesOfBodies<ClosestHit, std::uint32_t> = {
+    "BodyHit", "Answer of closest_hit about a BodyIndex.", "BodyHitBatch",
+    "Answers of closest_hit about a BodyIndex."};
+template <>
+inline constexpr std::array<const char*, 4> kNamesOfBodies<AllHits, std::uint32_t> = {
+    "BodyAllHits", "All places where n rays meet many bodies."};
+
 }  // namespace soms

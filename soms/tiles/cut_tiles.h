@@ -20,7 +20,7 @@
 /// \endverbatim
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/geometry/mesh.h"
 #include "soms/tiles/tile_set.h"
 #include "soms/tree/shape.h"

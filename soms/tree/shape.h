@@ -2,7 +2,7 @@
 /// A mesh ready for queries: shared, immutable, cheap to copy.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/words.h"
 #include "soms/geometry/mesh.h"
 #include "soms/tree/build_options.h"

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "soms/base/hash.h"
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/portable.h"
 #include "soms/base/pose.h"
 #include "soms/geometry/mesh.h"

@@ -3,7 +3,7 @@
 /// scenes and batches are made of.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/query/body.h"
 #include "soms/query/overlap.h"
 

@@ -2,7 +2,7 @@
 /// Many pairs of bodies queried in one call.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/query/body.h"
 #include "soms/query/detail/overlap_run.h"
 #include "soms/query/overlap.h"

@@ -1,5 +1,6 @@
 #include "soms/tree/build/detail/top_down.h"
 
+#include "soms/base/parallel.h"
 #include "soms/tree/build/detail/divide.h"
 #include "soms/tree/layout/detail/pages.h"
 #include "soms/tree/layout/detail/refit_layout.h"

@@ -1,5 +1,6 @@
 #include "soms/tree/file/detail/check_arrays.h"
 
+#include "soms/base/parallel.h"
 #include "soms/base/pose.h"
 #include "soms/tree/file/detail/head.h"
 #include "soms/tree/layout/detail/compact_node.h"

@@ -4,7 +4,7 @@
 /// to be clear by a look at four cells.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/vector.h"
 #include "soms/tree/layout/detail/ground_plan.h"
 #include "soms/tree/layout/detail/stored.h"

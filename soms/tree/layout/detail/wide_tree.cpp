@@ -1,6 +1,7 @@
 #include "soms/tree/layout/detail/wide_tree.h"
 
 #include "soms/base/arithmetic.h"
+#include "soms/base/parallel.h"
 #include "soms/tree/layout/detail/compact_node.h"
 #include "soms/tree/layout/detail/refit_layout.h"
 #include "soms/tree/layout/detail/widen.h"

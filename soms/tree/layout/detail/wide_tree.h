@@ -3,7 +3,7 @@
 #pragma once
 
 #include "soms/base/box.h"
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/geometry/mesh.h"
 #include "soms/tree/layout/detail/min_max_grid.h"
 #include "soms/tree/layout/detail/node_axes.h"
