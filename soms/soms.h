@@ -22,7 +22,6 @@
 #include "soms/geometry/closedness.h"
 #include "soms/geometry/common_points.h"
 #include "soms/geometry/contact_box.h"
-#include "soms/geometry/counts.h"
 #include "soms/geometry/defects.h"
 #include "soms/geometry/frames.h"
 #include "soms/geometry/georeference.h"

@@ -26,6 +26,9 @@ MAY_INCLUDE = {
 }
 # Private headers that one other room may see, and why: no user has a need of them.
 LENT = {
+    ("tree", "soms/geometry/detail/counts.h"): "files say how large a mesh is before there is one",
+    ("io", "soms/geometry/detail/counts.h"): "likewise",
+    ("tiles", "soms/geometry/detail/counts.h"): "likewise",
     ("query", "soms/geometry/detail/pair_distance.h"): "what a traversal knows of a candidate pair",
     ("query", "soms/geometry/detail/exact/exact_distance.h"): "the brute-force twin decides in whole numbers alone",
     ("query", "soms/geometry/detail/nearest_points.h"): "as exact_distance.h",

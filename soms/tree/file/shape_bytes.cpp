@@ -2,7 +2,7 @@
 
 #include "soms/base/error.h"
 #include "soms/base/lanes_hash.h"
-#include "soms/geometry/counts.h"
+#include "soms/geometry/detail/counts.h"
 #include "soms/tree/detail/held_mesh.h"
 #include "soms/tree/file/detail/check_arrays.h"
 #include "soms/tree/file/detail/head.h"
