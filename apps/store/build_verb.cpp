@@ -3,7 +3,6 @@
 #include "soms/base/error.h"
 #include "soms/base/text.h"
 #include "soms/store/tree_file.h"
-#include "soms/tree/layout/wide_tree.h"
 #include "soms/tree/rule/rules.h"
 
 #include "apps/cli/console.h"
@@ -27,7 +26,7 @@ namespace {
 constexpr std::string_view kExtension = ".somst";
 
 bool is_compact(const Shape& shape) {
-  return shape.layout().compact() != nullptr;
+  return shape.layout_kind() == Layout::compact;
 }
 
 std::uint64_t size_of(const std::string& path) {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "soms/base/box.h"
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/pose.h"
 #include "soms/generate/routes.h"
 #include "soms/geometry/parts_of.h"
@@ -20,7 +20,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 

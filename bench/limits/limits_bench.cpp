@@ -8,7 +8,7 @@
 #include "soms/query/detail/relative_pose.h"
 #include "soms/query/overlap.h"
 #include "soms/scene/broad_phase.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include "apps/draw/chart.h"
 #include "bench/measure.h"

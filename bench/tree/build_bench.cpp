@@ -2,7 +2,7 @@
 // query, what it weighs, and how well two threads build. One process; libraries in a turning
 // order.
 #include "soms/query/overlap.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 #include "soms/tree/refit.h"
 #include "soms/tree/rule/rules.h"
 

@@ -2,7 +2,7 @@
 /// A call into the library: the interpreter's lock is free, Ctrl-C ends it, progress is reported.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 
 #include "python/src/errors.h"
 

@@ -2,7 +2,7 @@
 /// The parts of one or several models, as clash lists and robots' cells take them.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/pose.h"
 #include "soms/clash/part_bodies.h"
 #include "soms/geometry/mesh.h"

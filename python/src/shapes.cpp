@@ -1,7 +1,6 @@
 #include "soms/query/body.h"
 #include "soms/query/print.h"
 #include "soms/store/tree_file.h"
-#include "soms/tree/layout/wide_tree.h"
 #include "soms/tree/print.h"
 #include "soms/tree/refit.h"
 #include "soms/tree/shape.h"
@@ -76,10 +75,6 @@ Shape refitted(const Shape& shape, const py::object& vertices, int threads) {
              [&](const Limits& limits) { return refit(shape, std::move(moved), limits); });
 }
 
-Layout layout_of(const Shape& shape) {
-  return shape.layout().compact() != nullptr ? Layout::compact : Layout::wide;
-}
-
 void save_shape(const Shape& shape, const py::object& place) {
   const std::filesystem::path path = path_of(place);
   run(Work::many, 1, py::none(), [&](const Limits&) {
@@ -145,7 +140,7 @@ py::tuple shape_state(const Shape& shape) {
   }
   const BuildOptions& options = shape.build_options();
   return py::make_tuple(std::const_pointer_cast<Mesh>(shape.shared_mesh()),
-                        member(options.rule).attr("name"), member(layout_of(shape)).attr("name"),
+                        member(options.rule).attr("name"), member(shape.layout_kind()).attr("name"),
                         options.per_leaf, options.level);
 }
 
@@ -185,7 +180,7 @@ void bind_shape(py::module_& module) {
       "rule", [](const Shape& s) { return member(s.build_options().rule); },
       "Rule that it was built by.");
   shape.def_property_readonly(
-      "layout", [](const Shape& s) { return member(layout_of(s)); }, "Layout of its tree.");
+      "layout", [](const Shape& s) { return member(s.layout_kind()); }, "Layout of its tree.");
   shape.def_property_readonly("memory", &Shape::memory, "Bytes of mesh and tree.");
   shape.def_property_readonly("sah_degradation", &Shape::sah_degradation,
                               "How far the tree has fallen behind by refit: 1 as built.");

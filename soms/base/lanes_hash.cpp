@@ -1,5 +1,7 @@
 #include "soms/base/lanes_hash.h"
 
+#include "soms/base/parallel.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>

@@ -3,7 +3,7 @@
 /// forgery.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,6 +2,7 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
+#include "soms/base/parallel.h"
 #include "soms/clash/detail/open_parts.h"
 #include "soms/clash/detail/pair_of_parts.h"
 #include "soms/scene/broad_phase.h"

@@ -22,7 +22,7 @@
 
 #include "soms/base/box.h"
 #include "soms/base/bracket.h"
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/vector.h"
 #include "soms/base/words.h"
 #include "soms/clash/part_bodies.h"
@@ -30,7 +30,6 @@
 #include "soms/query/answer.h"
 #include "soms/query/solid.h"
 
-#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <optional>

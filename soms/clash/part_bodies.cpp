@@ -1,6 +1,7 @@
 #include "soms/clash/part_bodies.h"
 
 #include "soms/base/arithmetic.h"
+#include "soms/base/parallel.h"
 #include "soms/geometry/bodies_of.h"
 #include "soms/geometry/closedness.h"
 #include "soms/geometry/detail/parts/part_groups.h"

@@ -17,7 +17,7 @@
 #pragma once
 
 #include "soms/base/box.h"
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/pose.h"
 #include "soms/base/vector.h"
 #include "soms/geometry/defects.h"

@@ -3,7 +3,7 @@
 /// triangles.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/random.h"
 #include "soms/geometry/mesh.h"
 

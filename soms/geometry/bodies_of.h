@@ -3,7 +3,7 @@
 /// faces.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/geometry/mesh.h"
 
 #include <cstdint>

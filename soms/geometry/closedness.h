@@ -2,7 +2,7 @@
 /// Is a surface closed, so that every point off it is inside or outside?
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/pose.h"
 #include "soms/geometry/defects.h"
 #include "soms/geometry/mesh.h"

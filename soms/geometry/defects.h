@@ -2,7 +2,7 @@
 /// What is wrong, or merely noteworthy, about a mesh: counted and named, never repaired.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/geometry/mesh.h"
 
 #include <cstddef>

@@ -3,7 +3,6 @@ set(SOMS_HEADERS
   closedness.h
   common_points.h
   contact_box.h
-  counts.h
   defects.h
   frames.h
   georeference.h
@@ -25,7 +24,7 @@ set(SOMS_SOURCES
   closedness.cpp
   common_points.cpp
   contact_box.cpp
-  counts.cpp
+  detail/counts.cpp
   defects.cpp
   detail/axis_gap.cpp
   detail/crossing.cpp

@@ -4,7 +4,7 @@
 #include "soms/base/error.h"
 #include "soms/base/hash.h"
 #include "soms/base/pose.h"
-#include "soms/geometry/counts.h"
+#include "soms/geometry/detail/counts.h"
 
 #include <algorithm>
 #include <cmath>

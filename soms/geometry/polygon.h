@@ -2,7 +2,7 @@
 /// Cutting a polygon into triangles, the same way on every machine.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/vector.h"
 #include "soms/geometry/orientation.h"
 

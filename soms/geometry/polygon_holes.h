@@ -2,7 +2,7 @@
 /// A polygon with holes as one outline, which can be cut into triangles.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/vector.h"
 #include "soms/geometry/orientation.h"
 

@@ -2,7 +2,7 @@
 /// Reading poses, one at a time or all.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/pose.h"
 #include "soms/io/rows.h"
 

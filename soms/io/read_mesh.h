@@ -2,7 +2,7 @@
 /// Reading models: the format is recognized by the content, then by the name.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/geometry/mesh.h"
 
 #include <cstddef>

@@ -2,7 +2,7 @@
 /// Reading robots: URDF, with the meshes that it names, and SRDF.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/kinematics/robot.h"
 
 #include <cstddef>

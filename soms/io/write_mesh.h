@@ -2,7 +2,7 @@
 /// Writing models: PLY, 3DS, STL, OFF, OBJ, GLB.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/words.h"
 #include "soms/geometry/mesh.h"
 

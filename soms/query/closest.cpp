@@ -3,6 +3,7 @@
 #include "soms/base/arithmetic.h"
 #include "soms/base/double_limits.h"
 #include "soms/describe/columns.h"
+#include "soms/query/detail/check_options.h"
 #include "soms/query/detail/engine/batch.h"
 #include "soms/query/detail/near/point_query.h"
 
@@ -51,14 +52,14 @@ Closest of_empty() {
 
 }  // namespace
 
-void check(const ClosestOptions& options) {
+void detail::check_options(const ClosestOptions& options) {
   detail::check_length(options.at_most, "closest options: at_most");
 }
 
 Closest closest(const Body& body, const Vec3& point, const ClosestOptions& options,
                 const Limits& limits) {
   const PlainArithmetic plain;
-  check(options);
+  detail::check_options(options);
   detail::check_pose(body.pose, body.shape);
   detail::check_point(point);
   check_stop(limits);
@@ -76,7 +77,7 @@ Closest ClosestBatch::at(std::size_t i) const {
 ClosestBatch closest(const Body& body, std::span<const Vec3> points, const ClosestOptions& options,
                      const Limits& limits) {
   const PlainArithmetic plain;
-  check(options);
+  detail::check_options(options);
   detail::check_pose(body.pose, body.shape);
   detail::check_points(points);
   check_stop(limits);

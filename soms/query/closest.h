@@ -21,14 +21,13 @@
 #pragma once
 
 #include "soms/base/bracket.h"
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/vector.h"
 #include "soms/describe/fields.h"
 #include "soms/geometry/point_distance.h"
 #include "soms/query/answer.h"
 #include "soms/query/body.h"
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -46,9 +45,6 @@ struct ClosestOptions {
 
   [[nodiscard]] bool operator==(const ClosestOptions&) const = default;
 };
-
-/// Throws ErrorKind::usage if `at_most` is negative or not a number.
-void check(const ClosestOptions& options);
 
 /// The nearest point of a body.
 struct Closest {
@@ -80,7 +76,7 @@ struct Closest {
 /// even. `feature` is that of the exact point: `edge` where it is on an edge of the named triangle.
 ///
 /// \errors  ErrorKind::not_finite, out_of_range for the point; those and not_rigid for the pose;
-///          usage as `check(ClosestOptions)`; cancelled.
+///          usage for a negative `at_most`; cancelled.
 /// \cost    Typically logarithmic in the number of triangles. Equally near triangles cost time, not
 ///          memory. `Cost::node_tests` counts boxes bounded, `triangle_tests` triangles bounded.
 /// \threads Any number of callers; a query takes one thread.

@@ -15,7 +15,7 @@
 /// \endverbatim
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/vector.h"
 #include "soms/base/words.h"
 #include "soms/describe/fields.h"
@@ -23,11 +23,9 @@
 #include "soms/query/body.h"
 
 #include <array>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <tuple>
 #include <vector>

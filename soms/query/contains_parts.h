@@ -17,7 +17,7 @@
 /// \endverbatim
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/vector.h"
 #include "soms/base/words.h"
 #include "soms/describe/fields.h"

@@ -3,6 +3,7 @@
 #include "soms/base/arithmetic.h"
 #include "soms/base/double_limits.h"
 #include "soms/describe/columns.h"
+#include "soms/query/detail/check_options.h"
 #include "soms/query/detail/leaf_pairs.h"
 #include "soms/query/detail/near/near_question.h"
 #include "soms/query/detail/overlap_query.h"
@@ -83,14 +84,14 @@ class DistanceQuery {
 
 }  // namespace
 
-void check(const DistanceOptions& options) {
+void detail::check_options(const DistanceOptions& options) {
   detail::check_length(options.at_most, "distance options: at_most");
 }
 
 Distance distance(const Body& a, const Body& b, const DistanceOptions& options,
                   const Limits& limits) {
   const PlainArithmetic plain;
-  check(options);
+  detail::check_options(options);
   return detail::ask_near(DistanceQuery(options), a, b, limits);
 }
 
@@ -101,7 +102,7 @@ Distance DistanceBatch::at(std::size_t pose) const {
 DistanceBatch distance(const Shape& mover, std::span<const Pose> poses, const Body& fixed,
                        const DistanceOptions& options, const Limits& limits) {
   const PlainArithmetic plain;
-  check(options);
+  detail::check_options(options);
   return detail::ask_near_batch<Distance>(DistanceQuery(options), mover, poses, fixed, limits);
 }
 

@@ -19,13 +19,12 @@
 #pragma once
 
 #include "soms/base/bracket.h"
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/vector.h"
 #include "soms/describe/fields.h"
 #include "soms/query/answer.h"
 #include "soms/query/body.h"
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -43,9 +42,6 @@ struct DistanceOptions {
 
   [[nodiscard]] bool operator==(const DistanceOptions&) const = default;
 };
-
-/// Throws ErrorKind::usage if `at_most` is negative or not a number.
-void check(const DistanceOptions& options);
 
 /// Answer of a distance query of two bodies.
 struct Distance {
@@ -76,8 +72,8 @@ struct Distance {
 /// ends of a shortest segment. Where there are many, as between parallel faces, the middle ones are
 /// named (triangle_distance.h).
 ///
-/// \errors  ErrorKind::not_rigid, not_finite, out_of_range for a pose (checked in O(1)); usage as
-///          `check(DistanceOptions)`; cancelled.
+/// \errors  ErrorKind::not_rigid, not_finite, out_of_range for a pose (checked in O(1)); usage for
+///          a negative `at_most`; cancelled.
 /// \cost    Typically logarithmic in the triangle counts. Equally near pairs cost time, not memory.
 /// \threads Any number of callers. A query that takes long is dealt out to as many threads as
 ///          `limits` says; most end before that pays.

@@ -8,7 +8,6 @@ set(SOMS_HEADERS
   instruction_set.h
   overlap.h
   overlap_method.h
-  overlap_run.h
   print.h
   ray.h
   reference/closest.h
@@ -78,7 +77,7 @@ set(SOMS_SOURCES
   instruction_set.cpp
   overlap.cpp
   overlap_batch.cpp
-  overlap_run.cpp
+  detail/overlap_run.cpp
   print.cpp
   print_inside.cpp
   ray.cpp

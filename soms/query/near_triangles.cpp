@@ -1,5 +1,6 @@
 #include "soms/base/arithmetic.h"
 #include "soms/query/closest.h"
+#include "soms/query/detail/check_options.h"
 #include "soms/query/detail/engine/batch.h"
 #include "soms/query/detail/near/point_query.h"
 
@@ -119,7 +120,7 @@ class Rows {
 
 NearTriangles answer(const Body& body, std::span<const Vec3> points, std::size_t most,
                      const ClosestOptions& options, const Limits& limits) {
-  check(options);
+  detail::check_options(options);
   detail::check_pose(body.pose, body.shape);
   detail::check_points(points);
   check_stop(limits);
@@ -147,7 +148,7 @@ NearTriangles near_triangles(const Body& body, std::span<const Vec3> points, dou
   const PlainArithmetic plain;
   detail::check_length(radius, "near triangles: the radius");
   ClosestOptions within = options;
-  check(within);
+  detail::check_options(within);
   within.at_most = std::min(radius, options.at_most);
   return answer(body, points, std::numeric_limits<std::size_t>::max(), within, limits);
 }

@@ -3,6 +3,8 @@
 #include "soms/base/arithmetic.h"
 #include "soms/base/hash.h"
 #include "soms/base/idle_option.h"
+#include "soms/base/parallel.h"
+#include "soms/query/detail/check_options.h"
 #include "soms/query/detail/engine/block_source.h"
 #include "soms/query/detail/engine/limit.h"
 #include "soms/query/detail/engine/pair_frame.h"
@@ -118,7 +120,7 @@ std::uint64_t Overlap::hash() const {
   return hash.value();
 }
 
-void check(const OverlapOptions& options) {
+void detail::check_options(const OverlapOptions& options) {
   const bool limited = options.limit != OverlapOptions{}.limit && options.limit > 0;
   if (limited && options.mode != OverlapMode::all) {
     refuse_idle("overlap options",
@@ -128,7 +130,7 @@ void check(const OverlapOptions& options) {
 
 Overlap overlap(const Body& a, const Body& b, const OverlapOptions& options, const Limits& limits) {
   const PlainArithmetic plain;
-  check(options);
+  detail::check_options(options);
   detail::check_pose(a.pose, a.shape);
   detail::check_pose(b.pose, b.shape);
   check_stop(limits);

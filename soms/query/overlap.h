@@ -23,17 +23,15 @@
 /// \endverbatim
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/words.h"
 #include "soms/describe/fields.h"
 #include "soms/query/answer.h"
 #include "soms/query/body.h"
 
 #include <array>
-#include <chrono>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -56,15 +54,12 @@ inline constexpr auto kWords<OverlapMode> =
 struct OverlapOptions {
   OverlapMode mode = OverlapMode::all;
   /// Most pairs returned; more are cut, and the answer says so. The first found by one thread.
-  /// With modes `any` and `first`, which return one pair at most, 0 alone has an effect.
+  /// With modes `any` and `first`, which return one pair at most, 0 alone has an effect, and any
+  /// other limit is ErrorKind::usage.
   std::uint64_t limit = std::numeric_limits<std::uint64_t>::max();
 
   [[nodiscard]] bool operator==(const OverlapOptions&) const = default;
 };
-
-/// Throws ErrorKind::usage for an option without effect: a `limit` above 0 with modes `any` and
-/// `first`.
-void check(const OverlapOptions& options);
 
 /// Answer of an overlap query of two bodies.
 struct Overlap {
@@ -98,8 +93,8 @@ struct Fields<Overlap> {
 ///
 /// Surfaces only: a car wholly inside a closed hall does not overlap its walls.
 ///
-/// \errors  ErrorKind::not_rigid, not_finite, out_of_range for a pose (checked in O(1)); usage as
-///          `check(OverlapOptions)`; cancelled.
+/// \errors  ErrorKind::not_rigid, not_finite, out_of_range for a pose (checked in O(1)); usage for
+///          a `limit` without effect; cancelled.
 /// \cost    Typically logarithmic in the triangle counts plus linear in the answer.
 /// \threads Any number of callers; `limits` splits one query, but for mode `first` and where
 /// there

@@ -1,8 +1,9 @@
 #include "soms/base/arithmetic.h"
+#include "soms/query/detail/check_options.h"
 #include "soms/query/detail/engine/batch.h"
 #include "soms/query/detail/engine/pair_frame.h"
+#include "soms/query/detail/overlap_run.h"
 #include "soms/query/overlap.h"
-#include "soms/query/overlap_run.h"
 
 #include <utility>
 
@@ -57,14 +58,14 @@ Overlap OverlapBatch::at(std::size_t pose) const {
 OverlapBatch overlap(const Shape& mover, std::span<const Pose> poses, const Body& fixed,
                      const OverlapOptions& options, const Limits& limits) {
   const PlainArithmetic plain;
-  check(options);
+  detail::check_options(options);
   detail::check_poses(poses, mover);
   detail::check_pose(fixed.pose, fixed.shape);
   std::vector<OverlapBatch> blocks((poses.size() + detail::kPosesOfBlock - 1) /
                                    detail::kPosesOfBlock);
   detail::for_each_block(
-      poses.size(), limits, [] { return OverlapRun(); },
-      [&](OverlapRun& run, std::size_t begin, std::size_t end) {
+      poses.size(), limits, [] { return detail::OverlapRun(); },
+      [&](detail::OverlapRun& run, std::size_t begin, std::size_t end) {
         run.ask(mover, addresses(poses.subspan(begin, end - begin)), fixed, options, limits,
                 blocks[begin / detail::kPosesOfBlock]);
       });

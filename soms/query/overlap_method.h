@@ -2,7 +2,7 @@
 /// Another way to find the overlaps of a batch, for those who compare ways.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/query/overlap.h"
 
 #include <span>

@@ -2,6 +2,7 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
+#include "soms/base/parallel.h"
 #include "soms/describe/columns.h"
 #include "soms/query/detail/engine/batch.h"
 #include "soms/query/detail/engine/pair_frame.h"

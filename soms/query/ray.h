@@ -22,14 +22,13 @@
 #pragma once
 
 #include "soms/base/bracket.h"
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/vector.h"
 #include "soms/base/words.h"
 #include "soms/describe/fields.h"
 #include "soms/query/answer.h"
 #include "soms/query/body.h"
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <limits>

@@ -17,7 +17,7 @@
 #pragma once
 
 #include "soms/base/bracket.h"
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/vector.h"
 #include "soms/describe/fields.h"
 #include "soms/query/closest.h"

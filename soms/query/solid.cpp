@@ -5,9 +5,9 @@
 #include "soms/describe/columns.h"
 #include "soms/query/detail/engine/batch.h"
 #include "soms/query/detail/engine/pair_frame.h"
+#include "soms/query/detail/overlap_run.h"
 #include "soms/query/detail/solid/solid_search.h"
 #include "soms/query/overlap.h"
-#include "soms/query/overlap_run.h"
 
 #include <utility>
 
@@ -19,7 +19,7 @@ using detail::FirstContact;
 
 /// What threads need for a block of poses.
 struct SolidMemory {
-  OverlapRun run;
+  detail::OverlapRun run;
   OverlapBatch found;
   std::vector<const Pose*> poses;
 };

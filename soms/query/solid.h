@@ -21,17 +21,15 @@
 /// \endverbatim
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/words.h"
 #include "soms/describe/fields.h"
 #include "soms/query/answer.h"
 #include "soms/query/body.h"
 #include "soms/query/contains.h"
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <tuple>
 #include <vector>

@@ -22,18 +22,16 @@
 #pragma once
 
 #include "soms/base/bracket.h"
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/vector.h"
 #include "soms/describe/fields.h"
 #include "soms/query/answer.h"
 #include "soms/query/body.h"
 #include "soms/query/contains.h"
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <tuple>
 #include <vector>

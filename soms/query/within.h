@@ -17,13 +17,12 @@
 /// \endverbatim
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/vector.h"
 #include "soms/describe/fields.h"
 #include "soms/query/answer.h"
 #include "soms/query/body.h"
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <optional>

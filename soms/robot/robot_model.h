@@ -20,7 +20,7 @@
 /// \endverbatim
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/pose.h"
 #include "soms/clash/part_bodies.h"
 #include "soms/geometry/mesh.h"

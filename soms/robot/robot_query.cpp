@@ -2,6 +2,7 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
+#include "soms/base/parallel.h"
 #include "soms/robot/detail/state_query.h"
 
 #include <cmath>
@@ -26,9 +27,7 @@ std::size_t rows_of(std::size_t numbers, std::size_t width) {
   return width == 0 ? 1 : numbers / width;
 }
 
-}  // namespace
-
-void check(const RobotOptions& options) {
+void check_options(const RobotOptions& options) {
   if (!(options.at_most >= 0)) {
     throw Error(ErrorKind::usage, "the greatest distance is not a number of at least 0",
                 "give a distance, or infinity");
@@ -39,9 +38,11 @@ void check(const RobotOptions& options) {
   }
 }
 
+}  // namespace
+
 std::vector<RobotAnswer> robot_contacts(const RobotModel& model, std::span<const double> states,
                                         const RobotOptions& options, const Limits& limits) {
-  check(options);
+  check_options(options);
   const std::size_t width = model.kinematics().size();
   const std::size_t rows = rows_of(states.size(), width);
   std::vector<RobotAnswer> answers(rows);

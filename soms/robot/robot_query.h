@@ -21,14 +21,13 @@
 #pragma once
 
 #include "soms/base/bracket.h"
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/vector.h"
 #include "soms/base/words.h"
 #include "soms/query/answer.h"
 #include "soms/robot/robot_model.h"
 
 #include <array>
-#include <chrono>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -85,9 +84,6 @@ struct RobotOptions {
   [[nodiscard]] bool operator==(const RobotOptions&) const = default;
 };
 
-/// Throws ErrorKind::usage if `at_most` is negative or not a number, or has no effect.
-void check(const RobotOptions& options);
-
 /// Answer for a state.
 struct RobotAnswer {
   RobotVerdict verdict = RobotVerdict::undecided;
@@ -116,7 +112,8 @@ struct RobotAnswer {
 /// deadline it may. Between two states nothing is checked.
 ///
 /// \shape   `states`: n x k, row by row, for k joints of `model.kinematics().movable()`.
-/// \errors  ErrorKind::usage unless the numbers are whole rows, and as `check(RobotOptions)`;
+/// \errors  ErrorKind::usage unless the numbers are whole rows, and for an `at_most` that is
+///          negative or has no effect;
 ///          not_finite, out_of_range for a state, which is named by its index; cancelled.
 /// \cost    Forward kinematics and a broad phase over the boxes. For pairs of boxes that meet,
 ///          `overlap` with mode `any`, and where that finds nothing, `contains` for each connected

@@ -2,14 +2,14 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
-#include "soms/describe/columns.h"
 #include "soms/scene/detail/residents.h"
-#include "soms/scene/detail/search/body_search.h"
+#include "soms/scene/detail/search/answer_queries.h"
 
 #include <array>
 #include <limits>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace soms {
 
@@ -24,13 +24,32 @@ struct BodyIndex::Content {
   ~Content() = default;
 };
 
-BodyClosest BodyClosestBatch::at(std::size_t i) const {
-  return row_of<BodyClosest>(*this, i);
+/// The bodies that take part in a query; a body's name is its number in the search.
+class BodyIndex::View {
+ public:
+  View(const Content& content, const BodyFilter& filter) : content_(content), filter_(filter) {}
+
+  [[nodiscard]] detail::BodySets sets() const { return content_.sets; }
+
+  [[nodiscard]] detail::LeftOut left_out() const { return filter_.except; }
+
+  [[nodiscard]] const RayOptions& options(const RayOptions& options) const { return options; }
+
+  template <class Answer>
+  [[nodiscard]] Answer named(Answer found) const {
+    return found;
+  }
+
+ private:
+  const Content& content_;
+  const BodyFilter& filter_;
+};
+
+BodyIndex::View BodyIndex::view(const BodyFilter& filter) const {
+  return {*content_, filter};
 }
 
-BodyHit BodyHitBatch::at(std::size_t i) const {
-  return row_of<BodyHit>(*this, i);
-}
+template class BodyQueries<BodyIndex, std::uint32_t, BodyFilter>;
 
 BodyIndex::BodyIndex() : BodyIndex(std::span<const Body>()) {
 }
@@ -67,41 +86,6 @@ const Body& BodyIndex::body(std::uint32_t number) const {
 
 std::size_t BodyIndex::memory() const {
   return sizeof(Content) + detail::bytes(content_->bodies) + content_->set.memory();
-}
-
-BodyClosest BodyIndex::closest(const Vec3& point, const ClosestOptions& options,
-                               const BodyFilter& filter, const Limits& limits) const {
-  return detail::closest(content_->sets, point, options, filter.except, limits);
-}
-
-BodyClosestBatch BodyIndex::closest(std::span<const Vec3> points, const ClosestOptions& options,
-                                    const BodyFilter& filter, const Limits& limits) const {
-  return detail::closest(content_->sets, points, options, filter.except, limits);
-}
-
-BodyHit BodyIndex::closest_hit(const Ray& ray, const RayOptions& options, const BodyFilter& filter,
-                               const Limits& limits) const {
-  return detail::closest_hit(content_->sets, ray, options, filter.except, limits);
-}
-
-BodyHitBatch BodyIndex::closest_hit(std::span<const Ray> rays, const RayOptions& options,
-                                    const BodyFilter& filter, const Limits& limits) const {
-  return detail::closest_hit(content_->sets, rays, options, filter.except, limits);
-}
-
-AnyHit BodyIndex::any_hit(const Ray& ray, const RayOptions& options, const BodyFilter& filter,
-                          const Limits& limits) const {
-  return detail::any_hit(content_->sets, ray, options, filter.except, limits);
-}
-
-AnyHitBatch BodyIndex::any_hit(std::span<const Ray> rays, const RayOptions& options,
-                               const BodyFilter& filter, const Limits& limits) const {
-  return detail::any_hit(content_->sets, rays, options, filter.except, limits);
-}
-
-BodyAllHits BodyIndex::all_hits(std::span<const Ray> rays, const RayOptions& options,
-                                const BodyFilter& filter, const Limits& limits) const {
-  return detail::all_hits(content_->sets, rays, options, filter.except, limits);
 }
 
 }  // namespace soms

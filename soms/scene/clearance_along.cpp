@@ -9,7 +9,9 @@
 
 namespace soms {
 
-void check(const ClearanceOptions& options) {
+namespace {
+
+void check_options(const ClearanceOptions& options) {
   for (const auto& [name, value] : {std::pair("distance of stations", options.every),
                                     std::pair("accuracy", options.accuracy)}) {
     if (!(value > 0 && std::isfinite(value))) {
@@ -23,6 +25,8 @@ void check(const ClearanceOptions& options) {
                 "give a finite number of at least 0");
   }
 }
+
+}  // namespace
 
 ClearanceVerdict verdict(const ClearanceStation& station, double clearance) {
   return station.overlaps()              ? ClearanceVerdict::contact
@@ -42,7 +46,7 @@ Clearance clearance_along(const Shape& mover, const MotionPath& path, std::span<
                           const ClearanceOptions& options, const Limits& limits) {
   const PlainArithmetic plain;
   check(path);
-  check(options);
+  check_options(options);
   return detail::ClearanceSearch(mover, path, fixed, options, limits).run();
 }
 

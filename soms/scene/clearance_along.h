@@ -21,7 +21,7 @@
 #pragma once
 
 #include "soms/base/bracket.h"
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/pose.h"
 #include "soms/base/vector.h"
 #include "soms/base/words.h"
@@ -38,21 +38,18 @@
 
 namespace soms {
 
-/// Options of `clearance_along`; lengths in the unit of the bodies.
+/// Options of `clearance_along`; lengths in the unit of the bodies, all finite.
 struct ClearanceOptions {
-  double every = 0;      ///< chainage from one station to the next; above 0
-  double accuracy = 0;   ///< how well the least gap of a stretch is to be known; above 0
-  double clearance = 0;  ///< that is required; 0: none, so that only contact is to be avoided
+  double every = 0;     ///< chainage from one station to the next; above 0
+  double accuracy = 0;  ///< how well the least gap of a stretch is to be known; above 0
+  double clearance =
+      0;  ///< that is required, at least 0; 0: none, so that only contact is to be avoided
   /// A stop ends the call with what is decided so far and coverage `cut`, not with
   /// ErrorKind::cancelled.
   bool keep_on_stop = false;
 
   [[nodiscard]] bool operator==(const ClearanceOptions&) const = default;
 };
-
-/// Throws ErrorKind::usage unless `every` and `accuracy` are finite and above 0, and `clearance` is
-/// finite and at least 0.
-void check(const ClearanceOptions& options);
 
 /// A place on the path, and how near the body is there to the nearest of the others.
 struct ClearanceStation {
@@ -144,7 +141,8 @@ struct Clearance {
 ///
 /// Only surfaces count: inside of a closed body is not in contact with it.
 ///
-/// \errors  ErrorKind::usage as `check`, for more than 10,000,000 stations; as `check(MotionPath)`;
+/// \errors  ErrorKind::usage for options that are not finite or below what they must be, for more
+/// than 10,000,000 stations; as `check(MotionPath)`;
 ///          as `distance`; cancelled, unless options say otherwise.
 /// \cost    A distance for each place and body of `fixed`; along a wall, some 2 m / `accuracy`
 ///          places for each length m of motion, elsewhere far fewer.

@@ -1,10 +1,12 @@
 set(SOMS_HEADERS
   body_index.h
+  body_queries.h
   broad_phase.h
   clearance_along.h
   contact_spans.h
   contact_tracker.h
   motion_path.h
+  of_bodies.h
   print.h
   recording.h
   reference/body_queries.h

@@ -27,43 +27,15 @@ std::ostream& print_filter(std::ostream& out, PrintedFields& fields, const auto&
 
 }  // namespace
 
-std::ostream& operator<<(std::ostream& out, const BodyClosestBatch& value) {
-  return out << PrintedFields("BodyClosestBatch")
-                    .item(printed(static_cast<const ClosestBatch&>(value)));
-}
-
 std::ostream& operator<<(std::ostream& out, const BodyFilter& value) {
   PrintedFields fields("BodyFilter");
   return print_filter(out, fields, value.except);
-}
-
-std::ostream& operator<<(std::ostream& out, const BodyHitBatch& value) {
-  return out
-         << PrintedFields("BodyHitBatch").item(printed(static_cast<const ClosestHitBatch&>(value)));
-}
-
-std::ostream& operator<<(std::ostream& out, const BodyAllHits& value) {
-  return out << PrintedFields("BodyAllHits").item(printed(static_cast<const AllHits&>(value)));
-}
-
-std::ostream& operator<<(std::ostream& out, const SceneClosestBatch& value) {
-  return out << PrintedFields("SceneClosestBatch")
-                    .item(printed(static_cast<const ClosestBatch&>(value)));
 }
 
 std::ostream& operator<<(std::ostream& out, const SceneFilter& value) {
   PrintedFields fields("SceneFilter");
   fields.add("environment", value.environment).add("movers", value.movers);
   return print_filter(out, fields, value.except);
-}
-
-std::ostream& operator<<(std::ostream& out, const SceneHitBatch& value) {
-  return out << PrintedFields("SceneHitBatch")
-                    .item(printed(static_cast<const ClosestHitBatch&>(value)));
-}
-
-std::ostream& operator<<(std::ostream& out, const SceneAllHits& value) {
-  return out << PrintedFields("SceneAllHits").item(printed(static_cast<const AllHits&>(value)));
 }
 
 std::ostream& operator<<(std::ostream& out, const Clearance& value) {

@@ -3,10 +3,12 @@
 /// "MoverContact{a: 0, b: 3, i: 17, j: 4}".
 #pragma once
 
+#include "soms/base/print_fields.h"
 #include "soms/query/print.h"
 #include "soms/scene/body_index.h"
 #include "soms/scene/clearance_along.h"
 #include "soms/scene/contact_tracker.h"
+#include "soms/scene/of_bodies.h"
 #include "soms/scene/recording.h"
 #include "soms/scene/scene_query.h"
 #include "soms/scene/step_report.h"
@@ -16,10 +18,7 @@
 
 namespace soms {
 
-struct BodyClosestBatch;
 struct BodyFilter;
-struct BodyAllHits;
-struct BodyHitBatch;
 struct Clearance;
 struct ClearanceOptions;
 struct ClearanceStation;
@@ -34,22 +33,13 @@ struct RecordedFrame;
 struct RecordedMesh;
 struct RecordingEnd;
 struct RecordingHead;
-struct SceneClosestBatch;
 struct SceneFilter;
-struct SceneAllHits;
-struct SceneHitBatch;
 struct StepOptions;
 struct StepReport;
 
 /// One line, as in soms/base/print.h. Lists are counted, not listed.
-std::ostream& operator<<(std::ostream& out, const BodyClosestBatch& value);
 std::ostream& operator<<(std::ostream& out, const BodyFilter& value);
-std::ostream& operator<<(std::ostream& out, const BodyHitBatch& value);
-std::ostream& operator<<(std::ostream& out, const BodyAllHits& value);
-std::ostream& operator<<(std::ostream& out, const SceneClosestBatch& value);
 std::ostream& operator<<(std::ostream& out, const SceneFilter& value);
-std::ostream& operator<<(std::ostream& out, const SceneHitBatch& value);
-std::ostream& operator<<(std::ostream& out, const SceneAllHits& value);
 std::ostream& operator<<(std::ostream& out, const Clearance& value);
 std::ostream& operator<<(std::ostream& out, const ClearanceOptions& value);
 std::ostream& operator<<(std::ostream& out, const ClearanceStation& value);
@@ -66,5 +56,18 @@ std::ostream& operator<<(std::ostream& out, const RecordedBody& value);
 std::ostream& operator<<(std::ostream& out, const RecordingHead& value);
 std::ostream& operator<<(std::ostream& out, const RecordedFrame& value);
 std::ostream& operator<<(std::ostream& out, const RecordingEnd& value);
+
+/// Columns of answers about many bodies, and lists of crossings:
+/// "BodyHitBatch{ClosestHitBatch{...}}".
+template <detail::ListOfAnswers Answers, class Name>
+std::ostream& operator<<(std::ostream& out, const OfBodies<Answers, Name>& value) {
+  const char* name = nullptr;
+  if constexpr (Described<Answers>) {
+    name = Fields<OfBodies<Answers, Name>>::kName;
+  } else {
+    name = Fields<decltype(value.at(0))>::kBatchName;
+  }
+  return out << PrintedFields(name).item(printed(static_cast<const Answers&>(value)));
+}
 
 }  // namespace soms

@@ -22,19 +22,17 @@
 /// \endverbatim
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/query/body.h"
-#include "soms/query/closest.h"
 #include "soms/query/overlap.h"
 #include "soms/query/overlap_method.h"
-#include "soms/query/ray.h"
+#include "soms/scene/body_queries.h"
 #include "soms/scene/scene_query.h"
 #include "soms/scene/step_report.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <vector>
 
 namespace soms {
@@ -58,15 +56,17 @@ struct StepOptions {
   [[nodiscard]] bool operator==(const StepOptions&) const = default;
 };
 
-/// Throws ErrorKind::usage if the clearance is negative, infinite or not a number, or goes with
-/// StepScope::first_contact, which leaves pairs out.
-void check(const StepOptions& options);
-
 /// A static environment of meshes and movers that share shapes. Poses are set through the scene, so
 /// no stale box can exist and there is nothing to update, set up or clear.
-/// \threads One caller at a time, of const members, too: a query after a change builds what it
+///
+/// Its queries of points and rays are those of BodyQueries: `closest`, `closest_hit`, `any_hit` and
+/// `all_hits`. They see all bodies at their present poses. Equally near bodies are decided by the
+/// order of SceneBody. Groups and ignored pairs do not matter for them. The first query after
+/// parts, or movers, were changed builds their index: O(n log n), n of them. So batches are for
+/// many movers that move. \threads One caller at a time, of const members, too: a query after a
+/// change builds what it
 ///          needs. `step` and batches use the threads they are given.
-class Scene {
+class Scene : public BodyQueries<Scene, SceneBody, SceneFilter> {
  public:
   Scene();
   ~Scene();
@@ -130,45 +130,19 @@ class Scene {
   /// With a clearance D the least distance of each pair of bodies within D is reported as well. It
   /// is the answer of `distance` for the two, decided exactly, wherever the bodies lie. Groups and
   /// ignored pairs are left out as for contacts, and contacts are those of a step without it.
-  /// \errors  ErrorKind::cancelled; usage as `check(StepOptions)`; what
-  ///          StepOptions::method throws.
+  /// \errors  ErrorKind::cancelled; usage for a clearance that is negative, not finite,
+  ///          or with StepScope::first_contact; what StepOptions::method throws.
   /// \cost    Time and memory linear in the pairs of bodies whose boxes meet, or, with a clearance,
   ///          are within it. Where many movers of no group, or of many groups, are in one place,
   ///          that is quadratic in the movers.
   [[nodiscard]] StepReport step(const StepOptions& options = {}, const Limits& limits = {});
 
-  /// The nearest point of all bodies at their present poses, the first hit of a ray on
-  /// them, whether there is one, and all of them. Contracts are those of the queries of BodyIndex.
-  /// Equally near bodies are decided by the order of SceneBody. Groups and ignored pairs do not
-  /// matter here. \errors  As for BodyIndex; ErrorKind::usage for a body of the filter that is not
-  /// there. \cost    As for BodyIndex. The first query after parts, or movers, were changed builds
-  /// their
-  ///          index: O(n log n), n of them. So batches are for many movers that move.
-  [[nodiscard]] SceneClosest closest(const Vec3& point, const ClosestOptions& options = {},
-                                     const SceneFilter& filter = {},
-                                     const Limits& limits = {}) const;
-  [[nodiscard]] SceneClosestBatch closest(std::span<const Vec3> points,
-                                          const ClosestOptions& options = {},
-                                          const SceneFilter& filter = {},
-                                          const Limits& limits = {}) const;
-  [[nodiscard]] SceneHit closest_hit(const Ray& ray, const RayOptions& options = {},
-                                     const SceneFilter& filter = {},
-                                     const Limits& limits = {}) const;
-  [[nodiscard]] SceneHitBatch closest_hit(std::span<const Ray> rays, const RayOptions& options = {},
-                                          const SceneFilter& filter = {},
-                                          const Limits& limits = {}) const;
-  [[nodiscard]] AnyHit any_hit(const Ray& ray, const RayOptions& options = {},
-                               const SceneFilter& filter = {}, const Limits& limits = {}) const;
-  [[nodiscard]] AnyHitBatch any_hit(std::span<const Ray> rays, const RayOptions& options = {},
-                                    const SceneFilter& filter = {},
-                                    const Limits& limits = {}) const;
-  [[nodiscard]] SceneAllHits all_hits(std::span<const Ray> rays, const RayOptions& options = {},
-                                      const SceneFilter& filter = {},
-                                      const Limits& limits = {}) const;
-
  private:
+  friend BodyQueries<Scene, SceneBody, SceneFilter>;
   struct State;
   class View;
+  [[nodiscard]] View view(const SceneFilter& filter) const;
+
   std::unique_ptr<State> state_;
 };
 

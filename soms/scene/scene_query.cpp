@@ -2,12 +2,15 @@
 #include "soms/scene/scene_query.h"
 
 #include "soms/base/arithmetic.h"
-#include "soms/describe/columns.h"
 #include "soms/scene/detail/scene_state.h"
-#include "soms/scene/detail/search/body_search.h"
+#include "soms/scene/detail/search/answer_queries.h"
 #include "soms/scene/scene.h"
 
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace soms {
 
@@ -71,35 +74,34 @@ class Scene::View {
     return options;
   }
 
-  [[nodiscard]] std::optional<SceneBody> name(std::optional<std::uint32_t> number) const {
-    if (!number) {
-      return std::nullopt;
-    }
-    return *number < parts_
-               ? SceneBody{SceneBodyKind::environment, state_.parts.places()[*number].id}
-               : SceneBody{SceneBodyKind::mover, state_.movers.places()[*number - parts_].id};
-  }
-
-  [[nodiscard]] SceneAllHits named(BodyAllHits found) const {
-    std::vector<SceneBody> names;
-    names.reserve(found.body.size());
-    for (const std::uint32_t number : found.body) {
-      names.push_back(*name(number));
-    }
+  /// An answer of the search whose bodies have their names.
+  template <class Answer>
+  [[nodiscard]] OfBodies<Answer, SceneBody> named(OfBodies<Answer, std::uint32_t> found) const {
+    auto names = names_of(found.body);
     return {std::move(found), std::move(names)};
   }
 
-  [[nodiscard]] std::vector<std::optional<SceneBody>> names(
-      const std::vector<std::optional<std::uint32_t>>& numbers) const {
-    std::vector<std::optional<SceneBody>> names;
+ private:
+  [[nodiscard]] SceneBody names_of(std::uint32_t number) const {
+    return number < parts_
+               ? SceneBody{SceneBodyKind::environment, state_.parts.places()[number].id}
+               : SceneBody{SceneBodyKind::mover, state_.movers.places()[number - parts_].id};
+  }
+
+  [[nodiscard]] std::optional<SceneBody> names_of(std::optional<std::uint32_t> number) const {
+    return number ? std::optional(names_of(*number)) : std::nullopt;
+  }
+
+  template <class Number>
+  [[nodiscard]] auto names_of(const std::vector<Number>& numbers) const {
+    std::vector<decltype(names_of(numbers.front()))> names;
     names.reserve(numbers.size());
-    for (const std::optional<std::uint32_t> number : numbers) {
-      names.push_back(name(number));
+    for (const Number number : numbers) {
+      names.push_back(names_of(number));
     }
     return names;
   }
 
- private:
   void leave_out(const SceneBody& body, const SceneFilter& filter) {
     const bool part = body.kind == SceneBodyKind::environment;
     const detail::Residents& residents = part ? state_.parts : state_.movers;
@@ -118,63 +120,10 @@ class Scene::View {
   bool excepts_a_stranger_ = false;
 };
 
-SceneClosest SceneClosestBatch::at(std::size_t i) const {
-  return row_of<SceneClosest>(*this, i);
+Scene::View Scene::view(const SceneFilter& filter) const {
+  return {*state_, filter};
 }
 
-SceneHit SceneHitBatch::at(std::size_t i) const {
-  return row_of<SceneHit>(*this, i);
-}
-
-SceneClosest Scene::closest(const Vec3& point, const ClosestOptions& options,
-                            const SceneFilter& filter, const Limits& limits) const {
-  const View view(*state_, filter);
-  const BodyClosest found = detail::closest(view.sets(), point, options, view.left_out(), limits);
-  return {found, view.name(found.body)};
-}
-
-SceneClosestBatch Scene::closest(std::span<const Vec3> points, const ClosestOptions& options,
-                                 const SceneFilter& filter, const Limits& limits) const {
-  const View view(*state_, filter);
-  BodyClosestBatch found = detail::closest(view.sets(), points, options, view.left_out(), limits);
-  auto names = view.names(found.body);
-  return {std::move(found), std::move(names)};
-}
-
-SceneHit Scene::closest_hit(const Ray& ray, const RayOptions& options, const SceneFilter& filter,
-                            const Limits& limits) const {
-  const View view(*state_, filter);
-  const BodyHit found =
-      detail::closest_hit(view.sets(), ray, view.options(options), view.left_out(), limits);
-  return {found, view.name(found.body)};
-}
-
-SceneHitBatch Scene::closest_hit(std::span<const Ray> rays, const RayOptions& options,
-                                 const SceneFilter& filter, const Limits& limits) const {
-  const View view(*state_, filter);
-  BodyHitBatch found =
-      detail::closest_hit(view.sets(), rays, view.options(options), view.left_out(), limits);
-  auto names = view.names(found.body);
-  return {std::move(found), std::move(names)};
-}
-
-AnyHit Scene::any_hit(const Ray& ray, const RayOptions& options, const SceneFilter& filter,
-                      const Limits& limits) const {
-  const View view(*state_, filter);
-  return detail::any_hit(view.sets(), ray, view.options(options), view.left_out(), limits);
-}
-
-AnyHitBatch Scene::any_hit(std::span<const Ray> rays, const RayOptions& options,
-                           const SceneFilter& filter, const Limits& limits) const {
-  const View view(*state_, filter);
-  return detail::any_hit(view.sets(), rays, view.options(options), view.left_out(), limits);
-}
-
-SceneAllHits Scene::all_hits(std::span<const Ray> rays, const RayOptions& options,
-                             const SceneFilter& filter, const Limits& limits) const {
-  const View view(*state_, filter);
-  return view.named(
-      detail::all_hits(view.sets(), rays, view.options(options), view.left_out(), limits));
-}
+template class BodyQueries<Scene, SceneBody, SceneFilter>;
 
 }  // namespace soms

@@ -4,15 +4,13 @@
 
 #include "soms/base/words.h"
 #include "soms/describe/fields.h"
-#include "soms/query/closest.h"
-#include "soms/query/ray.h"
+#include "soms/scene/of_bodies.h"
 
+#include <array>
 #include <compare>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <tuple>
-#include <vector>
 
 namespace soms {
 
@@ -55,80 +53,23 @@ struct SceneFilter {
   [[nodiscard]] bool operator==(const SceneFilter&) const = default;
 };
 
-/// The nearest point of a scene, as BodyClosest.
-struct SceneClosest : Closest {
-  std::optional<SceneBody> body = std::nullopt;
-
-  [[nodiscard]] bool operator==(const SceneClosest&) const = default;
-};
-
-/// Answers for a batch of points, as BodyClosestBatch.
-struct SceneClosestBatch : ClosestBatch {
-  std::vector<std::optional<SceneBody>> body;  ///< n
-
-  [[nodiscard]] bool operator==(const SceneClosestBatch&) const = default;
-
-  /// The answer for a point.
-  [[nodiscard]] SceneClosest at(std::size_t point) const;
-};
+/// The answers of a Scene name a body by its list and its id in that.
+using SceneClosest = OfBodies<Closest, SceneBody>;
+using SceneClosestBatch = OfBodies<ClosestBatch, SceneBody>;
+using SceneHit = OfBodies<ClosestHit, SceneBody>;
+using SceneHitBatch = OfBodies<ClosestHitBatch, SceneBody>;
+using SceneAllHits = OfBodies<AllHits, SceneBody>;
 
 template <>
-struct Fields<SceneClosest> {
-  static constexpr const char* kName = "SceneClosest";
-  static constexpr const char* kMeaning = "Answer of closest about a Scene.";
-  static constexpr const char* kBatchName = "SceneClosestBatch";
-  static constexpr const char* kBatchMeaning = "Answers of closest about a Scene.";
-  static constexpr const char* kRows = "points";
-  using Base = Closest;
-  using Batch = SceneClosestBatch;
-  static constexpr auto kList =
-      std::tuple(field("body", &SceneClosest::body, &Batch::body, "Which body it is."));
-};
-
-/// The first hit of a ray in a scene, as BodyHit.
-struct SceneHit : ClosestHit {
-  std::optional<SceneBody> body = std::nullopt;
-
-  [[nodiscard]] bool operator==(const SceneHit&) const = default;
-};
-
-/// Answers for a batch of rays, as BodyHitBatch.
-struct SceneHitBatch : ClosestHitBatch {
-  std::vector<std::optional<SceneBody>> body;  ///< n
-
-  [[nodiscard]] bool operator==(const SceneHitBatch&) const = default;
-
-  /// The answer for a ray.
-  [[nodiscard]] SceneHit at(std::size_t ray) const;
-};
-
+inline constexpr std::array<const char*, 4> kNamesOfBodies<Closest, SceneBody> = {
+    "SceneClosest", "Answer of closest about a Scene.", "SceneClosestBatch",
+    "Answers of closest about a Scene."};
 template <>
-struct Fields<SceneHit> {
-  static constexpr const char* kName = "SceneHit";
-  static constexpr const char* kMeaning = "Answer of closest_hit about a Scene.";
-  static constexpr const char* kBatchName = "SceneHitBatch";
-  static constexpr const char* kBatchMeaning = "Answers of closest_hit about a Scene.";
-  static constexpr const char* kRows = "rays";
-  using Base = ClosestHit;
-  using Batch = SceneHitBatch;
-  static constexpr auto kList =
-      std::tuple(field("body", &SceneHit::body, &Batch::body, "Which body it is."));
-};
-
-/// All places where rays meet a scene, as BodyAllHits.
-struct SceneAllHits : AllHits {
-  std::vector<SceneBody> body = {};  ///< m
-
-  [[nodiscard]] bool operator==(const SceneAllHits&) const = default;
-};
-
+inline constexpr std::array<const char*, 4> kNamesOfBodies<ClosestHit, SceneBody> = {
+    "SceneHit", "Answer of closest_hit about a Scene.", "SceneHitBatch",
+    "Answers of closest_hit about a Scene."};
 template <>
-struct Fields<SceneAllHits> {
-  static constexpr const char* kName = "SceneAllHits";
-  static constexpr const char* kMeaning = "All places where n rays meet a scene.";
-  using Base = AllHits;
-  static constexpr auto kList =
-      std::tuple(list("body", &SceneAllHits::body, "m", "The body of each crossing."));
-};
+inline constexpr std::array<const char*, 4> kNamesOfBodies<AllHits, SceneBody> = {
+    "SceneAllHits", "All places where n rays meet a scene."};
 
 }  // namespace soms

@@ -1,6 +1,7 @@
 // A step of a scene: from boxes to pairs of bodies, from these to contacts and gaps.
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
+#include "soms/query/detail/check_options.h"
 #include "soms/scene/detail/kept_memory.h"
 #include "soms/scene/detail/scene_state.h"
 #include "soms/scene/detail/widened.h"
@@ -23,10 +24,8 @@ namespace {
 constexpr std::size_t kBytesOfAQuestion = 256;
 constexpr std::size_t kBytesOfAFind = 16;
 
-}  // namespace
-
-void check(const StepOptions& options) {
-  check(OverlapOptions{.mode = options.mode});
+void check_options(const StepOptions& options) {
+  detail::check_options(OverlapOptions{.mode = options.mode});
   if (!(options.clearance >= 0) || std::isinf(options.clearance)) {
     throw Error(ErrorKind::usage,
                 "step options: the clearance is negative, infinite or not a number",
@@ -39,6 +38,8 @@ void check(const StepOptions& options) {
                 "set the scope to every_pair, or the clearance to 0");
   }
 }
+
+}  // namespace
 
 /// Groups and ignored pairs by place, as the broad phase wants them.
 void Scene::State::refresh_filter() {
@@ -251,7 +252,7 @@ void Scene::State::give_back() {
 }
 
 StepReport Scene::State::step(const StepOptions& options, const Limits& limits) {
-  check(options);  // also where nothing meets
+  check_options(options);  // also where nothing meets
   StepReport report;
   report.scope = options.scope;
   report.mover_mover = options.mover_mover;

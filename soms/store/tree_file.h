@@ -14,7 +14,7 @@
 /// \endverbatim
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/tree/file/shape_bytes.h"
 #include "soms/tree/shape.h"
 

@@ -2,7 +2,7 @@
 /// The default traversal taken apart, for teaching: the tests that `soms::overlap` makes, in order.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/query/answer.h"
 #include "soms/query/body.h"
 

@@ -2,7 +2,7 @@
 /// Overlap of two shapes by one named traversal of their canonical trees, pose after pose.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/pose.h"
 #include "soms/query/overlap.h"
 #include "soms/thesis/pair_traversal.h"

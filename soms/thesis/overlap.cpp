@@ -2,6 +2,7 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
+#include "soms/query/detail/check_options.h"
 #include "soms/query/detail/engine/batch.h"
 #include "soms/thesis/named_overlap.h"
 #include "soms/thesis/traversals.h"
@@ -27,7 +28,7 @@ std::vector<CountedOverlap> answers_of(const OverlapBatch& batch) {
 CountedOverlap overlap(const Body& a, const Body& b, const TraversalOptions& traversal,
                        const OverlapOptions& options, const Limits& limits) {
   const PlainArithmetic plain;
-  check(options);
+  detail::check_options(options);
   check(traversal);
   if (traversal.traversal == Traversal::fast) {
     return {soms::overlap(a, b, options, limits), {}};
@@ -41,7 +42,7 @@ std::vector<CountedOverlap> overlap(const Shape& mover, std::span<const Pose> po
                                     const Body& fixed, const TraversalOptions& traversal,
                                     const OverlapOptions& options, const Limits& limits) {
   const PlainArithmetic plain;
-  check(options);
+  detail::check_options(options);
   check(traversal);
   if (traversal.traversal == Traversal::fast) {
     return answers_of(soms::overlap(mover, poses, fixed, options, limits));

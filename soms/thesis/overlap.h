@@ -3,7 +3,7 @@
 /// reproduction. `soms::overlap` gives the same answers sooner.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/query/body.h"
 #include "soms/query/overlap.h"
 #include "soms/query/overlap_method.h"

@@ -120,14 +120,6 @@ TileCut cut_of(const Items& all, std::span<const Item> items) {
 
 }  // namespace
 
-void check(const CutOptions& options) {
-  check(options.shape.build);
-  if (options.most == 0) {
-    throw Error(ErrorKind::usage, "cut options: at most 0 triangles of a tile",
-                "allow one at least; a million is usual");
-  }
-}
-
 std::vector<TileCut> cut_mesh(const MeshView& mesh, std::size_t most, const Limits& limits) {
   Items all = items_of(mesh, most);
   std::vector<TileCut> tiles;

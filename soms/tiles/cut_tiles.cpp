@@ -141,11 +141,19 @@ std::vector<std::uint64_t> numbers_of(std::span<const TriangleId> triangles, std
   return numbers;
 }
 
+void check_options(const CutOptions& options) {
+  check(options.shape.build);
+  if (options.most == 0) {
+    throw Error(ErrorKind::usage, "cut options: at most 0 triangles of a tile",
+                "allow one at least; a million is usual");
+  }
+}
+
 }  // namespace
 
 TileCutter::TileCutter(std::filesystem::path folder, const CutOptions& options)
     : folder_(std::move(folder)), options_(options) {
-  check(options);
+  check_options(options);
   options_.shape.keep_tree = false;
   check_folder(folder_);
 }

@@ -20,7 +20,7 @@
 /// \endverbatim
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/geometry/mesh.h"
 #include "soms/tiles/tile_set.h"
 #include "soms/tree/shape.h"
@@ -36,14 +36,11 @@ namespace soms {
 
 /// How models are cut.
 struct CutOptions {
-  std::size_t most = 1'000'000;  ///< most triangles of a tile
+  std::size_t most = 1'000'000;  ///< most triangles of a tile; above 0
   ShapeOptions shape = {};       ///< how the trees are built; no canonical tree is kept
 
   [[nodiscard]] bool operator==(const CutOptions&) const = default;
 };
-
-/// Throws unless the options are fit for cutting. \errors ErrorKind::usage.
-void check(const CutOptions& options);
 
 /// The triangles of a tile, ascending; and whether one of its parts is in another tile, too.
 struct TileCut {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "soms/base/box.h"
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/pose.h"
 #include "soms/geometry/mesh.h"
 #include "soms/tree/file/shape_bytes.h"

@@ -2,6 +2,7 @@
 #include "soms/base/arithmetic.h"
 #include "soms/describe/columns.h"
 #include "soms/geometry/detail/pair_distance.h"
+#include "soms/query/detail/check_options.h"
 #include "soms/query/detail/engine/batch.h"
 #include "soms/query/detail/moved_triangle.h"
 #include "soms/scene/detail/box_bounds.h"
@@ -156,7 +157,7 @@ void for_each_pose(const Shape& mover, std::span<const Pose> poses, const detail
 DistanceBatch distance(const Shape& mover, std::span<const Pose> poses, const TiledBody& fixed,
                        const DistanceOptions& options, const Limits& limits) {
   const PlainArithmetic plain;
-  check(options);
+  detail::check_options(options);
   detail::check_poses(poses, mover);
   const detail::TileBoxes tiles(fixed);
   check_stop(limits);

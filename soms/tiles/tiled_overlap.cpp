@@ -1,6 +1,7 @@
 // Which triangles of a mover touch those of tiles: the pairs of each tile, put together.
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
+#include "soms/query/detail/check_options.h"
 #include "soms/query/detail/engine/batch.h"
 #include "soms/scene/detail/moved_bounds.h"
 #include "soms/tiles/detail/tile_boxes.h"
@@ -97,7 +98,7 @@ void check_limit(const OverlapOptions& options) {
 OverlapBatch overlap(const Shape& mover, std::span<const Pose> poses, const TiledBody& fixed,
                      const OverlapOptions& options, const Limits& limits) {
   const PlainArithmetic plain;
-  check(options);
+  detail::check_options(options);
   check_limit(options);
   detail::check_poses(poses, mover);
   const detail::TileBoxes tiles(fixed);

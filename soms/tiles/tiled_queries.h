@@ -12,7 +12,7 @@
 /// surfaces.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/query/body.h"
 #include "soms/query/closest.h"
 #include "soms/query/distance.h"

@@ -2,7 +2,7 @@
 /// From a mesh to its tree.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/geometry/mesh.h"
 #include "soms/tree/build_options.h"
 #include "soms/tree/rule/split.h"

@@ -1,7 +1,7 @@
 #include "soms/tree/check.h"
 
 #include "soms/base/arithmetic.h"
-#include "soms/geometry/counts.h"
+#include "soms/geometry/detail/counts.h"
 
 #include <algorithm>
 #include <cstddef>

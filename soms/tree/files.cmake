@@ -3,14 +3,6 @@ set(SOMS_HEADERS
   build_options.h
   check.h
   file/shape_bytes.h
-  layout/ground_plan.h
-  layout/min_max_grid.h
-  layout/compact_node.h
-  layout/node_axes.h
-  layout/pages.h
-  layout/start_nodes.h
-  layout/stored.h
-  layout/wide_tree.h
   option_names.h
   print.h
   refit.h
@@ -37,9 +29,9 @@ set(SOMS_SOURCES
   file/detail/head.cpp
   file/detail/statements.cpp
   file/shape_bytes.cpp
-  layout/min_max_grid.cpp
-  layout/compact.cpp
-  layout/compact_node.cpp
+  layout/detail/min_max_grid.cpp
+  layout/detail/compact.cpp
+  layout/detail/compact_node.cpp
   layout/detail/refit_layout.cpp
   layout/detail/block.cpp
   layout/detail/lay_out.cpp
@@ -47,10 +39,10 @@ set(SOMS_SOURCES
   layout/detail/part_plan.cpp
   layout/detail/parts.cpp
   layout/detail/widen.cpp
-  layout/node_axes.cpp
-  layout/pages.cpp
-  layout/start_nodes.cpp
-  layout/wide_tree.cpp
+  layout/detail/node_axes.cpp
+  layout/detail/pages.cpp
+  layout/detail/start_nodes.cpp
+  layout/detail/wide_tree.cpp
   option_names.cpp
   print.cpp
   refit.cpp

@@ -4,7 +4,6 @@
 #include "soms/base/print_fields.h"
 #include "soms/geometry/print.h"
 #include "soms/tree/file/shape_bytes.h"
-#include "soms/tree/layout/wide_tree.h"
 #include "soms/tree/shape.h"
 #include "soms/tree/statistics.h"
 #include "soms/tree/tree.h"
@@ -77,7 +76,7 @@ std::ostream& operator<<(std::ostream& out, const BuildOptions& value) {
 std::ostream& operator<<(std::ostream& out, const Shape& value) {
   PrintedFields fields("Shape");
   fields.item(printed(value.mesh()));
-  fields.add("layout", value.layout().compact() == nullptr ? Layout::wide : Layout::compact);
+  fields.add("layout", value.layout_kind());
   fields.add("keep_tree", value.tree() != nullptr);
   return out << fields.add("sah_degradation", value.sah_degradation());
 }

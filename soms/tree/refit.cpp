@@ -2,10 +2,11 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
+#include "soms/base/parallel.h"
 #include "soms/tree/detail/held_mesh.h"
 #include "soms/tree/layout/detail/fetch_corners.h"
 #include "soms/tree/layout/detail/parts.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <algorithm>
 #include <limits>

@@ -2,7 +2,7 @@
 /// Meshes that change their form: the same triangles, moved vertices, the same tree with new boxes.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/geometry/mesh.h"
 #include "soms/tree/shape.h"
 #include "soms/tree/tree.h"

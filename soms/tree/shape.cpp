@@ -4,7 +4,7 @@
 #include "soms/tree/build.h"
 #include "soms/tree/build/detail/subtrees.h"
 #include "soms/tree/detail/held_mesh.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <utility>
 
@@ -83,6 +83,14 @@ std::pair<double, double> detail::areas_of(const Shape& shape) {
 
 std::size_t Shape::memory() const {
   return bytes_of(*mesh_) + layout_->memory() + (tree_ ? bytes_of(*tree_) : 0);
+}
+
+std::size_t Shape::layout_memory() const {
+  return layout_->memory();
+}
+
+Layout Shape::layout_kind() const {
+  return layout_->compact() != nullptr ? Layout::compact : Layout::wide;
 }
 
 bool Shape::operator==(const Shape& other) const {

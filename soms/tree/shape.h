@@ -2,7 +2,7 @@
 /// A mesh ready for queries: shared, immutable, cheap to copy.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/words.h"
 #include "soms/geometry/mesh.h"
 #include "soms/tree/build_options.h"
@@ -81,7 +81,11 @@ class Shape {
   /// The canonical tree, or nullptr unless it was kept.
   [[nodiscard]] const Tree* tree() const { return tree_.get(); }
 
+  /// What queries traverse; its class is private to the library.
   [[nodiscard]] const WideTree& layout() const { return *layout_; }
+
+  /// How the layout is kept.
+  [[nodiscard]] Layout layout_kind() const;
 
   [[nodiscard]] const BuildOptions& build_options() const { return build_options_; }
 
@@ -91,6 +95,9 @@ class Shape {
 
   /// Bytes held: mesh, layout, and tree where kept.
   [[nodiscard]] std::size_t memory() const;
+
+  /// Bytes of the layout alone.
+  [[nodiscard]] std::size_t layout_memory() const;
 
   /// Equal meshes with equal layouts, equal trees where they were kept, equal options and
   /// `sah_degradation`: every query has the same answer and the same cost. \cost Constant for

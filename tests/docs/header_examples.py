@@ -23,6 +23,8 @@ WITHOUT = {  # a header, and why it has no example
     "soms/clash/print.h": "prints values",
     "soms/query/print.h": "prints values",
     "soms/robot/print.h": "prints values",
+    "soms/scene/body_queries.h": "queries of body_index.h and scene.h",
+    "soms/scene/of_bodies.h": "answers of body_index.h and scene.h",
     "soms/scene/print.h": "prints values",
     "soms/scene/replay.h": "reads what recording.h writes, as in docs/recording.md",
     "soms/scene/scene_query.h": "answers of scene.h",

@@ -4,7 +4,7 @@
 #include "soms/query/detail/kernels/instruction_set.h"
 #include "soms/query/detail/relative_pose.h"
 #include "soms/query/overlap.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 #include "soms/tree/shape.h"
 
 #include "tests/fuzz/bytes.h"

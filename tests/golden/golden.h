@@ -4,12 +4,12 @@
 #pragma once
 
 #include "soms/base/hash.h"
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/portable.h"
 #include "soms/base/pose.h"
 #include "soms/geometry/mesh.h"
 #include "soms/query/overlap.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 #include "soms/tree/shape.h"
 
 #include "tests/support/truth/answer_row.h"

@@ -1,7 +1,7 @@
 #include "soms/base/random.h"
 #include "soms/generate/shapes.h"
 #include "soms/io/read_mesh.h"
-#include "soms/tree/layout/compact_node.h"
+#include "soms/tree/layout/detail/compact_node.h"
 
 #include "tests/golden/golden.h"
 #include "tests/support/bodies.h"

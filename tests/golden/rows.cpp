@@ -20,7 +20,7 @@
 #include "soms/tree/build.h"
 #include "soms/tree/check.h"
 #include "soms/tree/file/shape_bytes.h"
-#include "soms/tree/layout/compact_node.h"
+#include "soms/tree/layout/detail/compact_node.h"
 #include "soms/tree/refit.h"
 #include "soms/tree/rule/rules.h"
 #include "soms/tree/statistics.h"

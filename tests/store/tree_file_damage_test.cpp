@@ -8,8 +8,8 @@
 #include "soms/query/ray.h"
 #include "soms/query/within.h"
 #include "soms/store/tree_file.h"
-#include "soms/tree/layout/compact_node.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/compact_node.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include "tests/store/forged_file.h"
 #include "tests/support/support.h"

@@ -6,7 +6,7 @@
 #include "soms/geometry/print.h"
 #include "soms/query/distance.h"
 #include "soms/query/overlap.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 #include "soms/tree/refit.h"
 
 #include "tests/store/forged_file.h"

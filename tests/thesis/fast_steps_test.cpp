@@ -3,7 +3,7 @@
 #include "soms/base/error.h"
 #include "soms/generate/shapes.h"
 #include "soms/query/overlap.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include "tests/support/bodies.h"
 #include "tests/support/support.h"

@@ -280,7 +280,7 @@ TEST(TileCutter, RefusesWhatDoesNotGoTogether) {
   mesh.up = UpAxis::unknown;
   mesh.georeference.crs = "EPSG:25833";
   EXPECT_EQ(kind_of([&] { cutter.add(mesh); }), ErrorKind::usage);
-  EXPECT_EQ(kind_of([] { check(CutOptions{.most = 0}); }), ErrorKind::usage);
+  EXPECT_EQ(kind_of([&] { TileCutter(folder.path(), {.most = 0}); }), ErrorKind::usage);
   std::ofstream(folder.path() / "notes.txt") << "mine";
   EXPECT_EQ(kind_of([&] { TileCutter(folder.path(), {}); }), ErrorKind::usage);
   EXPECT_EQ(kind_of([&] { TileCutter(folder.path() / "notes.txt", {}); }), ErrorKind::cannot_write);

@@ -7,7 +7,7 @@
 #include "soms/thesis/overlap.h"
 #include "soms/tree/build.h"
 #include "soms/tree/check.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 #include "soms/tree/rule/rules.h"
 
 #include "tests/support/support.h"

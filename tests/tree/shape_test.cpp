@@ -2,7 +2,7 @@
 
 #include "soms/base/error.h"
 #include "soms/tree/build.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include "tests/tree/inputs.h"
 

@@ -3,7 +3,6 @@
 #include "soms/base/random.h"
 #include "soms/query/overlap.h"
 #include "soms/tree/build.h"
-#include "soms/tree/layout/wide_tree.h"
 #include "soms/tree/rule/rules.h"
 
 #include "thesis/trips/contenders.h"
@@ -85,8 +84,8 @@ Measured measure(const Shape& shape, const ComparedBuild& build, const Workload&
       .counts = statistics(tree, build.build),
       .sah_cost = sah_cost(tree),
       .tree_bytes = tree.nodes.size() * sizeof(Node) + tree.primitives.size() * sizeof(TriangleId),
-      .layout_bytes = shape.layout().memory(),
-      .mesh_bytes = shape.memory() - shape.layout().memory()};
+      .layout_bytes = shape.layout_memory(),
+      .mesh_bytes = shape.memory() - shape.layout_memory()};
   for (const Workload::Cubes& cubes : workload.cubes) {
     m.sides.push_back({cubes.share, expected_visits(tree, cubes.size),
                        mean_visits(tree, cubes.anywhere), mean_visits(tree, cubes.near)});

@@ -2,7 +2,7 @@
 /// Builds compared by modern measures: what queries look at, SAH cost, memory, build rate.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/pose.h"
 #include "soms/query/answer.h"
 #include "soms/tree/build_options.h"

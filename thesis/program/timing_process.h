@@ -2,7 +2,7 @@
 /// Processes of this program that time races for a run (thesis/races/race_team.h).
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 
 #include "apps/cli/verb.h"
 #include "thesis/races/race_team.h"

@@ -2,7 +2,7 @@
 /// A course of a body past another by all readings of E-Node, and what is right and wrong on it.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 
 #include "thesis/races/e_node_readings.h"
 #include "thesis/races/earlier_nodes.h"

@@ -2,7 +2,7 @@
 /// What E-Node might be, by the words of the thesis, and what each reading does on a trip.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 
 #include "thesis/races/moved_trip.h"
 

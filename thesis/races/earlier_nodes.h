@@ -3,7 +3,7 @@
 /// gives up exactness, measured beside the exact answer.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 
 #include "thesis/races/moved_trip.h"
 #include "thesis/trips/frames.h"

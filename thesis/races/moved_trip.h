@@ -3,7 +3,7 @@
 /// the query alone.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/thesis/e_node_front.h"
 #include "soms/thesis/pair_traversal.h"
 #include "soms/thesis/posed_boxes.h"

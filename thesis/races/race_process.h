@@ -4,7 +4,7 @@
 /// share it.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 
 #include "thesis/trips/timing.h"
 

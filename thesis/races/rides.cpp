@@ -1,5 +1,7 @@
 #include "thesis/races/rides.h"
 
+#include "soms/base/parallel.h"
+
 #include "thesis/races/touching_drive.h"
 #include "thesis/races/traversal_match.h"
 #include "thesis/run/traversal_tables.h"

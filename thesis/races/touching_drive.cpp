@@ -1,6 +1,7 @@
 #include "thesis/races/touching_drive.h"
 
 #include "soms/base/arithmetic.h"
+#include "soms/base/parallel.h"
 #include "soms/query/overlap.h"
 #include "soms/thesis/thesis_frames.h"
 

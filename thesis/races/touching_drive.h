@@ -3,7 +3,7 @@
 /// other drive is fixed and may touch nothing.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/vector.h"
 
 #include "thesis/run/experiment.h"

@@ -1,5 +1,6 @@
 #include "thesis/races/traversal_match.h"
 
+#include "soms/base/parallel.h"
 #include "soms/query/reference/overlap.h"
 #include "soms/thesis/named_overlap.h"
 
@@ -26,9 +27,7 @@ std::string place(const Trip& trip, std::size_t frame) {
 
 /// Progress is the experiment's, not a query's; a query only heeds the stop.
 Limits quiet(const Context& context) {
-  Limits one_thread;
-  one_thread.stop = context.limits.stop;
-  return one_thread;
+  return context.limits.without_deadline().alone();
 }
 
 Overlap fast_answer(const Trip& trip, std::size_t frame, const Limits& limits) {

@@ -2,7 +2,7 @@
 /// How much work a traversal does up to the first hit of a frame.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 
 #include "thesis/races/moved_trip.h"
 

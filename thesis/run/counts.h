@@ -3,7 +3,7 @@
 /// share.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/tree/statistics.h"
 
 #include "thesis/run/result.h"

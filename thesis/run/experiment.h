@@ -2,7 +2,7 @@
 /// The table of experiments: one for each table and figure of the thesis, and those that go beyond.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 
 #include "thesis/races/race_process.h"
 #include "thesis/run/result.h"

@@ -2,7 +2,7 @@
 /// This program's counts beside those of the golden tables.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 
 #include "thesis/run/golden_tables.h"
 #include "thesis/trips/models.h"

@@ -2,7 +2,7 @@
 /// Progress of an experiment that takes a known number of steps.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 
 #include <cstddef>
 #include <utility>
@@ -24,7 +24,7 @@ class Steps {
   }
 
   /// For the work of a step: heeds a stop request, reports nothing, uses one thread.
-  [[nodiscard]] Limits quiet() const { return {.threads = 1, .stop = limits_.stop}; }
+  [[nodiscard]] Limits quiet() const { return limits_.without_deadline().alone(); }
 
  private:
   Limits limits_;

@@ -2,7 +2,7 @@
 /// SOMS against spatial median: builds timed in pairs by several builders, and what they did.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/tree/build_options.h"
 #include "soms/tree/statistics.h"
 
@@ -17,7 +17,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>

@@ -3,7 +3,7 @@
 /// share: counts, answers, times.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/vector.h"
 #include "soms/query/overlap.h"
 #include "soms/thesis/e_node_front.h"

@@ -136,9 +136,7 @@ class Finder {
 
 /// For the work on one model: its progress is a part of the whole.
 Limits Finder::for_one() const {
-  Limits one;
-  one.threads = limits_.threads;
-  one.stop = limits_.stop;
+  Limits one = limits_.without_deadline().silent();
   if (limits_.progress) {
     one.progress = [this](double share) {
       limits_.progress(

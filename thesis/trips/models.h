@@ -3,7 +3,7 @@
 /// that say so.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/vector.h"
 #include "soms/geometry/mesh.h"
 

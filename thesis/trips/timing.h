@@ -2,7 +2,7 @@
 /// Repeated timing, as medians with their spread.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 
 #include <functional>
 #include <span>

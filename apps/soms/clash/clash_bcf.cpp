@@ -1,6 +1,7 @@
 #include "apps/soms/clash/clash_bcf.h"
 
 #include "soms/base/error.h"
+#include "soms/base/parallel.h"
 
 #include "apps/cli/console.h"
 #include "apps/cli/text.h"

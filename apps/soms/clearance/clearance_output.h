@@ -9,7 +9,6 @@
 #include "apps/world/world.h"
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>

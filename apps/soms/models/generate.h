@@ -2,7 +2,7 @@
 /// The verb `generate`: models of an exact number of triangles.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/geometry/mesh.h"
 
 #include "apps/cli/verb.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "soms/base/box.h"
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/pose.h"
 #include "soms/geometry/parts_of.h"
 #include "soms/query/overlap.h"

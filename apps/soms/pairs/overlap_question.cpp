@@ -124,23 +124,23 @@ void OverlapQuestion::count(const AnsweredRow& row) {
 
 void OverlapQuestion::json(const AnsweredRow& row, JsonRows& rows) const {
   const Shown answer = shown(row.k);
-  write_json(report_, row, answer.counted(), rows, answer.parts);
+  write_json(report_, row, answer.counted(), rows, answer.listed());
 }
 
 std::string OverlapQuestion::text_of_row(std::size_t k, std::uint64_t pose) const {
   const Shown answer = shown(k);
-  return text_of(report_, pose, answer.counted(), answer.parts,
+  return text_of(report_, pose, answer.counted(), answer.listed(),
                  console_.colored() && answers_[k].answer.any);
 }
 
 OverlapQuestion::Shown OverlapQuestion::shown(std::size_t k) const {
   const auto& [a, b] = numbers();
-  Shown row{&answers_[k], parts_[k]};
+  Shown row{answers_[k], parts_[k]};
   if (!a.are_the_same() || !b.are_the_same()) {
-    row.named = answers_[k];
-    row.named.answer = in_files(a, b, std::move(row.named.answer));
-    row.answer = nullptr;
-    for (PartPair& pair : row.parts) {
+    row.named.emplace(Shown::Named{answers_[k], parts_[k]});
+    Overlap& answer = row.named->answer.answer;
+    answer = in_files(a, b, std::move(answer));
+    for (PartPair& pair : row.named->parts) {
       pair.first = in_files(a, b, pair.first);
     }
   }
@@ -180,7 +180,7 @@ void OverlapQuestion::csv(const AnsweredRow& row, CsvFile& file) const {
   if (report_.by_part) {
     const GeoreferenceColumn georeference(report_.pair.georeference);
     const Shown answer = shown(row.k);
-    for (const PartPair& pair : answer.parts) {
+    for (const PartPair& pair : answer.listed()) {
       file.line() +=
           fmt::format("{},{}{}", row.number, cells_of(report_.pair, pair), georeference.field());
       file.end_line();
@@ -234,7 +234,7 @@ void OverlapQuestion::add_lists(std::size_t k) {
     return;
   }
   const Shown answer = shown(k);
-  for (const PartPair& pair : answer.parts) {
+  for (const PartPair& pair : answer.listed()) {
     pairs_->add(number_of_part(pair.a));
     pairs_->add(number_of_part(pair.b));
     count_->add(static_cast<std::int64_t>(pair.count));

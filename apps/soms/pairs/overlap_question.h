@@ -43,13 +43,23 @@ class OverlapQuestion : public Question, private PoseAnswers {
   void write_page(std::ostream& out, const RowTotals& totals) const override;
 
  private:
-  /// An answer with the numbers that triangles have in their files.
+  /// An answer with the numbers that triangles have in their files. It is `named` where triangles
+  /// were left out, else that of the library, which is not copied.
   struct Shown {
-    const CountedAnswer* answer;  ///< nullptr: it is `named`
-    std::vector<PartPair> parts;
-    CountedAnswer named = {};
+    struct Named {
+      CountedAnswer answer;
+      std::vector<PartPair> parts;
+    };
 
-    [[nodiscard]] const CountedAnswer& counted() const { return answer ? *answer : named; }
+    const CountedAnswer& answer;
+    const std::vector<PartPair>& parts;
+    std::optional<Named> named = std::nullopt;
+
+    [[nodiscard]] const CountedAnswer& counted() const { return named ? named->answer : answer; }
+
+    [[nodiscard]] const std::vector<PartPair>& listed() const {
+      return named ? named->parts : parts;
+    }
   };
 
   void answer_one(std::size_t k, const Body& a, const Body& b, const Limits& limits) override;

@@ -1,6 +1,7 @@
 #include "apps/soms/pairs/pose_rows.h"
 
 #include "soms/base/error.h"
+#include "soms/base/parallel.h"
 
 #include "apps/cli/console.h"
 #include "apps/model/part_filter.h"

@@ -3,7 +3,7 @@
 /// defined in apps/soms/thesis; builds without the thesis' wing have apps/soms/no_thesis instead.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/query/body.h"
 #include "soms/query/overlap.h"
 #include "soms/query/overlap_method.h"

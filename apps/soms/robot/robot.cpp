@@ -1,6 +1,7 @@
 #include "apps/soms/robot/robot.h"
 
 #include "soms/base/error.h"
+#include "soms/base/parallel.h"
 #include "soms/robot/reference/robot_query.h"
 
 #include "apps/cli/console.h"

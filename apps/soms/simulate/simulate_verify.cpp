@@ -1,5 +1,6 @@
 #include "apps/soms/simulate/simulate_verify.h"
 
+#include "soms/base/parallel.h"
 #include "soms/query/reference/overlap.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 /// A second opinion on a simulation: brute force, without a tree or a broad phase.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/random.h"
 #include "soms/scene/scene.h"
 

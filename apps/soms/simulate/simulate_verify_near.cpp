@@ -1,5 +1,6 @@
 #include "apps/soms/simulate/simulate_verify_near.h"
 
+#include "soms/base/parallel.h"
 #include "soms/query/distance.h"
 
 #include <algorithm>

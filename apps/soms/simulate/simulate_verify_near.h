@@ -2,14 +2,13 @@
 /// A second opinion on the gaps of a simulation, without its trees or a broad phase.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/random.h"
 #include "soms/scene/scene.h"
 
 #include "apps/world/world.h"
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace soms::command {

@@ -6,7 +6,6 @@
 #include "soms/query/solid.h"
 
 #include <chrono>
-#include <optional>
 #include <vector>
 
 namespace soms::command {

@@ -2,7 +2,7 @@
 /// A test of `thesis`, run: what each frame found and took, and what it comes to.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 
 #include "apps/soms/thesis/thesis_trips.h"
 #include "thesis/trips/frames.h"

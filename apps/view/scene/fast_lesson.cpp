@@ -1,6 +1,6 @@
 #include "apps/view/scene/fast_lesson.h"
 
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <fmt/format.h>
 

@@ -52,7 +52,7 @@ void for_pixels(const ViewScene& scene, const Camera& camera, Size size, int sam
   const auto height = static_cast<std::size_t>(size.height);
   const std::size_t a_row = width * static_cast<std::size_t>(samples);
   const std::size_t rows = std::max<std::size_t>(1, kRaysAtOnce / a_row);
-  const Limits inner = without_progress(limits);
+  const Limits inner = limits.silent();
   std::vector<Ray> rays;
   for (std::size_t y = 0; y < height; y += rows) {
     check_stop(limits);
@@ -227,11 +227,6 @@ std::vector<std::uint8_t> seen_from(const ViewScene& scene, const Vec3& observer
   return seen;
 }
 
-Limits without_progress(Limits limits) {
-  limits.progress = {};
-  return limits;
-}
-
 std::string in_percent(std::uint64_t part, std::uint64_t whole) {
   const double share = whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
   return fmt::format("{:.1f} %", 100 * share);
@@ -241,7 +236,7 @@ DepthPicture draw_depth(const ViewScene& scene, const Camera& camera, Size size,
                         const Limits& limits) {
   DepthPicture drawn;
   drawn.nearest = std::numeric_limits<double>::infinity();
-  for_pixels(scene, camera, size, 1, without_progress(limits), [&](std::size_t, auto, auto hits) {
+  for_pixels(scene, camera, size, 1, limits.silent(), [&](std::size_t, auto, auto hits) {
     for (const SurfaceHit& hit : hits) {
       if (hit.body) {
         drawn.nearest = std::min(drawn.nearest, hit.t);
@@ -275,7 +270,7 @@ SightPicture draw_sight(const ViewScene& scene, const Camera& camera, const Vec3
   SightPicture drawn;
   drawn.picture = filled(size, kSky);
   const CameraFrame f = frame(camera);
-  const Limits inner = without_progress(limits);
+  const Limits inner = limits.silent();
   std::vector<Color> colors;
   for_pixels(scene, camera, size, samples, limits,
              [&](std::size_t first, std::span<const Ray> rays, std::span<const SurfaceHit> hits) {

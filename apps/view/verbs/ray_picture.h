@@ -55,9 +55,6 @@ struct SightPicture {
                                                   std::span<const Ray> rays,
                                                   const Limits& limits = {});
 
-/// For calls that are a part of one whose progress is reported.
-[[nodiscard]] Limits without_progress(Limits limits);
-
 /// A share, as "12.5 %"; of nothing "0.0 %".
 [[nodiscard]] std::string in_percent(std::uint64_t part, std::uint64_t whole);
 

@@ -49,7 +49,7 @@ std::vector<Ray> rays_down(const command::HeightGrid& grid, std::size_t row, dou
 CellFlags look_down(const ViewScene& scene, const Vec3& observer, const command::HeightGrid& grid,
                     double top, SightMap& map, const Limits& limits) {
   CellFlags flags(grid.columns() * grid.rows());
-  const Limits inner = without_progress(limits);
+  const Limits inner = limits.silent();
   for (std::size_t row = 0; row < grid.rows(); ++row) {
     check_stop(limits);
     const std::vector<Ray> rays = rays_down(grid, row, top);

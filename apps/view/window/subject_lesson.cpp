@@ -1,5 +1,5 @@
 // What of `SceneSubject` concerns a traversal test by test.
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include "apps/view/window/scene_subject.h"
 

@@ -37,7 +37,6 @@ py::object query_overlap(const py::object& a, const py::object& b, const py::obj
   if (limit) {
     options.limit = *limit;
   }
-  check(options);
   return answer_poses_or_tiles(a, b, poses, {threads, timeout}, progress,
                                [&](const Limits& limits, const auto&... bodies) {
                                  return overlap(bodies..., options, limits);

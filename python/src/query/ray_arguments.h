@@ -10,7 +10,6 @@
 
 #include <pybind11/pybind11.h>
 
-#include <optional>
 #include <span>
 #include <vector>
 

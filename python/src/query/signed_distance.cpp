@@ -89,7 +89,6 @@ py::object query_signed_distance(const py::object& model, const py::object& poin
                                  std::optional<double> timeout, int threads,
                                  const py::object& progress) {
   const ClosestOptions options{.at_most = at_most};
-  check(options);
   if (const auto* const closed = inside<ClosedBody>(model)) {
     return ask(*closed, points, options, {threads, timeout}, progress);
   }

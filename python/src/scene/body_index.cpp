@@ -17,23 +17,6 @@
 
 namespace soms::python {
 
-template <>
-struct Packing<BodyClosest> : ExtendedPacking<BodyClosest, Closest, &BodyClosest::body> {};
-
-template <>
-struct Packing<BodyClosestBatch>
-    : ExtendedPacking<BodyClosestBatch, ClosestBatch, &BodyClosestBatch::body> {};
-
-template <>
-struct Packing<BodyHit> : ExtendedPacking<BodyHit, ClosestHit, &BodyHit::body> {};
-
-template <>
-struct Packing<BodyHitBatch> : ExtendedPacking<BodyHitBatch, ClosestHitBatch, &BodyHitBatch::body> {
-};
-
-template <>
-struct Packing<BodyAllHits> : ExtendedPacking<BodyAllHits, AllHits, &BodyAllHits::body> {};
-
 namespace {
 
 constexpr const char* kIndexDoc = R"(BodyIndex(bodies)

@@ -3,7 +3,10 @@
 /// in how they say which bodies take part.
 #pragma once
 
+#include "soms/scene/of_bodies.h"
+
 #include "python/src/call.h"
+#include "python/src/packing.h"
 #include "python/src/query/point_query.h"
 #include "python/src/query/ray_arguments.h"
 
@@ -16,6 +19,10 @@
 #include <utility>
 
 namespace soms::python {
+
+template <class Answer, class Name>
+struct Packing<OfBodies<Answer, Name>>
+    : ExtendedPacking<OfBodies<Answer, Name>, Answer, &OfBodies<Answer, Name>::body> {};
 
 /// The arguments of a filter in a signature, and what they are.
 struct FilterText {

@@ -382,7 +382,6 @@ py::object query_robot(const SharedModel& held, const py::object& given, bool fi
                        const py::object& progress) {
   const RobotOptions options{
       .first_contact = first_contact, .distance = distance, .at_most = at_most};
-  check(options);
   const States states = states_of(given, held->model.kinematics());
   const auto answers = [&](const Limits& limits) {
     return robot_contacts(held->model, states.numbers.get(), options, limits);

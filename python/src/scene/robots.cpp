@@ -1,6 +1,7 @@
 // Robots: read_robot, and the poses of links.
 #include "python/src/scene/robots.h"
 
+#include "soms/base/parallel.h"
 #include "soms/base/random.h"
 #include "soms/io/robot.h"
 #include "soms/kinematics/print.h"

@@ -12,23 +12,6 @@
 
 namespace soms::python {
 
-template <>
-struct Packing<SceneClosest> : ExtendedPacking<SceneClosest, Closest, &SceneClosest::body> {};
-
-template <>
-struct Packing<SceneClosestBatch>
-    : ExtendedPacking<SceneClosestBatch, ClosestBatch, &SceneClosestBatch::body> {};
-
-template <>
-struct Packing<SceneHit> : ExtendedPacking<SceneHit, ClosestHit, &SceneHit::body> {};
-
-template <>
-struct Packing<SceneHitBatch>
-    : ExtendedPacking<SceneHitBatch, ClosestHitBatch, &SceneHitBatch::body> {};
-
-template <>
-struct Packing<SceneAllHits> : ExtendedPacking<SceneAllHits, AllHits, &SceneAllHits::body> {};
-
 py::array Column<std::optional<SceneBody>>::make(
     const std::vector<std::optional<SceneBody>>& values, py::handle) {
   py::array_t<std::int64_t> array({static_cast<py::ssize_t>(values.size()), py::ssize_t{2}});

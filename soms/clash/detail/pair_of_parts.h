@@ -2,7 +2,7 @@
 /// How one part of a set stands to another.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/clash/clash.h"
 #include "soms/clash/part_bodies.h"
 #include "soms/query/answer.h"

@@ -3,7 +3,7 @@
 /// trees. What tests and `--verify` believe.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/clash/clash.h"
 
 #include <optional>

@@ -2,7 +2,7 @@
 /// Bytes that are written as text of 64 letters.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 
 #include <cstddef>
 #include <memory>

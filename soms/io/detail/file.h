@@ -2,7 +2,7 @@
 /// The bytes of a file, read in one go.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 
 #include <cstddef>
 #include <cstdint>

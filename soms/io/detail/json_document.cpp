@@ -1,6 +1,6 @@
 #include "soms/io/detail/json_document.h"
 
-#include "soms/geometry/counts.h"
+#include "soms/geometry/detail/counts.h"
 
 #include <nlohmann/json.hpp>
 

@@ -2,7 +2,7 @@
 /// The formats that are written, onto any output.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/geometry/mesh.h"
 #include "soms/io/detail/output.h"
 #include "soms/io/write_mesh.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "soms/base/error.h"
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/io/read_mesh.h"
 
 #include <cstddef>

@@ -8,7 +8,7 @@
 #include "soms/query/detail/engine/pair_frame.h"
 #include "soms/query/detail/engine/pair_list.h"
 #include "soms/query/detail/single_box_descent.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <array>
 #include <cstddef>

@@ -5,7 +5,7 @@
 
 #include "soms/query/detail/kernels/kernels.h"
 #include "soms/query/detail/relative_pose.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <array>
 #include <cstdint>

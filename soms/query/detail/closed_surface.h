@@ -2,7 +2,7 @@
 /// What is found of a surface while its closedness is checked, and holds at every pose.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/geometry/detail/parts/odd_edges.h"
 #include "soms/geometry/mesh.h"
 #include "soms/query/body.h"

@@ -75,7 +75,7 @@
 #include "soms/base/pose.h"
 #include "soms/query/detail/kernels/kernels.h"
 #include "soms/query/detail/single_box_descent.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <array>
 #include <cmath>

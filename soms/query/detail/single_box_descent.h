@@ -17,7 +17,7 @@
 #include "soms/query/answer.h"
 #include "soms/query/detail/engine/pair_list.h"
 #include "soms/query/detail/kernels/kernels.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <array>
 

@@ -3,7 +3,7 @@
 /// tree, whole numbers. What tests and `--verify` believe.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/query/body.h"
 #include "soms/query/closest.h"
 #include "soms/query/signed_closest.h"

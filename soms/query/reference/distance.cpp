@@ -2,6 +2,7 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
+#include "soms/base/parallel.h"
 #include "soms/geometry/detail/exact/exact_distance.h"
 #include "soms/geometry/detail/nearest_points.h"
 #include "soms/geometry/triangle_overlap.h"

@@ -3,7 +3,7 @@
 /// numbers. What tests and `--verify` believe.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/query/body.h"
 #include "soms/query/distance.h"
 

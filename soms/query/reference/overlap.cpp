@@ -1,6 +1,7 @@
 #include "soms/query/reference/overlap.h"
 
 #include "soms/base/arithmetic.h"
+#include "soms/base/parallel.h"
 #include "soms/geometry/triangle_overlap.h"
 #include "soms/query/reference/detail/moved_triangles.h"
 

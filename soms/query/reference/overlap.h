@@ -3,7 +3,7 @@
 /// believe.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/pose.h"
 #include "soms/geometry/mesh.h"
 #include "soms/query/overlap.h"

@@ -3,7 +3,7 @@
 /// tests and `--verify` believe.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/robot/robot_query.h"
 
 #include <span>

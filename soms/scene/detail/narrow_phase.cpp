@@ -1,5 +1,6 @@
 #include "soms/scene/detail/narrow_phase.h"
 
+#include "soms/base/parallel.h"
 #include "soms/scene/detail/kept_memory.h"
 
 #include <algorithm>

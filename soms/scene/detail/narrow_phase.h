@@ -2,11 +2,11 @@
 /// Many pairs of bodies queried in one call.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/query/body.h"
+#include "soms/query/detail/overlap_run.h"
 #include "soms/query/overlap.h"
 #include "soms/query/overlap_method.h"
-#include "soms/query/overlap_run.h"
 
 #include <cstddef>
 #include <cstdint>

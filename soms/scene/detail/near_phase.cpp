@@ -1,5 +1,6 @@
 #include "soms/scene/detail/near_phase.h"
 
+#include "soms/base/parallel.h"
 #include "soms/scene/detail/kept_memory.h"
 
 namespace soms::detail {

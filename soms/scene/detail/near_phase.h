@@ -2,7 +2,7 @@
 /// How near are the bodies of many pairs?
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/query/distance.h"
 #include "soms/scene/detail/narrow_phase.h"
 

@@ -2,7 +2,7 @@
 
 #include "soms/base/error.h"
 #include "soms/io/detail/file.h"
-#include "soms/tree/layout/pages.h"
+#include "soms/tree/layout/detail/pages.h"
 
 #include <sys/mman.h>
 #include <sys/stat.h>

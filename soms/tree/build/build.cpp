@@ -5,7 +5,7 @@
 #include "soms/tree/build/detail/by_morton.h"
 #include "soms/tree/build/detail/by_reference.h"
 #include "soms/tree/build/detail/top_down.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <utility>
 

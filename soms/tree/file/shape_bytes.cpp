@@ -2,14 +2,14 @@
 
 #include "soms/base/error.h"
 #include "soms/base/lanes_hash.h"
-#include "soms/geometry/counts.h"
+#include "soms/geometry/detail/counts.h"
 #include "soms/tree/detail/held_mesh.h"
 #include "soms/tree/file/detail/check_arrays.h"
 #include "soms/tree/file/detail/head.h"
 #include "soms/tree/file/detail/records.h"
 #include "soms/tree/file/detail/statements.h"
-#include "soms/tree/layout/pages.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/pages.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <algorithm>
 #include <array>

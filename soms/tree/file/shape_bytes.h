@@ -8,7 +8,7 @@
 /// docs/tree_file.md has the format.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/words.h"
 #include "soms/tree/shape.h"
 

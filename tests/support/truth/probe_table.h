@@ -3,7 +3,7 @@
 /// bodies.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/vector.h"
 
 #include "tests/support/truth/answer_row.h"

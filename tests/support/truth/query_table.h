@@ -4,7 +4,7 @@
 /// over the rows. Questions about a body and a point or a ray: `tests/support/truth/probe_table.h`.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 
 #include "tests/support/truth/answer_row.h"
 

@@ -1,7 +1,7 @@
 #include "soms/base/error.h"
 #include "soms/tree/build.h"
 #include "soms/tree/check.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 #include "soms/tree/rule/rules.h"
 
 #include "tests/support/slow_build.h"

@@ -2,7 +2,7 @@
 
 #include "soms/tree/build.h"
 #include "soms/tree/check.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include "tests/support/support.h"
 #include "tests/tree/inputs.h"

@@ -1,7 +1,7 @@
 #include "soms/base/error.h"
 #include "soms/generate/shapes.h"
 #include "soms/tree/build.h"
-#include "soms/tree/layout/compact_node.h"
+#include "soms/tree/layout/detail/compact_node.h"
 #include "soms/tree/refit.h"
 #include "soms/tree/rule/rules.h"
 

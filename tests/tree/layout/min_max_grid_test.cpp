@@ -1,7 +1,7 @@
-#include "soms/tree/layout/min_max_grid.h"
+#include "soms/tree/layout/detail/min_max_grid.h"
 
 #include "soms/base/box.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 #include "soms/tree/shape.h"
 
 #include "tests/support/support.h"

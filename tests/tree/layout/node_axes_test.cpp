@@ -1,4 +1,4 @@
-#include "soms/tree/layout/node_axes.h"
+#include "soms/tree/layout/detail/node_axes.h"
 
 #include "tests/support/support.h"
 

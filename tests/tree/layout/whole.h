@@ -3,7 +3,7 @@
 #pragma once
 
 #include "soms/geometry/mesh.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 namespace soms::test {
 

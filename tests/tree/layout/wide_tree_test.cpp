@@ -1,4 +1,4 @@
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include "soms/tree/build.h"
 #include "soms/tree/rule/rules.h"

@@ -1,4 +1,5 @@
 // A premise: a balanced tree is traversed faster than an unbalanced one.
+#include "soms/base/parallel.h"
 #include "soms/thesis/posed_boxes.h"
 #include "soms/thesis/traversals.h"
 #include "soms/tree/statistics.h"

@@ -1,4 +1,6 @@
 // How early a traversal comes to the first overlap: "Earlier Node detection".
+#include "soms/base/parallel.h"
+
 #include "apps/draw/interval_chart.h"
 #include "thesis/claims/thesis_claims.h"
 #include "thesis/experiments/experiments.h"

@@ -1,4 +1,6 @@
 // E-Node against depth-first traversals that descend the same nodes: work and time.
+#include "soms/base/parallel.h"
+
 #include "apps/draw/interval_chart.h"
 #include "thesis/claims/thesis_claims.h"
 #include "thesis/experiments/experiments.h"

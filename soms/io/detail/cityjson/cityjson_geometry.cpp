@@ -1,7 +1,7 @@
 #include "soms/io/detail/cityjson/cityjson_geometry.h"
 
 #include "soms/base/decimal.h"
-#include "soms/geometry/counts.h"
+#include "soms/geometry/detail/counts.h"
 #include "soms/io/detail/affine.h"
 #include "soms/io/detail/text.h"
 

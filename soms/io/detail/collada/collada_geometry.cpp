@@ -1,6 +1,6 @@
 #include "soms/io/detail/collada/collada_geometry.h"
 
-#include "soms/geometry/counts.h"
+#include "soms/geometry/detail/counts.h"
 #include "soms/io/detail/mesh_builder.h"
 #include "soms/io/detail/text.h"
 

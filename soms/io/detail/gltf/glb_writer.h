@@ -2,7 +2,7 @@
 /// Writing GLB: the binary form of glTF 2.0.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/geometry/mesh.h"
 #include "soms/io/detail/output.h"
 

@@ -1,6 +1,6 @@
 #include "soms/io/detail/gltf/gltf_features.h"
 
-#include "soms/geometry/counts.h"
+#include "soms/geometry/detail/counts.h"
 
 #include <cmath>
 #include <optional>

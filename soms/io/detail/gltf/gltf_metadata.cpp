@@ -1,7 +1,7 @@
 #include "soms/io/detail/gltf/gltf_metadata.h"
 
 #include "soms/base/text.h"
-#include "soms/geometry/counts.h"
+#include "soms/geometry/detail/counts.h"
 
 #include <algorithm>
 #include <cmath>

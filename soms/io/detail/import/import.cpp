@@ -1,7 +1,7 @@
 #include "soms/io/detail/import/import.h"
 
 #include "soms/base/portable.h"
-#include "soms/geometry/counts.h"
+#include "soms/geometry/detail/counts.h"
 #include "soms/io/crs.h"
 #include "soms/io/detail/file_extension.h"
 #include "soms/io/detail/import/import_child.h"

@@ -2,7 +2,7 @@
 /// A file line by line, or in pieces of a few bytes, in bounded memory.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/io/detail/file.h"
 
 #include <cstddef>

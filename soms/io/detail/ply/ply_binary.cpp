@@ -1,7 +1,7 @@
 #include "soms/io/detail/ply/ply_binary.h"
 
 #include "soms/base/portable.h"
-#include "soms/geometry/counts.h"
+#include "soms/geometry/detail/counts.h"
 #include "soms/io/detail/text.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "soms/io/detail/ply/ply_text.h"
 
-#include "soms/geometry/counts.h"
+#include "soms/geometry/detail/counts.h"
 #include "soms/io/detail/text.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "soms/io/detail/simple/three_ds.h"
 
 #include "soms/base/decimal.h"
-#include "soms/geometry/counts.h"
+#include "soms/geometry/detail/counts.h"
 #include "soms/io/detail/mesh_builder.h"
 #include "soms/io/detail/numbers/little_endian.h"
 #include "soms/io/detail/simple/three_ds_chunks.h"

@@ -2,7 +2,7 @@
 /// Writing 3DS: a mesh cut into objects that the format has room for.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/geometry/mesh.h"
 #include "soms/io/detail/output.h"
 

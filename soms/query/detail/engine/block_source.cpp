@@ -1,6 +1,6 @@
 #include "soms/query/detail/engine/block_source.h"
 
-#include "soms/tree/layout/compact_node.h"
+#include "soms/tree/layout/detail/compact_node.h"
 
 namespace soms::detail {
 

@@ -4,8 +4,8 @@
 
 #include "soms/query/detail/engine/fetch.h"
 #include "soms/query/detail/engine/node_id.h"
-#include "soms/tree/layout/pages.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/pages.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 #include "soms/tree/shape.h"
 
 #include <array>

@@ -2,7 +2,7 @@
 /// What ends a query before its answer is complete.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 
 #include <atomic>
 #include <cstdint>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "soms/query/detail/kernels/kernels.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <cstdint>
 

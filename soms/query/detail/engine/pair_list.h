@@ -2,7 +2,7 @@
 /// Lists of pairs of nodes that a traversal has still to look at.
 #pragma once
 
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <array>
 #include <cstddef>

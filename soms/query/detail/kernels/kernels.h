@@ -8,7 +8,7 @@
 #include "soms/query/detail/kernels/parity_tasks.h"
 #include "soms/query/detail/kernels/pose_tasks.h"
 #include "soms/query/detail/kernels/triangle_tasks.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <array>
 #include <cstddef>

@@ -2,7 +2,7 @@
 /// Rays in any direction as kernels see them: see ray/ray_frame.h, which proves the margins.
 #pragma once
 
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <array>
 #include <cstddef>

@@ -2,7 +2,7 @@
 /// Rays along a world axis as kernels see them: see parity_frame.h, which proves the margins.
 #pragma once
 
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <array>
 #include <cstdint>

@@ -5,7 +5,7 @@
 #include "soms/base/double_limits.h"
 #include "soms/base/pose.h"
 #include "soms/base/vector.h"
-#include "soms/tree/layout/ground_plan.h"
+#include "soms/tree/layout/detail/ground_plan.h"
 
 #include <array>
 #include <cstddef>

@@ -2,7 +2,7 @@
 /// Pairs of triangles that kernels judge.
 #pragma once
 
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <array>
 #include <cstddef>

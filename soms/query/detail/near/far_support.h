@@ -6,7 +6,7 @@
 #include "soms/base/pose.h"
 #include "soms/base/vector.h"
 #include "soms/query/detail/engine/pair_frame.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <array>
 #include <cstddef>

@@ -2,7 +2,7 @@
 /// What the queries of nearness share: one traversal for a goal, and the check of a length.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/query/answer.h"
 #include "soms/query/detail/engine/pair_frame.h"
 #include "soms/query/detail/near/near_goal.h"

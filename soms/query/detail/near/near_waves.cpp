@@ -1,5 +1,6 @@
 #include "soms/query/detail/near/near_waves.h"
 
+#include "soms/base/parallel.h"
 #include "soms/query/detail/engine/limit.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 /// A long query of nearness in parts, which several threads may look at.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/query/detail/near/near_goal.h"
 #include "soms/query/detail/near/near_pose.h"
 #include "soms/query/detail/near/near_traversal.h"

@@ -3,7 +3,7 @@
 /// in which a batch is answered.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/vector.h"
 #include "soms/query/answer.h"
 #include "soms/query/detail/near/near_query.h"

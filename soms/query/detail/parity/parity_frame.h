@@ -56,7 +56,7 @@
 #include "soms/base/pose.h"
 #include "soms/base/vector.h"
 #include "soms/query/detail/kernels/parity_tasks.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <array>
 #include <cstddef>

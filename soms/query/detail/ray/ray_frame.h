@@ -84,7 +84,7 @@
 #include "soms/geometry/detail/ray_plane.h"
 #include "soms/query/detail/kernels/line_tasks.h"
 #include "soms/query/detail/relative_pose.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 namespace soms::detail {
 

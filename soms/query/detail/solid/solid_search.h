@@ -2,7 +2,7 @@
 /// The relation of two closed bodies at one pose each: first what is quick to find.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/query/answer.h"
 #include "soms/query/solid.h"
 

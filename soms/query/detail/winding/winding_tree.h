@@ -15,7 +15,7 @@
 #pragma once
 
 #include "soms/base/bracket.h"
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/query/body.h"
 #include "soms/query/detail/parity/parity_traversal.h"
 #include "soms/query/detail/winding/angle_sum.h"

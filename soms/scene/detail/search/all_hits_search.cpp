@@ -122,8 +122,10 @@ void append_block(const BodyAllHits& part, BodyAllHits& all) {
   append(all.costs, part.costs);
 }
 
-BodyAllHits hits_of_all(BodySets sets, std::span<const Ray> lines, const RayOptions& options,
-                        LeftOut left_out, const Limits& limits) {
+}  // namespace
+
+BodyAllHits all_hits(BodySets sets, std::span<const Ray> lines, const RayOptions& options,
+                     LeftOut left_out, const Limits& limits) {
   const PlainArithmetic plain;
   check_left_out(sets, options, left_out);
   static_cast<void>(soms::all_hits(Body(), lines, {}, limits));  // all but checks
@@ -142,13 +144,6 @@ BodyAllHits hits_of_all(BodySets sets, std::span<const Ray> lines, const RayOpti
   }
   all.cost = sum_of(all.costs);
   return all;
-}
-
-}  // namespace
-
-BodyAllHits all_hits(BodySets sets, std::span<const Ray> rays, const RayOptions& options,
-                     LeftOut left_out, const Limits& limits) {
-  return hits_of_all(sets, rays, options, left_out, limits);
 }
 
 }  // namespace soms::detail

@@ -5,8 +5,8 @@
 #include "soms/query/body.h"
 #include "soms/query/closest.h"
 #include "soms/query/ray.h"
-#include "soms/scene/body_index.h"
 #include "soms/scene/detail/box_index.h"
+#include "soms/scene/of_bodies.h"
 
 #include <cstddef>
 #include <cstdint>

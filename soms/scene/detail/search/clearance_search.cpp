@@ -2,6 +2,7 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
+#include "soms/base/parallel.h"
 #include "soms/query/distance.h"
 
 #include <algorithm>

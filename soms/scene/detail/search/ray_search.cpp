@@ -54,24 +54,6 @@ AnyHit any(BodySets sets, const Ray& line, const RayOptions& options, LeftOut le
   return answer;
 }
 
-BodyHit checked_first(BodySets sets, const Ray& line, const RayOptions& options, LeftOut left_out,
-                      const Limits& limits) {
-  const PlainArithmetic plain;
-  check_left_out(sets, options, left_out);
-  static_cast<void>(soms::closest_hit(Body(), line));  // all but checks
-  SearchMemory memory;
-  return first(sets, line, options, left_out, limits, memory);
-}
-
-AnyHit checked_any(BodySets sets, const Ray& line, const RayOptions& options, LeftOut left_out,
-                   const Limits& limits) {
-  const PlainArithmetic plain;
-  check_left_out(sets, options, left_out);
-  static_cast<void>(soms::any_hit(Body(), line));  // all but checks
-  SearchMemory memory;
-  return any(sets, line, options, left_out, limits, memory);
-}
-
 /// `ask(line, memory)` for each line, shared by threads, instead of what `batch` has.
 template <Described Answer, class Ask>
 BatchOf<Answer> for_all(std::span<const Ray> lines, const Limits& limits, BatchOf<Answer> batch,
@@ -85,33 +67,6 @@ BatchOf<Answer> for_all(std::span<const Ray> lines, const Limits& limits, BatchO
       });
   sum_costs<Answer>(batch);
   return batch;
-}
-
-// What a body without triangles answers is checked, and its columns are of the right size.
-
-BodyHitBatch first_of_all(BodySets sets, std::span<const Ray> lines, const RayOptions& options,
-                          LeftOut left_out, const Limits& limits) {
-  const PlainArithmetic plain;
-  check_left_out(sets, options, left_out);
-  BodyHitBatch batch{soms::closest_hit(Body(), lines, {}, limits), {}};
-  batch.body.resize(lines.size());
-  const Limits alone = limits.alone();
-  return for_all<BodyHit>(lines, limits, std::move(batch),
-                          [&](const Ray& line, SearchMemory& memory) {
-                            return first(sets, line, options, left_out, alone, memory);
-                          });
-}
-
-AnyHitBatch any_of_all(BodySets sets, std::span<const Ray> lines, const RayOptions& options,
-                       LeftOut left_out, const Limits& limits) {
-  const PlainArithmetic plain;
-  check_left_out(sets, options, left_out);
-  AnyHitBatch batch = soms::any_hit(Body(), lines, {}, limits);
-  const Limits alone = limits.alone();
-  return for_all<AnyHit>(lines, limits, std::move(batch),
-                         [&](const Ray& line, SearchMemory& memory) {
-                           return any(sets, line, options, left_out, alone, memory);
-                         });
 }
 
 }  // namespace
@@ -134,24 +89,49 @@ void check_left_out(BodySets sets, const RayOptions& options, LeftOut left_out) 
   }
 }
 
-BodyHit closest_hit(BodySets sets, const Ray& ray, const RayOptions& options, LeftOut left_out,
+BodyHit closest_hit(BodySets sets, const Ray& line, const RayOptions& options, LeftOut left_out,
                     const Limits& limits) {
-  return checked_first(sets, ray, options, left_out, limits);
+  const PlainArithmetic plain;
+  check_left_out(sets, options, left_out);
+  static_cast<void>(soms::closest_hit(Body(), line));  // all but checks
+  SearchMemory memory;
+  return first(sets, line, options, left_out, limits, memory);
 }
 
-BodyHitBatch closest_hit(BodySets sets, std::span<const Ray> rays, const RayOptions& options,
-                         LeftOut left_out, const Limits& limits) {
-  return first_of_all(sets, rays, options, left_out, limits);
-}
-
-AnyHit any_hit(BodySets sets, const Ray& ray, const RayOptions& options, LeftOut left_out,
+AnyHit any_hit(BodySets sets, const Ray& line, const RayOptions& options, LeftOut left_out,
                const Limits& limits) {
-  return checked_any(sets, ray, options, left_out, limits);
+  const PlainArithmetic plain;
+  check_left_out(sets, options, left_out);
+  static_cast<void>(soms::any_hit(Body(), line));  // all but checks
+  SearchMemory memory;
+  return any(sets, line, options, left_out, limits, memory);
 }
 
-AnyHitBatch any_hit(BodySets sets, std::span<const Ray> rays, const RayOptions& options,
+// What a body without triangles answers is checked, and its columns are of the right size.
+
+BodyHitBatch closest_hit(BodySets sets, std::span<const Ray> lines, const RayOptions& options,
+                         LeftOut left_out, const Limits& limits) {
+  const PlainArithmetic plain;
+  check_left_out(sets, options, left_out);
+  BodyHitBatch batch{soms::closest_hit(Body(), lines, {}, limits), {}};
+  batch.body.resize(lines.size());
+  const Limits alone = limits.alone();
+  return for_all<BodyHit>(lines, limits, std::move(batch),
+                          [&](const Ray& line, SearchMemory& memory) {
+                            return first(sets, line, options, left_out, alone, memory);
+                          });
+}
+
+AnyHitBatch any_hit(BodySets sets, std::span<const Ray> lines, const RayOptions& options,
                     LeftOut left_out, const Limits& limits) {
-  return any_of_all(sets, rays, options, left_out, limits);
+  const PlainArithmetic plain;
+  check_left_out(sets, options, left_out);
+  AnyHitBatch batch = soms::any_hit(Body(), lines, {}, limits);
+  const Limits alone = limits.alone();
+  return for_all<AnyHit>(lines, limits, std::move(batch),
+                         [&](const Ray& line, SearchMemory& memory) {
+                           return any(sets, line, options, left_out, alone, memory);
+                         });
 }
 
 }  // namespace soms::detail

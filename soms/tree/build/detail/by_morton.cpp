@@ -1,5 +1,6 @@
 #include "soms/tree/build/detail/by_morton.h"
 
+#include "soms/base/parallel.h"
 #include "soms/tree/build/detail/morton.h"
 #include "soms/tree/layout/detail/refit_layout.h"
 

@@ -1,5 +1,6 @@
 #include "soms/tree/build/detail/by_reference.h"
 
+#include "soms/base/parallel.h"
 #include "soms/tree/build/detail/cells.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "soms/tree/build/detail/cells.h"
 
+#include "soms/base/parallel.h"
 #include "soms/tree/layout/detail/refit_layout.h"
 #include "soms/tree/layout/detail/widen.h"
 
@@ -23,10 +24,6 @@ constexpr float kLeastExtent = 0x1p-100F;
 /// triangles in each cell that it passes.
 constexpr double kTrianglesInCell = 100;
 constexpr int kMostBits = 6;
-
-Limits silent(const Limits& limits) {
-  return {.threads = limits.threads, .stop = limits.stop};
-}
 
 /// Two zeros before each of six bits.
 constexpr std::uint32_t spread(std::uint32_t x) {
@@ -205,7 +202,7 @@ void improve(Candidate& best, const Histogram& h, std::size_t axis) {
 }  // namespace
 
 Cells sort_into_cells(const MeshView& mesh, const Limits& limits) {
-  const Limits quiet = silent(limits);
+  const Limits quiet = limits.silent();
   const Box bounds = layout::bounds_of(mesh, quiet);
   const PrimitiveFrame frame = frame_of(bounds);
   const std::size_t count = mesh.triangles.size();

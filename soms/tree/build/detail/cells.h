@@ -2,9 +2,9 @@
 /// References in the order of the cells of a grid, and the upper tree over whole cells.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/tree/build/detail/reference.h"
-#include "soms/tree/layout/pages.h"
+#include "soms/tree/layout/detail/pages.h"
 
 #include <vector>
 

@@ -1,6 +1,7 @@
 #include "soms/tree/build/detail/morton.h"
 
 #include "soms/base/box.h"
+#include "soms/base/parallel.h"
 
 #include <algorithm>
 #include <bit>

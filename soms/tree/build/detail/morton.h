@@ -3,9 +3,9 @@
 #pragma once
 
 #include "soms/base/box.h"
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/geometry/mesh.h"
-#include "soms/tree/layout/pages.h"
+#include "soms/tree/layout/detail/pages.h"
 
 #include <array>
 #include <cstddef>

@@ -1,5 +1,6 @@
 #include "soms/tree/build/detail/subtrees.h"
 
+#include "soms/base/parallel.h"
 #include "soms/tree/layout/detail/fetch_corners.h"
 
 #include <algorithm>

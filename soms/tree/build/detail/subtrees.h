@@ -2,7 +2,7 @@
 /// A canonical tree in parts, as builders leave it.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/tree/layout/detail/parts.h"
 #include "soms/tree/tree.h"
 

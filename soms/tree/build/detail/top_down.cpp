@@ -1,9 +1,10 @@
 #include "soms/tree/build/detail/top_down.h"
 
+#include "soms/base/parallel.h"
 #include "soms/tree/build/detail/divide.h"
+#include "soms/tree/layout/detail/pages.h"
 #include "soms/tree/layout/detail/refit_layout.h"
-#include "soms/tree/layout/pages.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <algorithm>
 #include <bit>

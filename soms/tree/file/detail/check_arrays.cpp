@@ -1,8 +1,9 @@
 #include "soms/tree/file/detail/check_arrays.h"
 
+#include "soms/base/parallel.h"
 #include "soms/base/pose.h"
 #include "soms/tree/file/detail/head.h"
-#include "soms/tree/layout/compact_node.h"
+#include "soms/tree/layout/detail/compact_node.h"
 
 #include <algorithm>
 #include <array>

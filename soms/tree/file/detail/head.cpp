@@ -5,8 +5,8 @@
 #include "soms/base/lanes_hash.h"
 #include "soms/geometry/mesh.h"
 #include "soms/tree/file/shape_bytes.h"
-#include "soms/tree/layout/compact_node.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/compact_node.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <cstring>
 #include <string_view>

@@ -4,7 +4,7 @@
 
 #include "soms/base/box.h"
 #include "soms/tree/build_options.h"
-#include "soms/tree/layout/ground_plan.h"
+#include "soms/tree/layout/detail/ground_plan.h"
 
 #include <array>
 #include <cstddef>

@@ -2,8 +2,8 @@
 /// Records of a layout as bytes of which each is determined.
 #pragma once
 
-#include "soms/tree/layout/compact_node.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/compact_node.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <cstddef>
 #include <cstring>

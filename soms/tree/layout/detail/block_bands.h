@@ -13,7 +13,7 @@
 
 #include "soms/base/lanes.h"
 #include "soms/tree/layout/detail/column_bands.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <algorithm>
 #include <array>

@@ -10,7 +10,7 @@
 /// most, so intervals are widened by `give` and 2^-45 S, too.
 #pragma once
 
-#include "soms/tree/layout/ground_plan.h"
+#include "soms/tree/layout/detail/ground_plan.h"
 
 #include <algorithm>
 #include <array>

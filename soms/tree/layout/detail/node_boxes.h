@@ -3,8 +3,8 @@
 #pragma once
 
 #include "soms/tree/layout/detail/frame.h"
-#include "soms/tree/layout/node_axes.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/node_axes.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <span>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "soms/tree/layout/detail/parts.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,6 @@
 #include "soms/tree/layout/detail/refit_layout.h"
 
+#include "soms/base/parallel.h"
 #include "soms/tree/layout/detail/lay_out.h"
 #include "soms/tree/layout/detail/node_boxes.h"
 

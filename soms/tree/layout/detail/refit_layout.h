@@ -2,9 +2,9 @@
 /// Writing the nodes and blocks of a layout once more, over moved vertices.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/tree/layout/detail/frame.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <span>
 

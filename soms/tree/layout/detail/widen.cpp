@@ -1,6 +1,7 @@
 #include "soms/tree/layout/detail/widen.h"
 
 #include "soms/base/error.h"
+#include "soms/base/parallel.h"
 #include "soms/tree/layout/detail/lay_out.h"
 #include "soms/tree/layout/detail/node_boxes.h"
 

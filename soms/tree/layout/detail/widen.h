@@ -2,10 +2,10 @@
 /// From binary nodes to wide ones, part by part.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/tree/layout/detail/frame.h"
 #include "soms/tree/layout/detail/parts.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 namespace soms::layout {
 

@@ -2,7 +2,7 @@
 #include "soms/generate/shapes.h"
 #include "soms/query/overlap.h"
 #include "soms/query/reference/overlap.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include "tests/query/overlap_inputs.h"
 #include "tests/support/support.h"

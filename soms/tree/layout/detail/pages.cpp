@@ -1,4 +1,4 @@
-#include "soms/tree/layout/pages.h"
+#include "soms/tree/layout/detail/pages.h"
 
 #if defined(__linux__)
 #include <sys/mman.h>

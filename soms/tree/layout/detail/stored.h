@@ -2,7 +2,7 @@
 /// Arrays of a layout: their own memory, or memory that something else holds, such as a tree file.
 #pragma once
 
-#include "soms/tree/layout/pages.h"
+#include "soms/tree/layout/detail/pages.h"
 
 #include <algorithm>
 #include <cstddef>

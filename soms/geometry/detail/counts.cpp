@@ -1,4 +1,4 @@
-#include "soms/geometry/counts.h"
+#include "soms/geometry/detail/counts.h"
 
 #include "soms/base/error.h"
 #include "soms/geometry/mesh.h"

@@ -3,8 +3,8 @@
 /// nodes near the place where it is.
 #pragma once
 
-#include "soms/tree/layout/ground_plan.h"
-#include "soms/tree/layout/stored.h"
+#include "soms/tree/layout/detail/ground_plan.h"
+#include "soms/tree/layout/detail/stored.h"
 
 #include <cstddef>
 #include <cstdint>

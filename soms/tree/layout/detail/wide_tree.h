@@ -3,13 +3,13 @@
 #pragma once
 
 #include "soms/base/box.h"
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/geometry/mesh.h"
-#include "soms/tree/layout/min_max_grid.h"
-#include "soms/tree/layout/node_axes.h"
-#include "soms/tree/layout/pages.h"
-#include "soms/tree/layout/start_nodes.h"
-#include "soms/tree/layout/stored.h"
+#include "soms/tree/layout/detail/min_max_grid.h"
+#include "soms/tree/layout/detail/node_axes.h"
+#include "soms/tree/layout/detail/pages.h"
+#include "soms/tree/layout/detail/start_nodes.h"
+#include "soms/tree/layout/detail/stored.h"
 #include "soms/tree/tree.h"
 
 #include <array>

@@ -1,8 +1,9 @@
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
-#include "soms/tree/layout/compact_node.h"
+#include "soms/base/parallel.h"
 #include "soms/tree/layout/detail/block.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/compact_node.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <algorithm>
 #include <vector>
@@ -13,10 +14,6 @@ namespace {
 
 constexpr std::uint32_t kLast = CompactParts::kLast;
 constexpr std::size_t kChunk = 4096;
-
-Limits silent(const Limits& limits) {
-  return {.threads = limits.threads, .stop = limits.stop};
-}
 
 bool is_leaf(std::uint8_t leaves, std::size_t k) {
   return (std::uint32_t{leaves} >> k & 1U) != 0;
@@ -99,7 +96,7 @@ WideTree WideTree::compacted(const Limits& limits) const {
   auto parts = std::make_shared<CompactParts>();
   parts->ids.resize(first.back());
   const std::span<std::uint32_t> ids = parts->ids.own();
-  for_each_chunk(blocks_.size(), kChunk, silent(limits), [&](std::size_t begin, std::size_t end) {
+  for_each_chunk(blocks_.size(), kChunk, limits.silent(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t b = begin; b < end; ++b) {
       std::copy_n(blocks_[b].id.begin(), blocks_[b].count, ids.begin() + first[b]);
       if (blocks_[b].following == 0) {
@@ -108,7 +105,7 @@ WideTree WideTree::compacted(const Limits& limits) const {
     }
   });
   parts->nodes.resize(nodes_.size());
-  for_each_chunk(nodes_.size(), kChunk, silent(limits), [&](std::size_t begin, std::size_t end) {
+  for_each_chunk(nodes_.size(), kChunk, limits.silent(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       CompactNode node(nodes_[i]);
       for (std::size_t k = 0; k < node.count; ++k) {
@@ -137,7 +134,7 @@ WideTree WideTree::expanded(const MeshView& mesh, const Limits& limits) const {
   result.least_ids_ = least_ids_;
   const Runs runs(compact_->ids);
   result.blocks_.resize(runs.first.size());
-  for_each_chunk(runs.first.size(), kChunk, silent(limits),
+  for_each_chunk(runs.first.size(), kChunk, limits.silent(),
                  [&](std::size_t begin, std::size_t end) {
                    for (std::size_t b = begin; b < end; ++b) {
                      TriangleBlock& block = result.blocks_.own()[b];
@@ -147,7 +144,7 @@ WideTree WideTree::expanded(const MeshView& mesh, const Limits& limits) const {
                  });
   result.nodes_.resize(compact_->nodes.size());
   for_each_chunk(
-      result.nodes_.size(), kChunk, silent(limits), [&](std::size_t begin, std::size_t end) {
+      result.nodes_.size(), kChunk, limits.silent(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
           WideNode node;
           compact_->nodes[i].read(node);

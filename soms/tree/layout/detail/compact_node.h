@@ -2,7 +2,7 @@
 /// Nodes for shapes that must be small: what `WideNode` says, with boxes in bytes.
 #pragma once
 
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <array>
 #include <cstdint>

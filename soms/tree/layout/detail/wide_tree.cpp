@@ -1,7 +1,8 @@
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include "soms/base/arithmetic.h"
-#include "soms/tree/layout/compact_node.h"
+#include "soms/base/parallel.h"
+#include "soms/tree/layout/detail/compact_node.h"
 #include "soms/tree/layout/detail/refit_layout.h"
 #include "soms/tree/layout/detail/widen.h"
 

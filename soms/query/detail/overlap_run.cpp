@@ -1,8 +1,9 @@
-#include "soms/query/overlap_run.h"
+#include "soms/query/detail/overlap_run.h"
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/portable.h"
 #include "soms/query/detail/batched_root_descent.h"
+#include "soms/query/detail/check_options.h"
 #include "soms/query/detail/collector.h"
 #include "soms/query/detail/engine/batch.h"
 #include "soms/query/detail/engine/limit.h"
@@ -16,21 +17,9 @@
 #include <optional>
 #include <utility>
 
-namespace soms {
+namespace soms::detail {
 
 namespace {
-
-using detail::BatchedRootDescent;
-using detail::Collector;
-using detail::Kernels;
-using detail::Limit;
-using detail::OverlapTraversal;
-using detail::PoseFrames;
-using detail::RootDescent;
-using detail::RowWriter;
-using detail::TraversalMemory;
-using detail::TraversalRound;
-using detail::WideSource;
 
 /// Where both trees are larger than what a core has close at hand, queries wait for memory.
 constexpr std::size_t kClose = std::size_t{2} << 20;
@@ -116,7 +105,7 @@ class Run {
       in_flight[count] = &queries[count];
       ++count;
     }
-    const Kernels& tests = detail::kernels();
+    const Kernels& tests = kernels();
     TraversalRound round;
     while (count > 0) {
       round.clear();
@@ -131,7 +120,7 @@ class Run {
           in_flight[i] = in_flight[--count];
         }
       }
-      detail::test_round(tests, round);
+      test_round(tests, round);
       for (std::size_t i = 0; i < count; ++i) {
         InFlightQuery& query = *in_flight[i];
         query.over = !query.traversal->take_up(round, *query.collector, *query.limit);
@@ -228,12 +217,12 @@ OverlapRun& OverlapRun::operator=(OverlapRun&&) noexcept = default;
 void OverlapRun::ask(const Shape& mover, std::span<const Pose* const> poses, const Body& fixed,
                      const OverlapOptions& options, const Limits& limits, OverlapBatch& batch) {
   const PlainArithmetic plain;
-  check(options);
+  check_options(options);
   const PoseQueries run_input{mover, poses, fixed, options, limits};
   Answers answers(batch, memory_->pairs, poses.size());
-  if (detail::any_compact(mover, fixed.shape)) {
+  if (any_compact(mover, fixed.shape)) {
     query_compact(run_input, answers);
-  } else if (!detail::is_empty(mover) && !detail::is_empty(fixed.shape)) {
+  } else if (!is_empty(mover) && !is_empty(fixed.shape)) {
     const std::size_t most = queries_in_flight(mover, fixed.shape);
     if (memory_->count < most) {
       memory_->queries = make_array_for_overwrite<InFlightQuery>(most);
@@ -244,4 +233,4 @@ void OverlapRun::ask(const Shape& mover, std::span<const Pose* const> poses, con
   answers.finish();
 }
 
-}  // namespace soms
+}  // namespace soms::detail

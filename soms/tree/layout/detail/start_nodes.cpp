@@ -1,7 +1,7 @@
-#include "soms/tree/layout/start_nodes.h"
+#include "soms/tree/layout/detail/start_nodes.h"
 
 #include "soms/base/lanes.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,11 @@
-#include "soms/tree/layout/min_max_grid.h"
+#include "soms/tree/layout/detail/min_max_grid.h"
 
 #include "soms/base/box.h"
+#include "soms/base/parallel.h"
 #include "soms/base/portable.h"
 #include "soms/tree/layout/detail/block_bands.h"
 #include "soms/tree/layout/detail/height_mask.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <algorithm>
 #include <atomic>

@@ -3,14 +3,14 @@
 /// scenes and batches are made of.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/query/body.h"
 #include "soms/query/overlap.h"
 
 #include <memory>
 #include <span>
 
-namespace soms {
+namespace soms::detail {
 
 /// Memory for runs; one that was moved from has none. \threads One caller at a time.
 class OverlapRun {
@@ -34,4 +34,4 @@ class OverlapRun {
   std::unique_ptr<Memory> memory_;
 };
 
-}  // namespace soms
+}  // namespace soms::detail

@@ -1,4 +1,4 @@
-#include "soms/tree/layout/compact_node.h"
+#include "soms/tree/layout/detail/compact_node.h"
 
 #include "soms/tree/layout/detail/frame.h"
 

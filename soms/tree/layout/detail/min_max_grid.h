@@ -4,10 +4,10 @@
 /// to be clear by a look at four cells.
 #pragma once
 
-#include "soms/base/parallel.h"
+#include "soms/base/limits.h"
 #include "soms/base/vector.h"
-#include "soms/tree/layout/ground_plan.h"
-#include "soms/tree/layout/stored.h"
+#include "soms/tree/layout/detail/ground_plan.h"
+#include "soms/tree/layout/detail/stored.h"
 
 #include <array>
 #include <cstddef>
