@@ -5,12 +5,14 @@ set(SOMS_HEADERS
   contains.h
   contains_parts.h
   distance.h
+  first_contact.h
   instruction_set.h
   overlap.h
   overlap_method.h
   overlap_run.h
   print.h
   ray.h
+  rigid_motion.h
   reference/closest.h
   reference/contains.h
   reference/distance.h
@@ -43,6 +45,15 @@ set(SOMS_SOURCES
   detail/leaf_pairs.cpp
   detail/single_box_descent.cpp
   detail/overlap_query.cpp
+  detail/motion/contact_normal.cpp
+  detail/motion/contact_traversal.cpp
+  detail/motion/motion_bounds.cpp
+  detail/motion/motion_interval.cpp
+  detail/motion/pair_advance.cpp
+  detail/motion/parting.cpp
+  detail/motion/quaternion.cpp
+  detail/motion/swept_boxes.cpp
+  detail/motion/swept_triangle.cpp
   detail/near/far_search.cpp
   detail/near/far_support.cpp
   detail/near/keyed_pairs.cpp
@@ -67,6 +78,7 @@ set(SOMS_SOURCES
   detail/ray/ray_goal.cpp
   detail/ray/ray_traversal.cpp
   distance.cpp
+  first_contact.cpp
   detail/relative_pose.cpp
   detail/winding/angle_sum.cpp
   detail/winding/boundary.cpp
@@ -82,6 +94,7 @@ set(SOMS_SOURCES
   print.cpp
   print_inside.cpp
   ray.cpp
+  rigid_motion.cpp
   reference/detail/moved_triangles.cpp
   reference/contains.cpp
   reference/distance.cpp
