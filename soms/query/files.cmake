@@ -16,6 +16,7 @@ set(SOMS_HEADERS
   reference/closest.h
   reference/contains.h
   reference/distance.h
+  reference/first_contact.h
   reference/overlap.h
   signed_closest.h
   reference/solid.h
@@ -98,6 +99,7 @@ set(SOMS_SOURCES
   reference/detail/moved_triangles.cpp
   reference/contains.cpp
   reference/distance.cpp
+  reference/first_contact.cpp
   reference/overlap.cpp
   reference/solid.cpp
   reference/winding.cpp
