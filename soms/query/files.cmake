@@ -48,6 +48,7 @@ set(SOMS_SOURCES
   detail/overlap_query.cpp
   detail/motion/contact_normal.cpp
   detail/motion/contact_traversal.cpp
+  detail/motion/exact_sweep.cpp
   detail/motion/motion_bounds.cpp
   detail/motion/motion_interval.cpp
   detail/motion/pair_advance.cpp

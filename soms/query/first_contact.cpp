@@ -93,7 +93,7 @@ class ContactQuery {
     } else if (answer_.coverage == Coverage::cut) {
       answer_.triangles = goal.triangles();
       leave_open(free_until);
-    } else if (in_contact_at(motion_.end())) {
+    } else if (!bounds_.exact() && in_contact_at(motion_.end())) {
       answer_.verdict = ContactVerdict::contact;
       answer_.t = {std::min(free_until, std::nextafter(1.0, 0.0)), 1};
       name(1);

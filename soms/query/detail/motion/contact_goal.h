@@ -2,10 +2,13 @@
 /// What is known of the first contact so far.
 #pragma once
 
+#include "soms/base/bracket.h"
+#include "soms/geometry/detail/exact/exact_ray.h"
 #include "soms/query/answer.h"
 
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace soms::detail {
 
@@ -26,6 +29,9 @@ class ContactGoal {
     return contact_pair_ ? contact_pair_ : spell_pair_;
   }
 
+  /// The exact time of the proved contact, if that is known.
+  [[nodiscard]] const std::optional<RayTime>& exact() const { return exact_; }
+
   [[nodiscard]] bool proved() const { return contact_pair_.has_value(); }
 
   /// A pair is not proved free in [from, to].
@@ -35,6 +41,18 @@ class ContactGoal {
       spell_pair_ = pair;
     }
     last_ = to > last_ ? to : last_;
+  }
+
+  /// A pair touches at this very time, and not before.
+  void add_exact(const TrianglePair& pair, RayTime time) {
+    const auto order = exact_ ? compare(time, *exact_) : std::strong_ordering::less;
+    if (order < 0 || (order == 0 && pair < *contact_pair_)) {
+      const Bracket next = bracket(time);
+      spell_ = next.lower;
+      contact_ = next.upper;
+      contact_pair_ = pair;
+      exact_ = std::move(time);
+    }
   }
 
   /// A pair touches at `at`.
@@ -51,6 +69,7 @@ class ContactGoal {
   double contact_ = kNever;
   double spell_ = kNever;
   double last_ = 0;
+  std::optional<RayTime> exact_;
   std::optional<TrianglePair> contact_pair_;
   std::optional<TrianglePair> spell_pair_;
 };

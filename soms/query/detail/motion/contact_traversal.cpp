@@ -54,7 +54,7 @@ void ContactTraversal<Source>::push(const Task& task) {
 
 template <class Source>
 bool ContactTraversal<Source>::run(Limit& limit) {
-  while (!heap_.empty() && heap_.front().key < goal_.limit()) {
+  while (!heap_.empty() && heap_.front().key <= goal_.limit()) {
     if (limit.spend(0)) {
       return false;
     }
@@ -159,7 +159,7 @@ void ContactTraversal<Source>::open(const Task& task) {
       if (!only_x && !is_lane(task.y)) {
         child.y = child_id(node_y, task.y, static_cast<std::uint32_t>(j));
       }
-      if (child.key < goal_.limit() && child.key <= interval.end_of(window)) {
+      if (child.key <= goal_.limit() && child.key <= interval.end_of(window)) {
         push(child);
       }
     }
@@ -207,7 +207,7 @@ void ContactTraversal<Source>::look_at_blocks(const TriangleBlock& x, const Tria
       const TimeWindow window = window_of(swept_[i], resting, bounds_.box_margin());
       ++cost_.triangle_tests;
       const double from = std::max(key, interval.begin_of(window));
-      if (!window.empty() && from < goal_.limit()) {
+      if (!window.empty() && from <= goal_.limit()) {
         meetings_.push_back({from, std::max(from, interval.end_of(window)), i, x.id[i], y.id[j]});
       }
     }
@@ -217,7 +217,7 @@ void ContactTraversal<Source>::look_at_blocks(const TriangleBlock& x, const Tria
                             : std::pair(a.id_x, a.id_y) < std::pair(b.id_x, b.id_y);
   });
   for (const Meeting& meeting : meetings_) {
-    if (meeting.from < goal_.limit()) {
+    if (meeting.from <= goal_.limit()) {
       PairAdvance(bounds_, {meeting.id_x, meeting.id_y}, swept_[meeting.x].body,
                   moved_triangle(fixed_, meeting.id_y), goal_, cost_)
           .run(meeting.from, meeting.until);

@@ -114,6 +114,9 @@ class MotionBounds {
 
   [[nodiscard]] double clearance() const { return clearance_; }
 
+  /// First contacts are decided exactly: the motion is straight, and a contact is a common point.
+  [[nodiscard]] bool exact() const { return motion_->straight() && clearance_ == 0; }
+
   [[nodiscard]] double slack() const { return slack_; }
 
   /// Added to the reach of boxes: clearance, slack and rounding.

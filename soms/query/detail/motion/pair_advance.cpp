@@ -2,12 +2,14 @@
 
 #include "soms/geometry/triangle_distance.h"
 #include "soms/geometry/triangle_overlap.h"
+#include "soms/query/detail/motion/exact_sweep.h"
 #include "soms/query/detail/motion/motion_interval.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 namespace soms::detail {
 
@@ -143,7 +145,21 @@ double PairAdvance::earliest(double without, double with) {
   return with;
 }
 
+void PairAdvance::decide() {
+  const Pose& start = motion_.start();
+  const Triangle starting{start.apply(moving_[0]), start.apply(moving_[1]),
+                          start.apply(moving_[2])};
+  ++cost_.exact_tests;
+  if (auto time = exact_sweep(starting, triangle_of(resting_), motion_.by())) {
+    goal_.add_exact(ids_, std::move(*time));
+  }
+}
+
 bool PairAdvance::pass(Place& place, double until) {
+  if (bounds_.exact()) {
+    decide();
+    return false;
+  }
   const double begin = place.t;
   const double enough = bounds_.pair_margin() + 2 * kNextToNone * bounds_.rounding();
   double before = begin;
@@ -191,7 +207,11 @@ void PairAdvance::run(double from, double until) {
       return;
     }
   }
-  goal_.add_spell(ids_, place.t, until);
+  if (bounds_.exact()) {
+    decide();
+  } else {
+    goal_.add_spell(ids_, place.t, until);
+  }
 }
 
 }  // namespace soms::detail

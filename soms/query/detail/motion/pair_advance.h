@@ -42,6 +42,9 @@ class PairAdvance {
   /// Goes on from `place` to a later time, up to `until`, with a proof; false if it cannot.
   [[nodiscard]] bool step(Place& place, const Parting& parting, double until) const;
 
+  /// Decides a straight motion in whole numbers, whatever was proved before.
+  void decide();
+
   /// From `place` on nothing can be proved free: looks for a contact, or for the time when there is
   /// a gap again. True if it goes on from there.
   [[nodiscard]] bool pass(Place& place, double until);
