@@ -23,7 +23,7 @@ namespace {
 
 using test::box_body;
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kNoContact = std::numeric_limits<double>::infinity();
 
 /// A contact proved at a time near `t`, with what it promises of its bracket.
 void expect_contact(const FirstContact& found, const Shape& mover, const RigidMotion& motion,
@@ -42,7 +42,7 @@ void expect_contact(const FirstContact& found, const Shape& mover, const RigidMo
 FirstContact expect_free(const Shape& mover, const RigidMotion& motion, const Body& fixed) {
   FirstContact found = first_contact(mover, motion, fixed);
   EXPECT_EQ(found.verdict, ContactVerdict::free);
-  EXPECT_EQ(found.t, (Bracket{1, kNever}));
+  EXPECT_EQ(found.t, (Bracket{1, kNoContact}));
   EXPECT_FALSE(found.triangles);
   EXPECT_FALSE(found.normal);
   EXPECT_EQ(found.coverage, Coverage::complete);
@@ -227,7 +227,8 @@ TEST(FirstContact, AClearanceIsMetEarlier) {
     ASSERT_LE(found.t.upper - found.t.lower, 1e-9);
   }
   EXPECT_EQ(first_contact(mover, shift, post, {.within = 4}).verdict, ContactVerdict::started);
-  EXPECT_EQ(first_contact(mover, shift, post, {.within = kNever}).verdict, ContactVerdict::started);
+  EXPECT_EQ(first_contact(mover, shift, post, {.within = kNoContact}).verdict,
+            ContactVerdict::started);
   const Body far(box_body({0, 3, 0}, {1, 4, 1}));
   EXPECT_EQ(first_contact(mover, shift, far, {.within = 1.999}).verdict, ContactVerdict::free);
 }

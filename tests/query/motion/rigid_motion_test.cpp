@@ -17,7 +17,7 @@
 namespace soms {
 namespace {
 
-constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoPlace = std::numeric_limits<double>::quiet_NaN();
 
 template <class Make>
 ErrorKind kind_of_motion(const Make& make) {
@@ -36,7 +36,7 @@ Pose any_motion_pose(Rng& rng) {
                                {rng.uniform(-5, 5), rng.uniform(-5, 5), rng.uniform(-5, 5)});
 }
 
-void expect_near(const Vec3& a, const Vec3& b, double most) {
+void expect_place(const Vec3& a, const Vec3& b, double most) {
   EXPECT_NEAR(a.x, b.x, most);
   EXPECT_NEAR(a.y, b.y, most);
   EXPECT_NEAR(a.z, b.z, most);
@@ -85,7 +85,7 @@ TEST(RigidMotion, ATurnKeepsItsCenterAndReachesItsAngle) {
   const RigidMotion motion = RigidMotion::turn(start, center, {0, 0, 2}, 1.2);
   const Vec3 pivot = start.inverse().apply(center);
   for (const double t : {0.0, 0.3, 0.5, 1.0}) {
-    expect_near(motion.pose_at(t).apply(pivot), center, 1e-14);
+    expect_place(motion.pose_at(t).apply(pivot), center, 1e-14);
   }
   const Vec3 from = start.apply({0, 0, 0}) - center;
   const Vec3 to = motion.end().apply({0, 0, 0}) - center;
@@ -105,12 +105,12 @@ TEST(RigidMotion, RefusesWhatIsNoMotion) {
   EXPECT_EQ(kind_of_motion([&] { return RigidMotion::between(here, scaled); }),
             ErrorKind::not_rigid);
   EXPECT_EQ(kind_of_motion([&] {
-              return RigidMotion::between(here, here, {kNotANumber, 0, 0});
+              return RigidMotion::between(here, here, {kNoPlace, 0, 0});
             }),
             ErrorKind::not_finite);
   EXPECT_EQ(kind_of_motion([&] { return RigidMotion::along(scaled, {}); }), ErrorKind::not_rigid);
   EXPECT_EQ(kind_of_motion([&] {
-              return RigidMotion::along(here, {0, kNotANumber, 0});
+              return RigidMotion::along(here, {0, kNoPlace, 0});
             }),
             ErrorKind::not_finite);
   EXPECT_EQ(kind_of_motion([&] {
@@ -118,7 +118,7 @@ TEST(RigidMotion, RefusesWhatIsNoMotion) {
             }),
             ErrorKind::usage);
   EXPECT_EQ(kind_of_motion([&] {
-              return RigidMotion::turn(here, {}, {0, 0, 1}, kNotANumber);
+              return RigidMotion::turn(here, {}, {0, 0, 1}, kNoPlace);
             }),
             ErrorKind::usage);
   EXPECT_EQ(kind_of_motion([&] { return RigidMotion::turn(here, {}, {}, 1); }), ErrorKind::usage);
