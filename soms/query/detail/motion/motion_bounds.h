@@ -131,6 +131,12 @@ class MotionBounds {
   /// At least A'^2 + |A''| over [ta, tb].
   [[nodiscard]] double curvature(double ta, double tb) const;
 
+  /// At least what a curve may leave its chord by, for each unit of the distance from the axis:
+  /// between times that are `width` apart, over which the curvature is at most `curvature`.
+  [[nodiscard]] static double bow(double curvature, double width) {
+    return curvature * (width * width / 8) * kMotionUp;
+  }
+
   /// At least the distance of a point of the body from the axis.
   [[nodiscard]] double arm(const Vec3& point) const;
 

@@ -17,7 +17,7 @@ MotionInterval::MotionInterval(const MotionBounds& bounds, double begin, double 
     squares += k % 4 == 3 ? 0 : change.m[k] * change.m[k];
   }
   turn = motion.straight() ? 0 : std::sqrt(squares / 2) * kMotionUp + kTurnMargin;
-  bend = bounds.curvature(from, to) * (half * half / 2) * kMotionUp;
+  bend = MotionBounds::bow(bounds.curvature(from, to), to - from);
 }
 
 }  // namespace soms::detail

@@ -124,8 +124,7 @@ bool PairAdvance::step(Place& place, const Parting& parting, double until) const
     }
     Place next = at(t);
     const double gap = std::min(parting.gap, gap_along(parting.direction, next.corners, resting_));
-    const double width = t - place.t;
-    const double bow = arm_ * (curvature_ * (width * width / 8)) * kMotionUp;
+    const double bow = arm_ * MotionBounds::bow(curvature_, t - place.t) * kMotionUp;
     if (gap - bow > bounds_.pair_margin()) {
       place = next;
       return true;

@@ -119,6 +119,55 @@ TEST(MotionBounds, PointsAreNearTheChord) {
   EXPECT_GT(greatest_share, 0.5);
 }
 
+// The law turns faster in the middle: its acceleration has a part along the way, too.
+TEST(MotionBounds, CurvatureKnowsHowTheSpeedGrows) {
+  test::for_each_case("motion-bounds/curvature", 500, [](Rng& rng) {
+    const MotionCase c = any_motion_case(rng);
+    if (c.motion.straight()) {
+      return;
+    }
+    constexpr long double kStep = 1e-4L;
+    const double t = rng.below(3) == 0 ? 1e-4 : rng.uniform(1e-3, 0.999);
+    const double curvature = c.bounds.curvature(t - 1e-4, t + 1e-4);
+    for (const Vec3& v : c.mover.mesh().vertices) {
+      const Far3 before = place_by_law(c.motion, v, t - kStep);
+      const Far3 here = place_by_law(c.motion, v, t);
+      const Far3 after = place_by_law(c.motion, v, t + kStep);
+      Far3 bend{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        bend[k] = (before[k] + after[k] - 2 * here[k]) / (kStep * kStep);
+      }
+      const double arm = c.bounds.arm(v);
+      ASSERT_LE(distance_from(bend, {}), arm * curvature * (1 + 1e-5) + arm * 1e-9);
+    }
+  });
+}
+
+// All corners lie in the box of the whole body, seen from any side, at any time of a stretch.
+TEST(MotionBounds, BoxesHoldTheirPointsAllTheWay) {
+  test::for_each_case("motion-bounds/boxes", 500, [](Rng& rng) {
+    const MotionCase c = any_motion_case(rng);
+    const double from = rng.uniform(0, 0.9);
+    const MotionInterval interval(c.bounds, from, from + 0.1 * rng.unit());
+    const WideTree& tree = c.mover.layout();
+    const SweptBoxes box = swept_boxes(tree, tree.nodes()[0], c.bounds, interval, true);
+    const double s = rng.uniform(-1, 1);
+    const Pose pose = c.motion.law_at(interval.middle + s * interval.half);
+    for (int side = 0; side < 8; ++side) {
+      const Vec3 n = side < 3 ? box.direction[static_cast<std::size_t>(side)]
+                              : direction_of({rng.uniform(-1, 1), rng.uniform(-1, 1), 0.1});
+      double radius = box.give[0] + c.bounds.box_margin();
+      for (std::size_t k = 0; k < 3; ++k) {
+        radius += std::abs(dot(n, box.axis[k])) * box.half[0][k];
+      }
+      for (const Vec3& v : c.mover.mesh().vertices) {
+        const Vec3 off = pose.apply(v) - (box.center[0] + box.change[0] * s);
+        ASSERT_LE(std::abs(dot(n, off)), radius);
+      }
+    }
+  });
+}
+
 // Two points, as boxes of no size, that are at one place at one time.
 TEST(MotionBounds, WindowsHoldTheTimeOfAMeeting) {
   test::for_each_case("motion-bounds/windows", 1000, [](Rng& rng) {
