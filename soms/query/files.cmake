@@ -5,14 +5,17 @@ set(SOMS_HEADERS
   contains.h
   contains_parts.h
   distance.h
+  first_contact.h
   instruction_set.h
   overlap.h
   overlap_method.h
   print.h
   ray.h
+  rigid_motion.h
   reference/closest.h
   reference/contains.h
   reference/distance.h
+  reference/first_contact.h
   reference/overlap.h
   signed_closest.h
   reference/solid.h
@@ -42,6 +45,16 @@ set(SOMS_SOURCES
   detail/leaf_pairs.cpp
   detail/single_box_descent.cpp
   detail/overlap_query.cpp
+  detail/motion/contact_normal.cpp
+  detail/motion/contact_traversal.cpp
+  detail/motion/exact_sweep.cpp
+  detail/motion/motion_bounds.cpp
+  detail/motion/motion_interval.cpp
+  detail/motion/pair_advance.cpp
+  detail/motion/parting.cpp
+  detail/motion/quaternion.cpp
+  detail/motion/swept_boxes.cpp
+  detail/motion/swept_triangle.cpp
   detail/near/far_search.cpp
   detail/near/far_support.cpp
   detail/near/keyed_pairs.cpp
@@ -66,6 +79,7 @@ set(SOMS_SOURCES
   detail/ray/ray_goal.cpp
   detail/ray/ray_traversal.cpp
   distance.cpp
+  first_contact.cpp
   detail/relative_pose.cpp
   detail/winding/angle_sum.cpp
   detail/winding/boundary.cpp
@@ -81,9 +95,11 @@ set(SOMS_SOURCES
   print.cpp
   print_inside.cpp
   ray.cpp
+  rigid_motion.cpp
   reference/detail/moved_triangles.cpp
   reference/contains.cpp
   reference/distance.cpp
+  reference/first_contact.cpp
   reference/overlap.cpp
   reference/solid.cpp
   reference/winding.cpp

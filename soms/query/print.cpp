@@ -7,6 +7,7 @@
 #include "soms/query/contains.h"
 #include "soms/query/detail/engine/batch.h"
 #include "soms/query/distance.h"
+#include "soms/query/first_contact.h"
 #include "soms/query/overlap.h"
 #include "soms/query/ray.h"
 #include "soms/query/signed_closest.h"
@@ -85,6 +86,18 @@ std::ostream& operator<<(std::ostream& out, const DistanceBatch& value) {
 
 std::ostream& operator<<(std::ostream& out, const DistanceOptions& value) {
   return out << PrintedFields("DistanceOptions").add("at_most", value.at_most);
+}
+
+std::ostream& operator<<(std::ostream& out, const FirstContactOptions& value) {
+  return out << PrintedFields("FirstContactOptions").add("within", value.within);
+}
+
+std::ostream& operator<<(std::ostream& out, const RigidMotion& value) {
+  return out << PrintedFields("RigidMotion")
+                    .item(value.straight() ? "straight" : "turning")
+                    .add("start", value.start())
+                    .add("end", value.end())
+                    .add("pivot", value.pivot());
 }
 
 std::ostream& operator<<(std::ostream& out, const WithinBatch& value) {

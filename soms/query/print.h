@@ -8,6 +8,7 @@
 #include "soms/query/contains.h"
 #include "soms/query/contains_parts.h"
 #include "soms/query/distance.h"
+#include "soms/query/first_contact.h"
 #include "soms/query/overlap.h"
 #include "soms/query/ray.h"
 #include "soms/query/signed_closest.h"
@@ -21,6 +22,7 @@ namespace soms {
 
 class ClosedBody;
 class DividedBody;
+class RigidMotion;
 class WindingIndex;
 struct AllHits;
 struct AnyHitBatch;
@@ -34,6 +36,7 @@ struct ContainsPartsBatch;
 struct SignedClosestBatch;
 struct DistanceBatch;
 struct DistanceOptions;
+struct FirstContactOptions;
 struct NearTriangles;
 struct OverlapBatch;
 struct OverlapOptions;
@@ -56,6 +59,8 @@ std::ostream& operator<<(std::ostream& out, const ClosestOptions& value);
 std::ostream& operator<<(std::ostream& out, const NearTriangles& value);
 std::ostream& operator<<(std::ostream& out, const DistanceBatch& value);
 std::ostream& operator<<(std::ostream& out, const DistanceOptions& value);
+std::ostream& operator<<(std::ostream& out, const FirstContactOptions& value);
+std::ostream& operator<<(std::ostream& out, const RigidMotion& value);
 std::ostream& operator<<(std::ostream& out, const WithinBatch& value);
 std::ostream& operator<<(std::ostream& out, const OverlapBatch& value);
 std::ostream& operator<<(std::ostream& out, const OverlapOptions& value);

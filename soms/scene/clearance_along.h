@@ -101,11 +101,11 @@ inline constexpr auto kWords<ClearanceVerdict> = words("ClearanceVerdict",
 
 /// The first contact along a path: a place where the surfaces overlap, and up to where it is proved
 /// that they do not.
-struct FirstContact {
+struct PathContact {
   double free_until = 0;  ///< chainage
   ClearanceStation station = {};
 
-  [[nodiscard]] bool operator==(const FirstContact&) const = default;
+  [[nodiscard]] bool operator==(const PathContact&) const = default;
 };
 
 /// Answer of `clearance_along`.
@@ -114,7 +114,7 @@ struct Clearance {
   std::vector<ClearanceStretch> stretches = {};  ///< n - 1: from a station to the next
   double at_least = 0;                           ///< proved of all stretches together
   ClearanceStation least = {};                   ///< the first place of the least gap of all
-  std::optional<FirstContact> first_contact = std::nullopt;
+  std::optional<PathContact> first_contact = std::nullopt;
   Bracket below = {};  ///< as of the stretches, summed up
   std::uint64_t queries = 0;
   /// `cut` after a stop: stations may be missing at the end, and bounds may be weaker.

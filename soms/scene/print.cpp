@@ -80,8 +80,8 @@ std::ostream& operator<<(std::ostream& out, const ClearanceStretch& value) {
                     .add("queries", value.queries);
 }
 
-std::ostream& operator<<(std::ostream& out, const FirstContact& value) {
-  return out << PrintedFields("FirstContact")
+std::ostream& operator<<(std::ostream& out, const PathContact& value) {
+  return out << PrintedFields("PathContact")
                     .add("free_until", value.free_until)
                     .add("station", value.station);
 }

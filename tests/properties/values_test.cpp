@@ -45,6 +45,7 @@ static_assert(kValues<Solid, SolidBatch, Relation, Undecided>);
 static_assert(kValues<Body, Cost, Coverage, Overlap, OverlapBatch, OverlapOptions, OverlapMode,
                       TraversalOptions, TraversalCounts, NodePair, Traversal, Descent, EntryOrder,
                       BoxUpdate, thesis::CountedOverlap>);
+static_assert(kValues<FirstContact, FirstContactOptions, ContactVerdict, RigidMotion>);
 static_assert(kValues<Ray, RayOptions, ClosestHit, ClosestHitBatch, AnyHit, AnyHitBatch, AllHits,
                       CrossingKind>);
 static_assert(kValues<ContactChange, ContactEvents, EnvironmentEvent, MoverEvent, ContactSide,
@@ -53,7 +54,7 @@ static_assert(kValues<BodyClosest, BodyClosestBatch, BodyHit, BodyHitBatch, Body
                       SceneAllHits, BodyFilter, SceneBody, SceneBodyKind, SceneClosest,
                       SceneClosestBatch, SceneHit, SceneHitBatch, SceneFilter>);
 static_assert(kValues<Clearance, ClearanceOptions, ClearanceStation, ClearanceStretch,
-                      ClearanceVerdict, FirstContact, MotionPath>);
+                      ClearanceVerdict, PathContact, MotionPath>);
 static_assert(kValues<EnvironmentContact, MoverContact, EnvironmentGap, MoverGap, StepReport,
                       StepOptions, RecordedMesh, RecordedBody, RecordingHead, RecordedFrame,
                       RecordingEnding, RecordingEnd>);

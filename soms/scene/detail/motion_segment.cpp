@@ -10,39 +10,9 @@ namespace {
 /// Covers the rounding of a handful of operations on numbers that are not negative.
 constexpr double kRoundedUp = 1 + 0x1p-48;
 
-/// Length of a vector, where squares of its components may be too small for a double.
-double length_of(const Vec3& v) {
-  const double most = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  if (!(most > 0)) {
-    return 0;
-  }
-  const Vec3 u{v.x / most, v.y / most, v.z / most};
-  return most * std::sqrt(dot(u, u));
-}
-
-double product(const Quaternion& a, const Quaternion& b) {
-  return ((a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]) + a[3] * b[3];
-}
-
-Quaternion of_length_one(Quaternion q) {
-  const double length = std::sqrt(product(q, q));
-  for (double& x : q) {
-    x /= length;
-  }
-  return q;
-}
-
 double distance_of(const Quaternion& a, const Quaternion& b) {
   const Quaternion d{a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]};
   return std::sqrt(product(d, d));
-}
-
-/// The axis about which the body turns from `a` to `b`, in its own coordinates; its length is the
-/// sine of half the angle.
-Vec3 axis_between(const Quaternion& a, const Quaternion& b) {
-  const Vec3 va{a[1], a[2], a[3]};
-  const Vec3 vb{b[1], b[2], b[3]};
-  return (a[0] * vb - b[0] * va) - cross(va, vb);
 }
 
 std::array<Vec3, 8> corners(const Box& box) {
@@ -61,26 +31,8 @@ double greatest(const Vec3& v) {
 
 }  // namespace
 
-Quaternion quaternion_of(const Pose& pose) {
-  const auto& m = pose.m;
-  const double xx = m[0];
-  const double yy = m[5];
-  const double zz = m[10];
-  // Four times a component and the others, whichever is the largest: none is lost to cancellation.
-  if (xx + yy + zz > 0) {
-    return of_length_one({1 + xx + yy + zz, m[9] - m[6], m[2] - m[8], m[4] - m[1]});
-  }
-  if (xx >= yy && xx >= zz) {
-    return of_length_one({m[9] - m[6], 1 + xx - yy - zz, m[1] + m[4], m[2] + m[8]});
-  }
-  if (yy >= zz) {
-    return of_length_one({m[2] - m[8], m[1] + m[4], 1 + yy - xx - zz, m[6] + m[9]});
-  }
-  return of_length_one({m[4] - m[1], m[2] + m[8], m[6] + m[9], 1 + zz - xx - yy});
-}
-
 // The motion puts a point x of the body at R(t)(x - c) + w(t), in real numbers: c is the pivot, and
-// w(t) lies between start_ and end_, the moved pivots as rounded.
+// w(t) lies between `start` and `end`, the moved pivots as rounded.
 //
 // Rounding, with u = 2^-53: the components of a quaternion `at` are off by at most 6u, so the
 // entries of its matrix by at most 40u; w by at most 6u W, where no coordinate of the two ends
@@ -89,27 +41,19 @@ Quaternion quaternion_of(const Pose& pose) {
 // coordinate is off by at most 48u (B + C) + 12u W, a point by less than twice that. The slack
 // below is more than twice as much again; 2^-1060 stands for what is lost below the normal numbers.
 MotionSegment::MotionSegment(const MotionPath& path, std::size_t segment, const Box& bounds)
-    : first_(path.poses[segment]),
-      last_(path.poses[segment + 1]),
-      from_(quaternion_of(first_)),
-      to_(quaternion_of(last_)),
-      pivot_(path.pivot),
-      start_(first_.apply(pivot_)),
-      end_(last_.apply(pivot_)) {
-  if (product(from_, to_) < 0) {
-    for (double& x : to_) {
-      x = -x;
-    }
-  }
-  const Vec3 axis = axis_between(from_, to_);
+    : motion_(RigidMotion::between(path.poses[segment], path.poses[segment + 1], path.pivot)) {
+  const Vec3& pivot = motion_.pivot();
+  const Vec3& start = motion_.pivot_from();
+  const Vec3& end = motion_.pivot_to();
+  const Vec3 axis = axis_between(motion_.from(), motion_.to());
   const double sine = length_of(axis);
-  double size = std::abs(pivot_.x) + std::abs(pivot_.y) + std::abs(pivot_.z);
+  double size = std::abs(pivot.x) + std::abs(pivot.y) + std::abs(pivot.z);
   for (std::size_t k = 0; k < 3; ++k) {
     size += std::max(std::abs(bounds.lower[k]), std::abs(bounds.upper[k]));
   }
   // Distances from a point and from a line are convex: none is greater than at a corner.
   for (const Vec3& corner : corners(bounds)) {
-    const Vec3 arm = corner - pivot_;
+    const Vec3 arm = corner - pivot;
     radius_ = std::max(radius_, length_of(arm) * kRoundedUp + 0x1p-50 * size);
     if (sine > 0) {
       lever_ =
@@ -118,10 +62,10 @@ MotionSegment::MotionSegment(const MotionPath& path, std::size_t segment, const 
   }
   // The components of the axis are off by some 16u, its direction by that share of its length.
   lever_ = sine > 0 ? std::min(radius_, lever_ * kRoundedUp + radius_ * (0x1p-47 / sine)) : radius_;
-  length_ = length_of(end_ - start_) * kRoundedUp;
-  slack_ = 0x1p-45 * (size + std::max(greatest(start_), greatest(end_))) + 0x1p-1060;
-  first_slack_ = slack_of_end(first_, from_);
-  last_slack_ = slack_of_end(last_, to_);
+  length_ = length_of(end - start) * kRoundedUp;
+  slack_ = 0x1p-45 * (size + std::max(greatest(start), greatest(end))) + 0x1p-1060;
+  first_slack_ = slack_of_end(motion_.start(), motion_.from());
+  last_slack_ = slack_of_end(motion_.end(), motion_.to());
 }
 
 /// The poses of the path need not be rotations to the last bit: a point may be off by the norm of
@@ -138,26 +82,12 @@ double MotionSegment::slack_of_end(const Pose& pose, const Quaternion& turn) con
 
 MotionPlace MotionSegment::at(double t) const {
   if (t <= 0) {
-    return {0, first_, from_, first_slack_};
+    return {0, motion_.start(), motion_.from(), first_slack_};
   }
   if (t >= 1) {
-    return {1, last_, to_, last_slack_};
+    return {1, motion_.end(), motion_.to(), last_slack_};
   }
-  MotionPlace place{t, {}, from_, slack_};
-  if (from_ != to_) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      place.turn[k] = from_[k] + t * (to_[k] - from_[k]);
-    }
-    place.turn = of_length_one(place.turn);
-  }
-  const Quaternion& q = place.turn;
-  place.pose = Pose::from_quaternion(q[0], q[1], q[2], q[3]);
-  for (std::size_t row = 0; row < 3; ++row) {
-    const double* const r = &place.pose.m[4 * row];
-    const double at = start_[row] + t * (end_[row] - start_[row]);
-    place.pose.m[4 * row + 3] = at - ((r[0] * pivot_.x + r[1] * pivot_.y) + r[2] * pivot_.z);
-  }
-  return place;
+  return {t, motion_.law_at(t), motion_.quaternion_at(t), slack_};
 }
 
 // Between a and b, a turn of the angle 4f about one axis is made in two parts, of which the chords

@@ -3,17 +3,11 @@
 #pragma once
 
 #include "soms/base/box.h"
+#include "soms/query/detail/motion/quaternion.h"
+#include "soms/query/rigid_motion.h"
 #include "soms/scene/motion_path.h"
 
-#include <array>
-
 namespace soms::detail {
-
-/// (w, x, y, z), of length 1 but for rounding.
-using Quaternion = std::array<double, 4>;
-
-/// The quaternion of the rotation of a pose; nearly that of a pose that is nearly rigid.
-[[nodiscard]] Quaternion quaternion_of(const Pose& pose);
 
 /// A place on a segment.
 struct MotionPlace {
@@ -43,13 +37,7 @@ class MotionSegment {
  private:
   [[nodiscard]] double slack_of_end(const Pose& pose, const Quaternion& turn) const;
 
-  Pose first_;
-  Pose last_;
-  Quaternion from_;
-  Quaternion to_;
-  Vec3 pivot_;
-  Vec3 start_;         ///< of the pivot, in world
-  Vec3 end_;           ///< likewise
+  RigidMotion motion_;
   double radius_ = 0;  ///< no point of the body is farther from the pivot
   double lever_ = 0;   ///< nor from the axis of the turn
   double slack_ = 0;

@@ -116,6 +116,19 @@ ExactRay::ExactRay(const RayLine& line, const Triangle& triangle) {
   direction_unit_ = line.segment ? place_unit_ : unit_of(directions);
   direction_ = line.segment ? on_grid(&places[12], place_unit_) - origin_
                             : on_grid(directions.data(), direction_unit_);
+  meet(line.length);
+}
+
+ExactRay::ExactRay(const std::array<IntegerVec, 3>& corners, int place_unit,
+                   const IntegerVec& direction, int direction_unit, double length)
+    : corner_(corners),
+      direction_(direction),
+      place_unit_(place_unit),
+      direction_unit_(direction_unit) {
+  meet(length);
+}
+
+void ExactRay::meet(double length) {
   for (std::size_t i = 0; i < 3; ++i) {
     volume_[i] = dot(direction_, cross(corner_[i], corner_[(i + 1) % 3]));
   }
@@ -129,12 +142,12 @@ ExactRay::ExactRay(const RayLine& line, const Triangle& triangle) {
   }
   const IntegerVec normal = cross(corner_[1] - corner_[0], corner_[2] - corner_[0]);
   if (steepness_ == 0) {
-    meet_within(normal, line.length);
+    meet_within(normal, length);
     return;
   }
   const Integer height = dot(normal, corner_[0]);
   time_ = steepness_ > 0 ? time_of(height, steep) : time_of(-height, -steep);
-  hit_ = time_.above.sign() >= 0 && compare(time_, line.length) <= 0;
+  hit_ = time_.above.sign() >= 0 && compare(time_, length) <= 0;
 }
 
 RayTime ExactRay::time_of(Integer above, Integer below) const {

@@ -51,6 +51,11 @@ class ExactRay {
   /// within 2^301.
   ExactRay(const RayLine& line, const Triangle& triangle);
 
+  /// The ray from the origin of a grid, and a triangle on it; the grids' units are 2^`place_unit`
+  /// and 2^`direction_unit`. \pre The direction is not zero.
+  ExactRay(const std::array<IntegerVec, 3>& corners, int place_unit, const IntegerVec& direction,
+           int direction_unit, double length);
+
   /// The ray meets the triangle.
   [[nodiscard]] bool hit() const { return hit_; }
 
@@ -75,6 +80,7 @@ class ExactRay {
 
  private:
   [[nodiscard]] IntegerVec edge(std::size_t i) const;
+  void meet(double length);
   void meet_within(const IntegerVec& normal, double length);
   void meet_point(const IntegerVec& normal);
   [[nodiscard]] RayTime time_of(Integer above, Integer below) const;

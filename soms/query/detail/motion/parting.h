@@ -1,0 +1,43 @@
+/// \file
+/// A direction that parts two triangles, as well as plain doubles find one.
+#pragma once
+
+#include "soms/base/vector.h"
+
+#include <array>
+
+namespace soms::detail {
+
+using Corners = std::array<Vec3, 3>;
+
+[[nodiscard]] inline Corners corners_of(const Triangle& t) {
+  return {t.a, t.b, t.c};
+}
+
+[[nodiscard]] inline Triangle triangle_of(const Corners& c) {
+  return {c[0], c[1], c[2]};
+}
+
+/// A direction of length 1, or zero, and how far x is beyond y along it: below 0 where they overlap
+/// in that view.
+struct Parting {
+  Vec3 direction;
+  double gap = 0;
+};
+
+/// How far x is beyond y along `n`.
+[[nodiscard]] double gap_along(const Vec3& n, const Corners& x, const Corners& y);
+
+/// `n` or its opposite, whichever parts the triangles by more.
+[[nodiscard]] Parting parted_along(const Vec3& n, const Corners& x, const Corners& y);
+
+/// The direction of a shortest segment, which normals of faces and products of edges give where
+/// they can: differences of near points have few digits. Unless that parts the triangles by more
+/// than `enough`, the best of all normals and products.
+[[nodiscard]] Parting parting_of(const Corners& x, const Corners& y, double enough);
+
+/// The directions that decide whether triangles overlap: both normals, then the products of the
+/// edges of x and y. Each is of length 1 or zero.
+[[nodiscard]] std::array<Vec3, 11> separating_directions(const Corners& x, const Corners& y);
+
+}  // namespace soms::detail
