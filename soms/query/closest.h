@@ -47,6 +47,14 @@ struct ClosestOptions {
   [[nodiscard]] bool operator==(const ClosestOptions&) const = default;
 };
 
+template <>
+struct Fields<ClosestOptions> {
+  static constexpr const char* kName = "ClosestOptions";
+  static constexpr const char* kMeaning = "Options of queries of points.";
+  static constexpr auto kList =
+      std::tuple(field("at_most", &ClosestOptions::at_most, "Triangles beyond this are left out."));
+};
+
 /// Throws ErrorKind::usage if `at_most` is negative or not a number.
 void check(const ClosestOptions& options);
 

@@ -44,6 +44,14 @@ struct DistanceOptions {
   [[nodiscard]] bool operator==(const DistanceOptions&) const = default;
 };
 
+template <>
+struct Fields<DistanceOptions> {
+  static constexpr const char* kName = "DistanceOptions";
+  static constexpr const char* kMeaning = "Options of distance.";
+  static constexpr auto kList =
+      std::tuple(field("at_most", &DistanceOptions::at_most, "Beyond this the answer is farther."));
+};
+
 /// Throws ErrorKind::usage if `at_most` is negative or not a number.
 void check(const DistanceOptions& options);
 
