@@ -112,7 +112,14 @@ def python_enum(enum):
     meaning = "\n".join(textwrap.wrap(f'"""{enum["meaning"]}"""', 96, initial_indent="    ",
                                       subsequent_indent="    ", break_on_hyphens=False))
     names = "".join(f"    {word} = {value}\n" for value, word in enumerate(enum["names"]))
-    return f"class {enum['enum']}(enum.IntEnum):\n{meaning}\n\n{names}"
+    return f"class {enum['enum']}(_enum.IntEnum):\n{meaning}\n\n{names}"
+
+
+def python_import(enums, stub):
+    """The enumerations that the rest of a stub names."""
+    names = ", ".join(name for name in enums if re.search(rf"\b{name}\b", stub)) + ","
+    lines = textwrap.wrap(names, 100, initial_indent="    ", subsequent_indent="    ")
+    return "from soms._enums import (\n" + "\n".join(lines) + "\n)\n"
 
 
 # JavaScript
@@ -218,10 +225,13 @@ def written(program):
     enums, answers = read(program)
     stub = ROOT / "python/soms/_soms.pyi"
     classes = "\n\n".join(part.rstrip("\n") for part in python_classes(answers))
-    yield stub, between(stub.read_text(encoding="utf-8"), "# Answers, written by tools/fields.py.\n",
-                        "\n# End of answers.\n", "\n" + classes + "\n")
+    text = between(stub.read_text(encoding="utf-8"), "# Answers, written by tools/fields.py.\n",
+                   "\n# End of answers.\n", "\n" + classes + "\n")
+    begin, end = "# Enumerations, written by tools/fields.py.\n", "# End of enumerations.\n"
+    yield stub, between(text, begin, end, python_import(enums, between(text, begin, end, "")))
     words = ROOT / "python/soms/_enums.py"
-    head = words.read_text(encoding="utf-8").split("import enum\n", 1)[0] + "import enum\n"
+    line = "import enum as _enum\n"  # a name that `from soms._enums import *` leaves out
+    head = words.read_text(encoding="utf-8").split(line, 1)[0] + line
     yield words, head + "".join("\n\n" + python_enum(enum) for enum in enums.values())
     yield ROOT / "web/package/fields.js", web_table(enums, answers)
     types = ROOT / "web/package/soms.d.ts"
