@@ -27,6 +27,8 @@ OF_WEB = ["Cost", "Overlap", "OverlapBatch", "Distance", "Within", "Solid", "Con
           "Winding", "ClosestHit", "AnyHit", "AllHits"]
 # Enumerations that the npm package names; the words of others stand where they are used.
 WEB_ENUMS = ("Coverage", "Relation", "Side", "TriangleFeature")
+# Functions of the npm package that a worker has no name for.
+NOT_OF_WORKER = {"load"}
 
 
 def read(program):
@@ -215,6 +217,13 @@ def web_types(enums, answers):
                 answer["batch"], columns)
 
 
+def worker_queries(types, names):
+    """The functions that a worker answers as soms.js does: all but those that make handles."""
+    makers = re.search(r"MAKERS = Object.freeze\(\{(.*?)\}\)", names, re.DOTALL)[1]
+    functions = set(re.findall(r"^export function (\w+)", types, re.MULTILINE))
+    return [f"'{name}'" for name in sorted(functions - set(re.findall(r"(\w+):", makers)) - NOT_OF_WORKER)]
+
+
 def between(text, begin, end, inside):
     head, rest = text.split(begin, 1)
     return head + begin + inside + end + rest.split(end, 1)[1]
@@ -235,6 +244,15 @@ def written(program):
     yield words, head + "".join("\n\n" + python_enum(enum) for enum in enums.values())
     yield ROOT / "web/package/fields.js", web_table(enums, answers)
     types = ROOT / "web/package/soms.d.ts"
+    names = ROOT / "web/package/worker_names.js"
+    text = names.read_text(encoding="utf-8")
+    queries = worker_queries(types.read_text(encoding="utf-8"), text)
+    yield names, between(text, "export const QUERIES = Object.freeze([\n", "\n]);", "\n".join(textwrap.wrap(
+        ", ".join(queries) + ",", 118, initial_indent="  ", subsequent_indent="  ")))
+    of_worker = ROOT / "web/package/worker.d.ts"
+    lines = textwrap.wrap(" | ".join(queries), 112)
+    yield of_worker, between(of_worker.read_text(encoding="utf-8"), "type QueryName =\n", ";\n", "\n    | ".join(
+        ["    " + lines[0].removesuffix(" |")] + [line.strip("| ") for line in lines[1:]]))
     yield types, between(types.read_text(encoding="utf-8"), "// Answers, written by tools/fields.py.\n",
                          "\n// End of answers.\n", "\n".join(web_types(enums, answers)))
 
