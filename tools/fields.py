@@ -27,6 +27,8 @@ OF_WEB = ["Cost", "Overlap", "OverlapBatch", "Distance", "Within", "Solid", "Con
           "Winding", "ClosestHit", "AnyHit", "AllHits"]
 # Enumerations that the npm package names; the words of others stand where they are used.
 WEB_ENUMS = ("Coverage", "Relation", "Side", "TriangleFeature")
+# Functions of the npm package that a worker has no name for.
+NOT_OF_WORKER = {"load"}
 
 
 def read(program):
@@ -112,7 +114,14 @@ def python_enum(enum):
     meaning = "\n".join(textwrap.wrap(f'"""{enum["meaning"]}"""', 96, initial_indent="    ",
                                       subsequent_indent="    ", break_on_hyphens=False))
     names = "".join(f"    {word} = {value}\n" for value, word in enumerate(enum["names"]))
-    return f"class {enum['enum']}(enum.IntEnum):\n{meaning}\n\n{names}"
+    return f"class {enum['enum']}(_enum.IntEnum):\n{meaning}\n\n{names}"
+
+
+def python_import(enums, stub):
+    """The enumerations that the rest of a stub names."""
+    names = ", ".join(name for name in enums if re.search(rf"\b{name}\b", stub)) + ","
+    lines = textwrap.wrap(names, 100, initial_indent="    ", subsequent_indent="    ")
+    return "from soms._enums import (\n" + "\n".join(lines) + "\n)\n"
 
 
 # JavaScript
@@ -208,6 +217,13 @@ def web_types(enums, answers):
                 answer["batch"], columns)
 
 
+def worker_queries(types, names):
+    """The functions that a worker answers as soms.js does: all but those that make handles."""
+    makers = re.search(r"MAKERS = Object.freeze\(\{(.*?)\}\)", names, re.DOTALL)[1]
+    functions = set(re.findall(r"^export function (\w+)", types, re.MULTILINE))
+    return [f"'{name}'" for name in sorted(functions - set(re.findall(r"(\w+):", makers)) - NOT_OF_WORKER)]
+
+
 def between(text, begin, end, inside):
     head, rest = text.split(begin, 1)
     return head + begin + inside + end + rest.split(end, 1)[1]
@@ -218,13 +234,25 @@ def written(program):
     enums, answers = read(program)
     stub = ROOT / "python/soms/_soms.pyi"
     classes = "\n\n".join(part.rstrip("\n") for part in python_classes(answers))
-    yield stub, between(stub.read_text(encoding="utf-8"), "# Answers, written by tools/fields.py.\n",
-                        "\n# End of answers.\n", "\n" + classes + "\n")
+    text = between(stub.read_text(encoding="utf-8"), "# Answers, written by tools/fields.py.\n",
+                   "\n# End of answers.\n", "\n" + classes + "\n")
+    begin, end = "# Enumerations, written by tools/fields.py.\n", "# End of enumerations.\n"
+    yield stub, between(text, begin, end, python_import(enums, between(text, begin, end, "")))
     words = ROOT / "python/soms/_enums.py"
-    head = words.read_text(encoding="utf-8").split("import enum\n", 1)[0] + "import enum\n"
+    line = "import enum as _enum\n"  # a name that `from soms._enums import *` leaves out
+    head = words.read_text(encoding="utf-8").split(line, 1)[0] + line
     yield words, head + "".join("\n\n" + python_enum(enum) for enum in enums.values())
     yield ROOT / "web/package/fields.js", web_table(enums, answers)
     types = ROOT / "web/package/soms.d.ts"
+    names = ROOT / "web/package/worker_names.js"
+    text = names.read_text(encoding="utf-8")
+    queries = worker_queries(types.read_text(encoding="utf-8"), text)
+    yield names, between(text, "export const QUERIES = Object.freeze([\n", "\n]);", "\n".join(textwrap.wrap(
+        ", ".join(queries) + ",", 118, initial_indent="  ", subsequent_indent="  ")))
+    of_worker = ROOT / "web/package/worker.d.ts"
+    lines = textwrap.wrap(" | ".join(queries), 112)
+    yield of_worker, between(of_worker.read_text(encoding="utf-8"), "type QueryName =\n", ";\n", "\n    | ".join(
+        ["    " + lines[0].removesuffix(" |")] + [line.strip("| ") for line in lines[1:]]))
     yield types, between(types.read_text(encoding="utf-8"), "// Answers, written by tools/fields.py.\n",
                          "\n// End of answers.\n", "\n".join(web_types(enums, answers)))
 

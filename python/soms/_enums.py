@@ -1,10 +1,10 @@
 """Enumerations. Arrays of answers hold their integers, which compare equal to members; functions take
 a member or its name. Written by tools/fields.py from the words that C++ has."""
 
-import enum
+import enum as _enum
 
 
-class ClashKind(enum.IntEnum):
+class ClashKind(_enum.IntEnum):
     """What kind of clash a pair of parts is; undecided where a part is open."""
 
     crossing = 0
@@ -15,7 +15,7 @@ class ClashKind(enum.IntEnum):
     undecided = 5
 
 
-class ContactChange(enum.IntEnum):
+class ContactChange(_enum.IntEnum):
     """What became of a contact of two bodies since the step before."""
 
     begin = 0
@@ -23,7 +23,7 @@ class ContactChange(enum.IntEnum):
     end = 2
 
 
-class Coverage(enum.IntEnum):
+class Coverage(_enum.IntEnum):
     """How much of the question an answer covers: everything, up to the first hit as requested,
     or what a limit or a deadline left."""
 
@@ -32,7 +32,7 @@ class Coverage(enum.IntEnum):
     cut = 2
 
 
-class CrossingKind(enum.IntEnum):
+class CrossingKind(_enum.IntEnum):
     """How a ray passes a place of the surface."""
 
     enter = 0
@@ -40,7 +40,7 @@ class CrossingKind(enum.IntEnum):
     graze = 2
 
 
-class JointType(enum.IntEnum):
+class JointType(_enum.IntEnum):
     """How a joint moves its link: not at all, by an angle within limits or without, by a
     length."""
 
@@ -50,14 +50,14 @@ class JointType(enum.IntEnum):
     prismatic = 3
 
 
-class Layout(enum.IntEnum):
+class Layout(_enum.IntEnum):
     """How a tree is kept: for speed, or for memory."""
 
     wide = 0
     compact = 1
 
 
-class MeshFormat(enum.IntEnum):
+class MeshFormat(_enum.IntEnum):
     """Formats that models are written in."""
 
     ply = 0
@@ -70,7 +70,7 @@ class MeshFormat(enum.IntEnum):
     glb = 7
 
 
-class OverlapMode(enum.IntEnum):
+class OverlapMode(_enum.IntEnum):
     """Which pairs an overlap lists: all, some one, or the least."""
 
     all = 0
@@ -78,14 +78,14 @@ class OverlapMode(enum.IntEnum):
     first = 2
 
 
-class Partition(enum.IntEnum):
+class Partition(_enum.IntEnum):
     """How triangles are divided: by the parts of the file, or by vertices in one place."""
 
     named = 0
     connected = 1
 
 
-class RecordedOrigin(enum.IntEnum):
+class RecordedOrigin(_enum.IntEnum):
     """What a recorded mesh is from: a file, or generate("city"), or generate of a mover."""
 
     file = 0
@@ -93,7 +93,7 @@ class RecordedOrigin(enum.IntEnum):
     mover = 2
 
 
-class RecordingEnding(enum.IntEnum):
+class RecordingEnding(_enum.IntEnum):
     """How a recording came to its end."""
 
     complete = 0
@@ -101,7 +101,7 @@ class RecordingEnding(enum.IntEnum):
     interrupted = 2
 
 
-class Relation(enum.IntEnum):
+class Relation(_enum.IntEnum):
     """How two closed bodies stand to each other."""
 
     clear = 0
@@ -113,7 +113,7 @@ class Relation(enum.IntEnum):
     undecided = 6
 
 
-class RobotVerdict(enum.IntEnum):
+class RobotVerdict(_enum.IntEnum):
     """What a state of a robot is: free, with contact, or not decided."""
 
     free = 0
@@ -121,14 +121,14 @@ class RobotVerdict(enum.IntEnum):
     undecided = 2
 
 
-class Rotation(enum.IntEnum):
+class Rotation(_enum.IntEnum):
     """What a matrix is taken as: its entries as they are, or the nearest rotation."""
 
     as_given = 0
     nearest = 1
 
 
-class Rule(enum.IntEnum):
+class Rule(_enum.IntEnum):
     """How nodes of a tree are divided."""
 
     object_median = 0
@@ -142,14 +142,14 @@ class Rule(enum.IntEnum):
     quick = 8
 
 
-class SceneBodyKind(enum.IntEnum):
+class SceneBodyKind(_enum.IntEnum):
     """Of which list of a scene a body is."""
 
     environment = 0
     mover = 1
 
 
-class Side(enum.IntEnum):
+class Side(_enum.IntEnum):
     """Where a point lies."""
 
     outside = 0
@@ -158,7 +158,7 @@ class Side(enum.IntEnum):
     undecided = 3
 
 
-class StepScope(enum.IntEnum):
+class StepScope(_enum.IntEnum):
     """Which pairs of bodies a step compares: all, or those of a mover up to its first
     contact."""
 
@@ -166,7 +166,7 @@ class StepScope(enum.IntEnum):
     first_contact = 1
 
 
-class TreeCheck(enum.IntEnum):
+class TreeCheck(_enum.IntEnum):
     """How closely a tree file is looked at before it is used."""
 
     trusted = 0
@@ -175,7 +175,7 @@ class TreeCheck(enum.IntEnum):
     full = 3
 
 
-class TriangleFeature(enum.IntEnum):
+class TriangleFeature(_enum.IntEnum):
     """Where on a triangle a point lies."""
 
     vertex = 0
@@ -183,7 +183,7 @@ class TriangleFeature(enum.IntEnum):
     face = 2
 
 
-class Undecided(enum.IntEnum):
+class Undecided(_enum.IntEnum):
     """Why a relation is undecided."""
 
     none = 0
@@ -191,7 +191,7 @@ class Undecided(enum.IntEnum):
     open = 2
 
 
-class UpAxis(enum.IntEnum):
+class UpAxis(_enum.IntEnum):
     """The up axis that a file states."""
 
     unknown = 0

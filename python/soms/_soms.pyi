@@ -7,26 +7,28 @@ from typing import Any, Literal, Protocol, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+# Enumerations, written by tools/fields.py.
 from soms._enums import (
     ClashKind, Coverage, JointType, Layout, MeshFormat, OverlapMode, Partition, RecordedOrigin,
     RecordingEnding, Relation, RobotVerdict, Rotation, Rule, SceneBodyKind, Side, StepScope,
-    TriangleFeature, Undecided, TreeCheck, UpAxis,
+    TreeCheck, TriangleFeature, Undecided, UpAxis,
 )
+# End of enumerations.
 from soms._error import Error
 
-class HasFaces(Protocol):
+class _HasFaces(Protocol):
     @property
     def vertices(self) -> ArrayLike: ...
     @property
     def faces(self) -> ArrayLike: ...
 
-class HasTriangles(Protocol):
+class _HasTriangles(Protocol):
     @property
     def vertices(self) -> ArrayLike: ...
     @property
     def triangles(self) -> ArrayLike: ...
 
-MeshLike = Mesh | HasFaces | HasTriangles
+MeshLike = Mesh | _HasFaces | _HasTriangles
 BodyLike = Body | Shape | MeshLike
 PoseLike = Pose | ArrayLike
 Poses = Sequence[Pose] | ArrayLike
@@ -1611,4 +1613,3 @@ def generate(
 def _page(
     given: Any, answer: Any, poses: Any, title: str, triangles: int,
 ) -> tuple[str, int, int]: ...
-def _enum_words() -> list[tuple[str, list[str]]]: ...

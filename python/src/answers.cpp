@@ -2,7 +2,6 @@
 #include "soms/query/answer.h"
 #include "soms/query/print.h"
 
-#include "python/src/bind.h"
 #include "python/src/described.h"
 
 #include <utility>

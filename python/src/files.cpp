@@ -4,7 +4,6 @@
 #include "soms/io/write_mesh.h"
 
 #include "python/src/arrays.h"
-#include "python/src/bind.h"
 #include "python/src/call.h"
 #include "python/src/enums.h"
 #include "python/src/paths.h"

@@ -4,7 +4,6 @@
 #include "soms/generate/statue.h"
 #include "soms/generate/teapot.h"
 
-#include "python/src/bind.h"
 #include "python/src/call.h"
 #include "python/src/enums.h"
 

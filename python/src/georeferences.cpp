@@ -2,7 +2,6 @@
 #include "soms/geometry/print.h"
 
 #include "python/src/answer.h"
-#include "python/src/bind.h"
 #include "python/src/text.h"
 
 #include <pybind11/stl.h>

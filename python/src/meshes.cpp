@@ -5,7 +5,6 @@
 #include "soms/geometry/print.h"
 
 #include "python/src/answer.h"
-#include "python/src/bind.h"
 #include "python/src/call.h"
 #include "python/src/notebook.h"
 #include "python/src/scene/bodies.h"

@@ -1,9 +1,44 @@
 // The module soms._soms.
-#include "python/src/bind.h"
 #include "python/src/call.h"
-#include "python/src/enums.h"
 #include "python/src/errors.h"
 #include "python/src/function.h"
+
+// What the module is made of, in this order: a topic is bound by bind_TOPIC, in a file of its own.
+// clang-format off
+#define SOMS_TOPICS(topic) \
+  topic(poses) \
+  topic(georeferences) \
+  topic(meshes) \
+  topic(shapes) \
+  topic(tiles) \
+  topic(files) \
+  topic(generated) \
+  topic(answers) \
+  topic(overlap) \
+  topic(distance) \
+  topic(within) \
+  topic(solid) \
+  topic(contains) \
+  topic(closest) \
+  topic(signed_distance) \
+  topic(winding) \
+  topic(rays) \
+  topic(scene) \
+  topic(contacts) \
+  topic(body_index) \
+  topic(recordings) \
+  topic(pages) \
+  topic(part_bodies) \
+  topic(clash) \
+  topic(robots) \
+  topic(robot_model)
+// clang-format on
+#define SOMS_DECLARE(topic) void bind_##topic(pybind11::module_& module);
+#define SOMS_BIND(topic) bind_##topic(module);
+
+namespace soms::python {
+SOMS_TOPICS(SOMS_DECLARE)
+}  // namespace soms::python
 
 PYBIND11_MODULE(_soms, module) {
   using namespace soms::python;
@@ -12,33 +47,11 @@ PYBIND11_MODULE(_soms, module) {
   module.doc() = "Exact collision queries on triangle meshes: the compiled part of soms.";
   module.attr("__version__") = SOMS_PYTHON_VERSION;
   translate_errors();
-  load_enums();
   prepare_calls();
-  bind_poses(module);
-  bind_georeferences(module);
-  bind_meshes(module);
-  bind_shapes(module);
-  bind_tiles(module);
-  bind_files(module);
-  bind_generated(module);
-  bind_answers(module);
-  bind_overlap(module);
-  bind_distance(module);
-  bind_within(module);
-  bind_solid(module);
-  bind_contains(module);
-  bind_closest(module);
-  bind_signed_distance(module);
-  bind_winding(module);
-  bind_rays(module);
-  bind_scene(module);
-  bind_contacts(module);
-  bind_body_index(module);
-  bind_recordings(module);
-  bind_pages(module);
-  bind_part_bodies(module);
-  bind_clash(module);
-  bind_robots(module);
-  bind_robot_model(module);
+  SOMS_TOPICS(SOMS_BIND)
   name_functions(module);
 }
+
+#undef SOMS_TOPICS
+#undef SOMS_DECLARE
+#undef SOMS_BIND

@@ -2,7 +2,6 @@
 #include "soms/scene/contact_spans.h"
 
 #include "apps/report/page.h"
-#include "python/src/bind.h"
 #include "python/src/page_scene.h"
 #include "python/src/text.h"
 

@@ -6,7 +6,6 @@
 #include "soms/geometry/parts_of.h"
 
 #include "python/src/answer.h"
-#include "python/src/bind.h"
 #include "python/src/call.h"
 #include "python/src/objects.h"
 #include "python/src/poses.h"

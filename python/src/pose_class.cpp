@@ -2,7 +2,6 @@
 #include "soms/base/print.h"
 
 #include "python/src/answer.h"
-#include "python/src/bind.h"
 #include "python/src/poses.h"
 
 #include <algorithm>

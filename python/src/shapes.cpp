@@ -6,7 +6,6 @@
 #include "soms/tree/shape.h"
 
 #include "python/src/answer.h"
-#include "python/src/bind.h"
 #include "python/src/call.h"
 #include "python/src/enums.h"
 #include "python/src/notebook.h"

@@ -3,7 +3,6 @@
 #include "soms/tiles/tile_set.h"
 
 #include "python/src/arrays.h"
-#include "python/src/bind.h"
 #include "python/src/call.h"
 #include "python/src/enums.h"
 #include "python/src/paths.h"

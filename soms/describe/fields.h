@@ -1,6 +1,6 @@
 /// \file
-/// The fields of answers, said once: from these lists come `<<`, the columns of batches, JSON, CSV,
-/// NPZ, and the classes and types of Python and JavaScript.
+/// The fields of answers and options, said once: from these lists come `<<`, the columns of
+/// batches, JSON, CSV, NPZ, and the classes and types of Python and JavaScript.
 ///
 /// A list stands below its struct and its batch, in their header:
 ///
@@ -17,12 +17,13 @@
 /// \endverbatim
 ///
 /// A struct with a base class has `using Base`, and lists its own fields only. A field that is left
-/// out does not compile.
+/// out does not compile. Options have a name, a meaning and a list.
 #pragma once
 
 #include "soms/base/bracket.h"
 #include "soms/describe/field_count.h"
 
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <optional>
@@ -63,8 +64,9 @@ struct Field {
   Column column;  ///< a vector of the batch, BracketColumns, one value of all rows, or NoColumn
   const char* column_name;  ///< of the batch; as a rule `name`
   const char* meaning;
-  bool of_triangle = false;  ///< says nothing where no triangle is named
-  const char* rows = "n";    ///< of a list: how many entries it has
+  bool of_triangle = false;     ///< says nothing where no triangle is named
+  const char* rows = "n";       ///< of a list: how many entries it has
+  bool unless_default = false;  ///< says nothing where it is what `Owner{}` has
 
   [[nodiscard]] constexpr const Value& of(const Owner& owner) const { return owner.*place; }
 
@@ -74,6 +76,23 @@ struct Field {
     field.of_triangle = true;
     return field;
   }
+
+  /// The same, where nothing was given, says nothing.
+  [[nodiscard]] constexpr Field where_given() const {
+    Field field = *this;
+    field.unless_default = true;
+    return field;
+  }
+};
+
+/// What `<<` counts of a batch of answers T: the entries that `holds` is true of, as in
+/// "1 of 2 poses clear". Fields<T>::kCounted is an array of them. With `kCoverage`, a column, it
+/// says, too, whether all is decided.
+template <class T>
+struct Counted {
+  bool (*holds)(const T& answer);
+  const char* words;
+  const char* words_of_one = words;  ///< for a batch of one entry: "1 of 1 ray hits"
 };
 
 template <class Owner, class Value, class Column>

@@ -46,6 +46,14 @@ struct ClosestOptions {
   [[nodiscard]] bool operator==(const ClosestOptions&) const = default;
 };
 
+template <>
+struct Fields<ClosestOptions> {
+  static constexpr const char* kName = "ClosestOptions";
+  static constexpr const char* kMeaning = "Options of queries of points.";
+  static constexpr auto kList =
+      std::tuple(field("at_most", &ClosestOptions::at_most, "Triangles beyond this are left out."));
+};
+
 /// The nearest point of a body.
 struct Closest {
   /// Holds the least distance of the point from the moved, rounded surface. The doubles next to it

@@ -135,6 +135,12 @@ struct Fields<Contains> {
   static constexpr const char* kBatchMeaning = "Answers of contains for n points.";
   static constexpr const char* kRows = "points";
   using Batch = ContainsBatch;
+  static constexpr std::array kCounted{
+      Counted<Contains>{[](const Contains& answer) { return answer.side == Side::inside; },
+                        "inside"},
+      Counted<Contains>{[](const Contains& answer) { return answer.side == Side::on; },
+                        "on the surface"}};
+  static constexpr auto kCoverage = &Batch::coverage;
   static constexpr auto kList =
       std::tuple(field("side", &Contains::side, &Batch::side, "Where the point lies."),
                  coverage_field(&Contains::coverage, &Batch::coverage),

@@ -43,6 +43,14 @@ struct DistanceOptions {
   [[nodiscard]] bool operator==(const DistanceOptions&) const = default;
 };
 
+template <>
+struct Fields<DistanceOptions> {
+  static constexpr const char* kName = "DistanceOptions";
+  static constexpr const char* kMeaning = "Options of distance.";
+  static constexpr auto kList =
+      std::tuple(field("at_most", &DistanceOptions::at_most, "Beyond this the answer is farther."));
+};
+
 /// Answer of a distance query of two bodies.
 struct Distance {
   /// Holds the least distance of the moved, rounded surfaces. The doubles next to it where coverage

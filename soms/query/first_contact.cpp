@@ -142,14 +142,10 @@ class ContactQuery {
 
 }  // namespace
 
-void check(const FirstContactOptions& options) {
-  detail::check_length(options.within, "first contact options: within");
-}
-
 FirstContact first_contact(const Shape& mover, const RigidMotion& motion, const Body& fixed,
                            const FirstContactOptions& options, const Limits& limits) {
   const PlainArithmetic plain;
-  check(options);
+  detail::check_length(options.within, "first contact options: within");
   detail::check_pose(motion.start(), mover);
   detail::check_pose(motion.end(), mover);
   detail::check_pose(fixed.pose, fixed.shape);

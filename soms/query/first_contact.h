@@ -54,8 +54,13 @@ struct FirstContactOptions {
   [[nodiscard]] bool operator==(const FirstContactOptions&) const = default;
 };
 
-/// Throws ErrorKind::usage if `within` is negative or not a number.
-void check(const FirstContactOptions& options);
+template <>
+struct Fields<FirstContactOptions> {
+  static constexpr const char* kName = "FirstContactOptions";
+  static constexpr const char* kMeaning = "Options of first_contact.";
+  static constexpr auto kList =
+      std::tuple(field("within", &FirstContactOptions::within, "Being this near is a contact."));
+};
 
 /// Answer of `first_contact`. Times are parts of the way, from 0 to 1.
 struct FirstContact {

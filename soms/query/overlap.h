@@ -61,6 +61,15 @@ struct OverlapOptions {
   [[nodiscard]] bool operator==(const OverlapOptions&) const = default;
 };
 
+template <>
+struct Fields<OverlapOptions> {
+  static constexpr const char* kName = "OverlapOptions";
+  static constexpr const char* kMeaning = "Options of overlap.";
+  static constexpr auto kList =
+      std::tuple(field("mode", &OverlapOptions::mode, "Which pairs are listed."),
+                 field("limit", &OverlapOptions::limit, "Most pairs returned.").where_given());
+};
+
 /// Answer of an overlap query of two bodies.
 struct Overlap {
   bool any = false;

@@ -5,7 +5,6 @@
 #include "soms/query/print.h"
 #include "soms/query/winding.h"
 
-#include <algorithm>
 #include <string>
 
 namespace soms {
@@ -14,21 +13,6 @@ std::ostream& operator<<(std::ostream& out, const WindingIndex& value) {
   return out << PrintedFields("WindingIndex")
                     .item(printed(value.body()))
                     .item(printed_count(value.boundary_edges(), "boundary edge", "boundary edges"));
-}
-
-std::ostream& operator<<(std::ostream& out, const WindingBatch& value) {
-  const auto inside = std::count(value.side.begin(), value.side.end(), Side::inside);
-  const auto open = std::count(value.side.begin(), value.side.end(), Side::undecided);
-  return out << PrintedFields("WindingBatch")
-                    .item(std::to_string(inside) + " of " +
-                          printed_count(value.size(), "point", "points") + " inside, " +
-                          std::to_string(open) + " undecided")
-                    .add("coverage", detail::coverage_of(value.coverage))
-                    .add("cost", value.cost);
-}
-
-std::ostream& operator<<(std::ostream& out, const WindingOptions& value) {
-  return out << PrintedFields("WindingOptions").add("width", value.width);
 }
 
 std::ostream& operator<<(std::ostream& out, const DividedPart& value) {

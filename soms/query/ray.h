@@ -29,6 +29,7 @@
 #include "soms/query/answer.h"
 #include "soms/query/body.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -63,6 +64,14 @@ struct RayOptions {
   std::optional<TriangleId> skip = std::nullopt;
 
   [[nodiscard]] bool operator==(const RayOptions&) const = default;
+};
+
+template <>
+struct Fields<RayOptions> {
+  static constexpr const char* kName = "RayOptions";
+  static constexpr const char* kMeaning = "Options of queries of rays.";
+  static constexpr auto kList =
+      std::tuple(field("skip", &RayOptions::skip, "A triangle that takes no part."));
 };
 
 /// The first point of a surface on a ray. Where coverage is `cut`: of what was looked at so far.
@@ -127,6 +136,8 @@ struct Fields<ClosestHit> {
   static constexpr const char* kBatchMeaning = "Answers of closest_hit for n rays.";
   static constexpr const char* kRows = "rays";
   using Batch = ClosestHitBatch;
+  static constexpr std::array kCounted{Counted<ClosestHit>{
+      [](const ClosestHit& answer) { return answer.triangle.has_value(); }, "hit", "hits"}};
   static constexpr auto kList = std::tuple(
       field("t", &ClosestHit::t, BracketColumns<Batch>{&Batch::lower, &Batch::upper},
             "The least t, infinity where nothing is hit,"),
@@ -185,6 +196,8 @@ struct Fields<AnyHit> {
   static constexpr const char* kBatchMeaning = "Answers of any_hit for n rays.";
   static constexpr const char* kRows = "rays";
   using Batch = AnyHitBatch;
+  static constexpr std::array kCounted{
+      Counted<AnyHit>{[](const AnyHit& answer) { return answer.hit; }, "hit", "hits"}};
   static constexpr auto kTruth = &AnyHit::hit;
   static constexpr auto kList =
       std::tuple(field("hit", &AnyHit::hit, &Batch::hit, "The ray hits something."),

@@ -28,6 +28,7 @@
 #include "soms/query/body.h"
 #include "soms/query/contains.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -127,6 +128,8 @@ struct Fields<Solid> {
   static constexpr const char* kBatchMeaning = "Answers of solid for n poses.";
   static constexpr const char* kRows = "poses";
   using Batch = SolidBatch;
+  static constexpr std::array kCounted{Counted<Solid>{
+      [](const Solid& answer) { return answer.relation == Relation::clear; }, "clear"}};
   static constexpr auto kList = std::tuple(
       field("relation", &Solid::relation, &Batch::relation, "How the bodies stand to each other."),
       field("surfaces_meet", &Solid::surfaces_meet, &Batch::surfaces_meet,

@@ -29,6 +29,7 @@
 #include "soms/query/body.h"
 #include "soms/query/contains.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -80,6 +81,15 @@ struct WindingOptions {
   double width = 1e-9;
 
   [[nodiscard]] bool operator==(const WindingOptions&) const = default;
+};
+
+template <>
+struct Fields<WindingOptions> {
+  static constexpr const char* kName = "WindingOptions";
+  static constexpr const char* kMeaning = "Options of winding.";
+  static constexpr auto kList =
+      std::tuple(field("width", &WindingOptions::width,
+                       "By how much triangles that are far may widen the bracket."));
 };
 
 /// Answer of `winding` for a point.
@@ -146,6 +156,11 @@ struct Fields<Winding> {
   static constexpr const char* kBatchMeaning = "Answers of winding for n points.";
   static constexpr const char* kRows = "points";
   using Batch = WindingBatch;
+  static constexpr std::array kCounted{
+      Counted<Winding>{[](const Winding& answer) { return answer.side == Side::inside; }, "inside"},
+      Counted<Winding>{[](const Winding& answer) { return answer.side == Side::undecided; },
+                       "undecided"}};
+  static constexpr auto kCoverage = &Batch::coverage;
   static constexpr auto kList = std::tuple(
       field("side", &Winding::side, &Batch::side, "Where the point lies, by the number."),
       field("number", &Winding::number, BracketColumns<Batch>{&Batch::lower, &Batch::upper},

@@ -23,6 +23,7 @@
 #include "soms/query/answer.h"
 #include "soms/query/body.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -85,6 +86,8 @@ struct Fields<Within> {
   static constexpr const char* kBatchMeaning = "Answers of within for n poses.";
   static constexpr const char* kRows = "poses";
   using Batch = WithinBatch;
+  static constexpr std::array kCounted{
+      Counted<Within>{[](const Within& answer) { return answer.within; }, "within the clearance"}};
   static constexpr auto kTruth = &Within::within;
   static constexpr auto kList = std::tuple(
       field("within", &Within::within, &Batch::within, "The distance is at most the clearance."),

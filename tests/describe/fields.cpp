@@ -9,6 +9,8 @@
 #include "soms/tree/print.h"
 
 #include <cstdio>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -57,14 +59,32 @@ std::string json_word(std::string_view text) {
   return quoted_text(text);  // fields and words are plain letters
 }
 
+/// Lines about enumerations, by name: whatever names one adds it.
+using Lines = std::map<std::string, std::string, std::less<>>;
+
 template <class E>
-void print_words() {
+void add_words(Lines& lines) {
   std::string names;
   for (const std::string_view word : kWords<E>.names) {
     names += (names.empty() ? "" : ",") + json_word(word);
   }
-  std::printf("{\"enum\":%s,\"meaning\":%s,\"names\":[%s]}\n", json_word(kWords<E>.type).c_str(),
-              json_word(kWords<E>.meaning).c_str(), names.c_str());
+  lines[std::string(kWords<E>.type)] = "{\"enum\":" + json_word(kWords<E>.type) +
+                                       ",\"meaning\":" + json_word(kWords<E>.meaning) +
+                                       ",\"names\":[" + names + "]}";
+}
+
+/// The enumerations of fields, and of what these are made of.
+template <class T>
+void add_words_of(Lines& lines) {
+  if constexpr (Worded<T>) {
+    add_words<T>(lines);
+  } else if constexpr (soms::detail::kIsOptional<T> || soms::detail::kIsVector<T>) {
+    add_words_of<typename T::value_type>(lines);
+  } else if constexpr (Described<T>) {
+    for_each_field<T>([&](const auto& field) {
+      add_words_of<typename std::remove_cvref_t<decltype(field)>::Type>(lines);
+    });
+  }
 }
 
 template <class T>
@@ -111,25 +131,32 @@ void print_fields() {
 }
 
 template <class... T>
-void print_all_fields() {
-  (print_fields<T>(), ...);
-}
+struct List {
+  static void print_fields() { (::print_fields<T>(), ...); }
 
-template <class... E>
-void print_all_words() {
-  (print_words<E>(), ...);
-}
+  static void add_words_of(Lines& lines) { (::add_words_of<T>(lines), ...); }
+};
+
+using Answers =
+    List<Cost, Overlap, OverlapBatch, Distance, Within, Solid, Contains, ContainsParts,
+         ContainsPartsBatch, Closest, SignedClosest, NearTriangles, Winding, ClosestHit, AnyHit,
+         AllHits, BodyClosest, BodyHit, BodyAllHits, SceneClosest, SceneHit, SceneAllHits>;
+using Options = List<ClosestOptions, DistanceOptions, OverlapOptions, RayOptions, WindingOptions>;
+/// Enumerations that no answer and no options name.
+using Others =
+    List<ClashKind, ContactChange, JointType, Layout, MeshFormat, Partition, RecordedMesh::Origin,
+         RecordingEnding, RobotVerdict, Rotation, Rule, StepScope, TreeCheck, UpAxis>;
 
 }  // namespace
 
 int main() {
-  print_all_words<ClashKind, ContactChange, Coverage, CrossingKind, JointType, Layout, MeshFormat,
-                  OverlapMode, Partition, RecordedMesh::Origin, RecordingEnding, Relation,
-                  RobotVerdict, Rotation, Rule, SceneBodyKind, Side, StepScope, TreeCheck,
-                  TriangleFeature, Undecided, UpAxis>();
-  print_all_fields<Cost, Overlap, OverlapBatch, Distance, Within, Solid, Contains, ContainsParts,
-                   ContainsPartsBatch, Closest, SignedClosest, NearTriangles, Winding, ClosestHit,
-                   AnyHit, AllHits, BodyClosest, BodyHit, BodyAllHits, SceneClosest, SceneHit,
-                   SceneAllHits>();
+  Lines lines;
+  Answers::add_words_of(lines);
+  Options::add_words_of(lines);
+  Others::add_words_of(lines);
+  for (const auto& [name, line] : lines) {
+    std::printf("%s\n", line.c_str());
+  }
+  Answers::print_fields();
   return 0;
 }

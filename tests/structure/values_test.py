@@ -28,7 +28,8 @@ def faults(root):
             seen += 1
             if name in NOT_VALUES:
                 continue
-            if not re.search(rf"operator<<\(std::ostream& out, (const )?{name}(?:<[\w, ]+>)?&? \w+\)|Fields<{name}>|kWords<{name}>",
+            if not re.search(rf"operator<<\(std::ostream& out, (const )?{name}(?:<[\w, ]+>)?&? \w+\)|Fields<{name}>|kWords<{name}>"
+                             rf"|kBatchName = \"{name}\"",
                              printer + text):
                 yield f"{path}: {name} has no operator<<, in soms/{room}/print.h or beside it"
             if kind == "struct" and "operator==" not in body and "operator<=>" not in body:

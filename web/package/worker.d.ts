@@ -29,10 +29,12 @@ type PassedAll<Values extends unknown[]> = { [K in keyof Values]: Passed<Values[
 type Promised<Query> = Query extends (...values: infer Values) => infer Answer
     ? (...values: PassedAll<Values>) => Promise<Answer> : never;
 
-type QueryName = 'allHits' | 'anyHit' | 'anyHitBatch' | 'closest' | 'closestBatch' | 'closestHit' | 'closestHitBatch'
-    | 'contains' | 'containsBatch' | 'crossings' | 'distance' | 'distanceBatch' | 'instructionSet' | 'memoryInUse' | 'memorySize' | 'nearTriangles'
-    | 'nearestTriangles' | 'overlap' | 'overlapBatch' | 'signedClosest' | 'signedClosestBatch' | 'solid' | 'solidBatch'
-    | 'winding' | 'windingBatch' | 'within' | 'withinBatch';
+// Written by tools/fields.py of the functions in soms.d.ts.
+type QueryName =
+    'allHits' | 'anyHit' | 'anyHitBatch' | 'closest' | 'closestBatch' | 'closestHit' | 'closestHitBatch'
+    | 'contains' | 'containsBatch' | 'crossings' | 'distance' | 'distanceBatch' | 'instructionSet' | 'memoryInUse'
+    | 'memorySize' | 'nearTriangles' | 'nearestTriangles' | 'overlap' | 'overlapBatch' | 'signedClosest'
+    | 'signedClosestBatch' | 'solid' | 'solidBatch' | 'winding' | 'windingBatch' | 'within' | 'withinBatch';
 
 export type RemoteSoms = { [Name in QueryName]: Promised<(typeof soms)[Name]> } & {
   mesh(value: soms.MeshLike): Promise<RemoteMesh>;

@@ -185,6 +185,8 @@ class FieldColumns {
         columns_.push_back(&file.column(field.name, Kind::count, {2}));
       } else if constexpr (Worded<Value>) {
         columns_.push_back(&file.names(field.name, kWords<Value>.names));
+      } else if constexpr (std::is_unsigned_v<Value>) {
+        columns_.push_back(&file.column(field.name, Kind::count));
       } else {
         static_assert(std::is_same_v<Value, Cost>, "say how this is kept in an array");
       }
@@ -230,6 +232,8 @@ class FieldColumns {
         array.add(static_cast<std::uint8_t>(value));
       } else if constexpr (std::is_same_v<Value, bool>) {
         array.add(value != 0);
+      } else if constexpr (std::is_unsigned_v<Value>) {
+        array.add(static_cast<std::int64_t>(value));
       } else {
         array.add(value);
       }

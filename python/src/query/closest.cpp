@@ -4,7 +4,6 @@
 #include "soms/query/signed_closest.h"
 #include "soms/tiles/tiled_queries.h"
 
-#include "python/src/bind.h"
 #include "python/src/described.h"
 #include "python/src/function.h"
 #include "python/src/query/point_query.h"

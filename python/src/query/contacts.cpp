@@ -4,7 +4,6 @@
 #include "soms/scene/contact_tracker.h"
 #include "soms/scene/print.h"
 
-#include "python/src/bind.h"
 #include "python/src/scene/scene.h"
 #include "python/src/scene/scene_columns.h"
 

@@ -3,7 +3,6 @@
 #include "soms/query/contains_parts.h"
 #include "soms/query/print.h"
 
-#include "python/src/bind.h"
 #include "python/src/described.h"
 #include "python/src/function.h"
 #include "python/src/poses.h"

@@ -2,7 +2,6 @@
 
 #include "soms/query/print.h"
 
-#include "python/src/bind.h"
 #include "python/src/call.h"
 #include "python/src/described.h"
 #include "python/src/function.h"

@@ -2,7 +2,6 @@
 #include "soms/query/ray.h"
 #include "soms/tiles/tiled_queries.h"
 
-#include "python/src/bind.h"
 #include "python/src/call.h"
 #include "python/src/described.h"
 #include "python/src/function.h"

@@ -4,7 +4,6 @@
 #include "soms/query/winding.h"
 
 #include "python/src/arrays.h"
-#include "python/src/bind.h"
 #include "python/src/call.h"
 #include "python/src/function.h"
 #include "python/src/scene/bodies.h"

@@ -4,7 +4,6 @@
 #include "soms/query/print.h"
 #include "soms/scene/print.h"
 
-#include "python/src/bind.h"
 #include "python/src/described.h"
 #include "python/src/scene/bodies.h"
 #include "python/src/scene/many_bodies.h"

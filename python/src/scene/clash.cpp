@@ -6,7 +6,6 @@
 #include "soms/query/print.h"
 
 #include "python/src/answer.h"
-#include "python/src/bind.h"
 #include "python/src/call.h"
 #include "python/src/function.h"
 #include "python/src/objects.h"

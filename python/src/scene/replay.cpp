@@ -2,7 +2,6 @@
 #include "soms/scene/replay.h"
 
 #include "python/src/answer.h"
-#include "python/src/bind.h"
 #include "python/src/call.h"
 #include "python/src/one_caller.h"
 #include "python/src/paths.h"

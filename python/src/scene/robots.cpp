@@ -7,7 +7,6 @@
 #include "soms/kinematics/print.h"
 
 #include "python/src/answer.h"
-#include "python/src/bind.h"
 #include "python/src/call.h"
 #include "python/src/paths.h"
 #include "python/src/poses.h"

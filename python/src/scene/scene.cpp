@@ -1,6 +1,5 @@
 #include "python/src/scene/scene.h"
 
-#include "python/src/bind.h"
 #include "python/src/call.h"
 #include "python/src/notebook.h"
 #include "python/src/poses.h"

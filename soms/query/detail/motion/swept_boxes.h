@@ -3,7 +3,7 @@
 #pragma once
 
 #include "soms/query/detail/motion/motion_interval.h"
-#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/layout/detail/wide_tree.h"
 
 #include <array>
 #include <cstddef>
