@@ -15,8 +15,6 @@ set(SOMS_COMMAND_FILES
   clash/clash_baseline.h
   clash/clash_bcf.cpp
   clash/clash_bcf.h
-  clash/clash_canvas.cpp
-  clash/clash_canvas.h
   clash/clash_files.cpp
   clash/clash_files.h
   clash/clash_journal.cpp

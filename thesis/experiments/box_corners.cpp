@@ -85,18 +85,18 @@ std::string point_words(const Vec3& at) {
 class BoxSketch {
  public:
   BoxSketch(const Box& box, const PagePlace& place)
-      : projection_(axonometric(UpAxis::z)), all_(corners(box)) {
+      : from_(frame_of(axonometric(UpAxis::z))), all_(corners(box)) {
     double left = 1e300;
     double top = 1e300;
     double right = -1e300;
     double bottom = -1e300;
     for (std::size_t k = 0; k < all_.size(); ++k) {
-      const Seen seen = projection_.see(all_[k]);
+      const Vec3 seen = from_.on_page(all_[k]);
       left = std::min(left, seen.x);
       right = std::max(right, seen.x);
       top = std::min(top, seen.y);
       bottom = std::max(bottom, seen.y);
-      far_ = seen.depth > projection_.see(all_[far_]).depth ? k : far_;
+      far_ = seen.z > from_.on_page(all_[far_]).z ? k : far_;
     }
     scale_ = std::min(place.width / (right - left), place.height / (bottom - top));
     origin_ = {place.corner.x + place.width / 2 - scale_ * (left + right) / 2,
@@ -104,7 +104,7 @@ class BoxSketch {
   }
 
   [[nodiscard]] Spot operator()(const Vec3& point) const {
-    const Seen seen = projection_.see(point);
+    const Vec3 seen = from_.on_page(point);
     return {origin_.x + scale_ * seen.x, origin_.y + scale_ * seen.y};
   }
 
@@ -131,7 +131,7 @@ class BoxSketch {
   }
 
  private:
-  Projection projection_;
+  look::CameraFrame from_;
   std::array<Vec3, 8> all_;
   std::size_t far_ = 0;  ///< the corner that the box hides
   double scale_ = 1;

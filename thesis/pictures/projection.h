@@ -1,51 +1,28 @@
 /// \file
-/// From space to the page: places, depths, shades, and which triangles are seen at all.
+/// From space to the page: directions, depths, and which triangles are seen at all.
 #pragma once
 
-#include "apps/draw/svg.h"
+#include "apps/draw/eye.h"
 #include "thesis/pictures/drawing.h"
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace soms::reproduce {
 
-/// A point on the page, before scaling, with its distance from the eye.
-struct Seen {
-  double x = 0;
-  double y = 0;  ///< downwards
-  double depth = 0;
-};
+/// Directions of a view.
+[[nodiscard]] look::CameraFrame frame_of(const View& view);
 
-/// A parallel projection.
-class Projection {
- public:
-  explicit Projection(const View& view);
-
-  [[nodiscard]] Seen see(const Vec3& point) const;
-
-  /// True if the view is along an axis: boxes are rectangles.
-  [[nodiscard]] bool flat() const { return flat_; }
-
-  /// Brightness of a triangle, 0 to 1, lit from the upper left of the eye.
-  [[nodiscard]] double brightness(const Triangle& triangle) const;
-
- private:
-  Vec3 right_;
-  Vec3 down_;
-  Vec3 toward_;
-  Vec3 light_;
-  bool flat_;
-};
+/// True if a view is along an axis: boxes are rectangles.
+[[nodiscard]] bool is_flat(const look::CameraFrame& frame);
 
 /// Corners of a box; corner k has the upper x, y, z for the bits 1, 2, 4 of k.
 [[nodiscard]] std::array<Vec3, 8> corners(const Box& box);
 
 /// A triangle on the page, in pixels of its panel.
 struct Facet {
-  std::array<Seen, 3> corners = {};
+  std::array<Vec3, 3> corners = {};  ///< z: depth
   int color = kClay;
   double brightness = 1;
   bool whole = true;          ///< false for a piece of a facet that was cut: its edges are no edges
