@@ -48,13 +48,13 @@ void check_files(const SimulateOptions& options) {
   check_extension("--contacts", options.contacts, {".csv"});
 }
 
-/// Throws ErrorKind::usage for a recording, or a window, of parts of a city.
+/// Throws ErrorKind::usage for a recording of parts of a city.
 void check_parts(const SimulateOptions& options) {
   const PartFilter& parts = *options.world.city_model.parts;
-  if (parts.is_given() && (options.view || !options.record.empty() || !options.picture.empty())) {
+  if (parts.is_given() && (!options.record.empty() || !options.picture.empty())) {
     throw Error(ErrorKind::usage,
                 parts.options() +
-                    " does not go with --view, --record and -o FILE.png, which name "
+                    " does not go with --record and -o FILE.png, which name "
                     "whole models",
                 "write a city of these parts first: soms convert CITY PARTS.ply " + parts.text());
   }

@@ -1,6 +1,5 @@
 #include "apps/cli/parse.h"
 #include "apps/cli/parser.h"
-#include "apps/model/part_filter.h"
 #include "apps/soms/simulate/simulate.h"
 
 #include <fmt/format.h>
@@ -57,7 +56,6 @@ std::vector<OutputKind> simulate_files(SimulateOptions& options) {
 Action add_simulate(Parser& parser, Shared&) {
   const auto options = std::make_shared<SimulateOptions>();
   add_world_options(parser, options->world);
-  add_part_filter(parser, options->world.city_model.parts, "the city");
   add_tree_list(parser, options->world.build);
   options->traversal = add_traversal_by_name(parser);
   const Option* frames =

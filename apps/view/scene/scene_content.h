@@ -6,6 +6,7 @@
 #include "soms/query/body.h"
 #include "soms/scene/replay.h"
 
+#include "apps/model/file_numbers.h"
 #include "apps/model/frame_warnings.h"
 
 #include <cstdint>
@@ -32,6 +33,8 @@ struct MovingBody {
 struct SceneContent {
   std::string title;  ///< name of the city or model
   std::vector<Body> city;
+  std::vector<command::FileNumbers> numbers;   ///< of triangles of the city's first bodies
+  std::vector<command::FileNumbers> vertices;  ///< likewise of their vertices
   std::vector<MovingBody> movers;
   std::uint64_t frames = 600;      ///< in which contacts are searched for, if anything moves
   std::vector<std::string> notes;  ///< what the reader should know of how it was made

@@ -45,7 +45,7 @@ struct Picked {
   std::uint32_t face = 0;                   ///< of the file
   std::uint32_t part = Part::kNoParent;     ///< part of the mesh
   std::string part_name;                    ///< empty where the file names none
-  std::array<std::uint32_t, 3> vertices{};  ///< numbers of the corners in the mesh
+  std::array<std::uint32_t, 3> vertices{};  ///< numbers of the corners in the file
   Triangle corners;                         ///< where they are
   Vec3 point;
   double distance = 0;         ///< from the ray's origin
@@ -177,6 +177,12 @@ class ViewScene {
 
   /// Distance queries that gaps took so far.
   [[nodiscard]] std::uint64_t gap_queries() const;
+
+  /// The number of a triangle in its file, where parts of it may be left out.
+  [[nodiscard]] TriangleId file_number(BodyRef ref, TriangleId i) const;
+
+  /// The numbers of its corners there.
+  [[nodiscard]] std::array<std::uint32_t, 3> file_vertices(BodyRef ref, TriangleId i) const;
 
   /// World corners of a triangle at its body's present pose.
   [[nodiscard]] Triangle triangle(BodyRef ref, TriangleId i) const;
