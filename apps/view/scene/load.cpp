@@ -21,8 +21,7 @@ SceneContent content_of(command::World world) {
   content.frames = command::frames_of_routes(world, content.frames);
   content.title = std::move(world.title);
   content.city = std::move(world.city);
-  content.numbers = std::move(world.numbers);
-  content.vertices = std::move(world.vertices);
+  content.numbers = {std::move(world.numbers), std::move(world.vertices)};
   content.notes = std::move(world.notes);
   content.warnings = std::move(world.warnings);
   content.georeference = std::move(world.georeference);

@@ -45,7 +45,7 @@ std::uint32_t place_of(std::uint32_t id, const std::vector<std::uint32_t>& all) 
 
 std::string describe(const ViewScene& scene, const Picked& p) {
   std::string text = fmt::format("{}, triangle {} (face {})", name_of(scene, p.body),
-                                 scene.file_number(p.body, p.triangle), p.face);
+                                 scene.numbers().triangle(p.body, p.triangle), p.face);
   if (!p.part_name.empty()) {
     text += ", part " + p.part_name;
   }
@@ -64,9 +64,9 @@ std::string describe(const ViewScene& scene, const Picked& p) {
     const Touch& touch = p.touches[k];
     const bool first = touch.a == p.body && touch.i == p.triangle;
     const BodyRef other = first ? touch.b : touch.a;
-    text +=
-        fmt::format("\n{}, triangle {}: {}", name_of(scene, other),
-                    scene.file_number(other, first ? touch.j : touch.i), scene.explain(touch).text);
+    text += fmt::format("\n{}, triangle {}: {}", name_of(scene, other),
+                        scene.numbers().triangle(other, first ? touch.j : touch.i),
+                        scene.explain(touch).text);
   }
   return text;
 }
@@ -105,7 +105,10 @@ std::optional<Picked> ViewScene::pick(const Ray& ray, bool with_movers) const {
   best->face = mesh.faces.empty() ? best->triangle : mesh.faces[best->triangle];
   best->part = part_of(mesh, best->triangle);
   best->part_name = best->part == Part::kNoParent ? std::string() : mesh.parts[best->part].name;
-  best->vertices = file_vertices(best->body, best->triangle);
+  best->vertices = mesh.triangles[best->triangle];
+  for (std::uint32_t& vertex : best->vertices) {
+    vertex = numbers().vertex(best->body, vertex);
+  }
   best->corners = triangle(best->body, best->triangle);
   for (const Touch& touch : contacts()) {
     if ((touch.a == best->body && touch.i == best->triangle) ||

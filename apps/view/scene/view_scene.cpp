@@ -46,13 +46,6 @@ struct TraceKey {
   [[nodiscard]] bool operator==(const TraceKey&) const = default;
 };
 
-/// The number in its file of a triangle, or of a vertex. Movers are whole.
-std::uint32_t in_file(const std::vector<command::FileNumbers>& numbers, BodyRef ref,
-                      std::uint32_t number) {
-  const bool known = ref.role == Role::city && ref.index < numbers.size();
-  return known ? numbers[ref.index](number) : number;
-}
-
 }  // namespace
 
 struct ViewScene::State {
@@ -64,8 +57,6 @@ struct ViewScene::State {
   Limits limits;
   Scene scene;
   std::vector<EnvironmentId> city;
-  std::vector<command::FileNumbers> numbers;   ///< of the first of them
-  std::vector<command::FileNumbers> vertices;  ///< likewise
   std::vector<Mover> movers;
   Box city_bounds;
   std::uint64_t triangles = 0;
@@ -179,7 +170,7 @@ struct ViewScene::State {
 };
 
 ViewScene::ViewScene(SceneContent content, const Limits& limits)
-    : state_(std::make_unique<State>()) {
+    : state_(std::make_unique<State>()), numbers_(std::move(content.numbers)) {
   State& s = *state_;
   s.title = std::move(content.title);
   s.notes = std::move(content.notes);
@@ -188,8 +179,6 @@ ViewScene::ViewScene(SceneContent content, const Limits& limits)
   s.limits.threads = limits.threads;
   s.limits.stop = limits.stop;
   s.unit = command::common_unit(content.city);
-  s.numbers = std::move(content.numbers);
-  s.vertices = std::move(content.vertices);
   for (Body& body : content.city) {
     s.add_city(std::move(body));
   }
@@ -407,18 +396,6 @@ void ViewScene::set_gap_patience(GapStore::Patience patience) {
 
 std::uint64_t ViewScene::gap_queries() const {
   return state_->gaps.queries();
-}
-
-TriangleId ViewScene::file_number(BodyRef ref, TriangleId i) const {
-  return in_file(state_->numbers, ref, i);
-}
-
-std::array<std::uint32_t, 3> ViewScene::file_vertices(BodyRef ref, TriangleId i) const {
-  std::array<std::uint32_t, 3> vertices = body(ref).shape.mesh().triangles[i];
-  for (std::uint32_t& vertex : vertices) {
-    vertex = in_file(state_->vertices, ref, vertex);
-  }
-  return vertices;
 }
 
 Triangle ViewScene::triangle(BodyRef ref, TriangleId i) const {

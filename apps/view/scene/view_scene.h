@@ -178,11 +178,8 @@ class ViewScene {
   /// Distance queries that gaps took so far.
   [[nodiscard]] std::uint64_t gap_queries() const;
 
-  /// The number of a triangle in its file, where parts of it may be left out.
-  [[nodiscard]] TriangleId file_number(BodyRef ref, TriangleId i) const;
-
-  /// The numbers of its corners there.
-  [[nodiscard]] std::array<std::uint32_t, 3> file_vertices(BodyRef ref, TriangleId i) const;
+  /// Numbers in the files of the city, of which parts may be left out.
+  [[nodiscard]] const CityNumbers& numbers() const { return numbers_; }
 
   /// World corners of a triangle at its body's present pose.
   [[nodiscard]] Triangle triangle(BodyRef ref, TriangleId i) const;
@@ -236,6 +233,7 @@ class ViewScene {
  private:
   struct State;
   std::unique_ptr<State> state_;
+  CityNumbers numbers_;
 };
 
 }  // namespace soms::view

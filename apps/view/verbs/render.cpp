@@ -209,8 +209,8 @@ command::Json gap_json(const ViewScene& scene, const Gap& gap) {
   const Distance& near = gap.distance;
   return {{"lower", near.distance.lower},
           {"upper", near.distance.upper},
-          {"triangles", command::Json::array({scene.file_number(gap.a, near.triangles->a),
-                                              scene.file_number(gap.b, near.triangles->b)})},
+          {"triangles", command::Json::array({scene.numbers().triangle(gap.a, near.triangles->a),
+                                              scene.numbers().triangle(gap.b, near.triangles->b)})},
           {"points", command::Json::array({point(near.point_a), point(near.point_b)})}};
 }
 

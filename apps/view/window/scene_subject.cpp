@@ -63,7 +63,7 @@ std::vector<std::string> reasons(const ViewScene& scene, const Picked& picked) {
     const bool first = touch.a == picked.body && touch.i == picked.triangle;
     const BodyRef other = first ? touch.b : touch.a;
     sentences.push_back(fmt::format("With triangle {} of {}: {}",
-                                    scene.file_number(other, first ? touch.j : touch.i),
+                                    scene.numbers().triangle(other, first ? touch.j : touch.i),
                                     body_in_words(scene, other), scene.explain(touch).text));
   }
   if (picked.touches.size() > kExplained) {
@@ -280,7 +280,7 @@ std::optional<GapFacts> SceneSubject::gap_facts() const {
     return std::nullopt;
   }
   const auto side = [&](BodyRef body, TriangleId i) {
-    return fmt::format("{} of {}", scene_.file_number(body, i), scene_.body(body).name);
+    return fmt::format("{} of {}", scene_.numbers().triangle(body, i), scene_.body(body).name);
   };
   const Distance& near = gap->distance;
   if (!gap->known()) {
@@ -366,8 +366,9 @@ std::optional<PickedFacts> SceneSubject::pick(const Ray& ray) {
 
 PickedFacts SceneSubject::triangle_facts(const Picked& picked) const {
   PickedFacts facts;
-  facts.title = fmt::format("triangle {} of {}", scene_.file_number(picked.body, picked.triangle),
-                            body_in_words(scene_, picked.body));
+  facts.title =
+      fmt::format("triangle {} of {}", scene_.numbers().triangle(picked.body, picked.triangle),
+                  body_in_words(scene_, picked.body));
   if (!picked.part_name.empty()) {
     facts.numbers.emplace_back("part", picked.part_name);
   }
@@ -386,9 +387,10 @@ PickedFacts SceneSubject::triangle_facts(const Picked& picked) const {
 
 PickedFacts SceneSubject::contact_facts(const Touch& touch) const {
   PickedFacts facts;
-  facts.title = fmt::format("contact of triangle {} of {} and triangle {} of {}",
-                            scene_.file_number(touch.a, touch.i), body_in_words(scene_, touch.a),
-                            scene_.file_number(touch.b, touch.j), body_in_words(scene_, touch.b));
+  facts.title =
+      fmt::format("contact of triangle {} of {} and triangle {} of {}",
+                  scene_.numbers().triangle(touch.a, touch.i), body_in_words(scene_, touch.a),
+                  scene_.numbers().triangle(touch.b, touch.j), body_in_words(scene_, touch.b));
   const Explanation why = scene_.explain(touch);
   facts.numbers.emplace_back("kind", std::string(name(why.kind)));
   facts.numbers.emplace_back("decided by", std::string(name(why.stage)));
