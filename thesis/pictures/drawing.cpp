@@ -48,31 +48,6 @@ std::string stroke_attributes(int color) {
   return fmt::format("stroke=\"{}\"", shade_of(color, 0.95));
 }
 
-/// Bounds on the page.
-struct PageBounds {
-  double left = 1e300;
-  double top = 1e300;
-  double right = -1e300;
-  double bottom = -1e300;
-
-  void take(const Vec3& seen) {
-    left = std::min(left, seen.x);
-    top = std::min(top, seen.y);
-    right = std::max(right, seen.x);
-    bottom = std::max(bottom, seen.y);
-  }
-
-  void take(const look::CameraFrame& from, const Box& box) {
-    for (const Vec3& corner : corners(box)) {
-      take(from.on_page(corner));
-    }
-  }
-
-  [[nodiscard]] double width() const { return std::max(right - left, 1e-300); }
-
-  [[nodiscard]] double height() const { return std::max(bottom - top, 0.0); }
-};
-
 PageBounds bounds_of(std::span<const Panel> panels, const look::CameraFrame& from) {
   PageBounds frame;
   for (const Panel& panel : panels) {
@@ -410,23 +385,13 @@ class Board {
                 frame.bottom - frame.top, fmt::format("{}{}", attributes, dashes));
       return;
     }
-    std::size_t far = 0;
-    for (std::size_t k = 1; k < 8; ++k) {
-      far = place(all[k]).z > place(all[far]).z ? k : far;
-    }
-    PathData front;
-    PathData hidden;
-    for (unsigned k = 0; k < 8; ++k) {
-      for (const unsigned bit : {1U, 2U, 4U}) {
-        if ((k & bit) == 0) {
-          PathData& path = k == far || (k | bit) == far ? hidden : front;
-          path.move(spot(all[k])).line(spot(all[k | bit]));
-        }
-      }
-    }
-    svg_.path(front.data(), fmt::format("{}{}", attributes, dashes));
+    std::array<Spot, 8> spots;
+    std::transform(all.begin(), all.end(), spots.begin(),
+                   [this](const Vec3& corner) { return spot(corner); });
+    const BoxEdges edges = edges_of(spots, far_corner(all, from_));
+    svg_.path(edges.front.data(), fmt::format("{}{}", attributes, dashes));
     if (with_hidden) {
-      svg_.path(hidden.data(), fmt::format("{} stroke-dasharray=\"2 4\"", attributes));
+      svg_.path(edges.hidden.data(), fmt::format("{} stroke-dasharray=\"2 4\"", attributes));
     }
   }
 

@@ -52,6 +52,40 @@ std::array<Vec3, 8> corners(const Box& box) {
   return all;
 }
 
+std::size_t far_corner(const std::array<Vec3, 8>& corners, const look::CameraFrame& from) {
+  const auto nearer = [&](const Vec3& a, const Vec3& b) {
+    return dot(a, from.forward) < dot(b, from.forward);
+  };
+  return static_cast<std::size_t>(std::max_element(corners.begin(), corners.end(), nearer) -
+                                  corners.begin());
+}
+
+BoxEdges edges_of(const std::array<Spot, 8>& spots, std::size_t far) {
+  BoxEdges edges;
+  for (std::size_t k = 0; k < spots.size(); ++k) {
+    for (const std::size_t bit : {1U, 2U, 4U}) {
+      if ((k & bit) == 0) {
+        PathData& path = k == far || (k | bit) == far ? edges.hidden : edges.front;
+        path.move(spots[k]).line(spots[k | bit]);
+      }
+    }
+  }
+  return edges;
+}
+
+void PageBounds::take(const Vec3& seen) {
+  left = std::min(left, seen.x);
+  top = std::min(top, seen.y);
+  right = std::max(right, seen.x);
+  bottom = std::max(bottom, seen.y);
+}
+
+void PageBounds::take(const look::CameraFrame& from, const Box& box) {
+  for (const Vec3& corner : corners(box)) {
+    take(from.on_page(corner));
+  }
+}
+
 double Facet::farthest() const {
   return std::max({corners[0].z, corners[1].z, corners[2].z});
 }
