@@ -2,10 +2,16 @@ set(SOMS_DRAW_FILES
   axis.cpp
   axis.h
   bar_chart.cpp
+  canvas.cpp
+  canvas.h
   chart.cpp
   chart.h
   chart_parts.cpp
   chart_parts.h
+  depth_grid.cpp
+  depth_grid.h
+  eye.cpp
+  eye.h
   grouped_bars.cpp
   grouped_bars.h
   height_grid.cpp
@@ -17,7 +23,14 @@ set(SOMS_DRAW_FILES
   outline.cpp
   outline.h
   page_style.h
+  picture.cpp
+  picture.h
+  picture_marks.cpp
+  picture_marks.h
   raster.h
+  stroke_font.cpp
+  stroke_font.h
+  stroke_letters.h
   svg.cpp
   svg.h
 )

@@ -14,7 +14,7 @@
 
 namespace soms::command {
 
-/// From numbers of a shape to those of its file.
+/// From numbers of a shape's triangles, or of its vertices, to those of its file.
 class FileNumbers {
  public:
   /// The same numbers.

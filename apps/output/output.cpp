@@ -194,7 +194,7 @@ std::string extension_of(const std::filesystem::path& path) {
 }
 
 void check_extension(const std::string& option, const std::filesystem::path& path,
-                     std::initializer_list<std::string_view> extensions) {
+                     const std::vector<std::string_view>& extensions) {
   const std::string extension = extension_of(path);
   std::error_code unknown;
   const std::filesystem::file_status there = std::filesystem::status(path, unknown);

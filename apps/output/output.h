@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <exception>
 #include <filesystem>
-#include <initializer_list>
 #include <memory>
 #include <ostream>
 #include <string>
@@ -109,7 +108,7 @@ void check_outputs(NamedFiles taken, const NamedFiles& outputs);
 /// first of which the message names (".svg"). Empty names, names without a file extension, and what
 /// exists and is no regular file, such as a device, are passed over. \errors ErrorKind::usage.
 void check_extension(const std::string& option, const std::filesystem::path& path,
-                     std::initializer_list<std::string_view> extensions);
+                     const std::vector<std::string_view>& extensions);
 
 /// Prints "WHO: MESSAGE" to standard error, in color on a terminal.
 void print_error(std::string_view who, std::string_view message);

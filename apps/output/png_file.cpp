@@ -5,6 +5,7 @@
 #include "apps/output/deflate.h"
 
 #include <string_view>
+#include <utility>
 
 namespace soms::command {
 
@@ -32,38 +33,7 @@ std::string png_chunk(std::string_view type, std::string_view data) {
   return chunk;
 }
 
-/// `row(y)` gives the bytes of a row, `channels` a pixel.
-template <typename Row>
-std::string packed_rows(std::size_t width, std::size_t height, std::size_t channels,
-                        const Row& row) {
-  Deflater deflater(DeflateForm::zlib);
-  std::string above(channels * width, '\0');
-  std::string filtered(1 + above.size(), kUp);
-  for (std::size_t y = 0; y < height; ++y) {
-    const std::string now = row(y);
-    for (std::size_t k = 0; k < now.size(); ++k) {
-      filtered[k + 1] = static_cast<char>(now[k] - above[k]);
-    }
-    deflater.add(filtered);
-    above = now;
-  }
-  // 8 bits each of red, green and blue, and of opacity; deflate, the five filters, not interlaced.
-  return "\x89PNG\r\n\x1a\n" +
-         png_chunk("IHDR",
-                   big_endian(width) + big_endian(height) +
-                       (channels == 3 ? "\x08\x02\x00\x00\x00"s : "\x08\x06\x00\x00\x00"s)) +
-         png_chunk("sRGB", "\x00"sv) + png_chunk("IDAT", deflater.finish()) + png_chunk("IEND", "");
-}
-
 }  // namespace
-
-std::string png_bytes(const RgbPicture& picture) {
-  const std::size_t size = 3 * picture.width;
-  return packed_rows(picture.width, picture.height, 3, [&](std::size_t y) {
-    const auto begin = picture.rgb.begin() + static_cast<std::ptrdiff_t>(y * size);
-    return std::string(begin, begin + static_cast<std::ptrdiff_t>(size));
-  });
-}
 
 std::string png_bytes(std::size_t width, std::size_t height, std::span<const std::uint8_t> rgba,
                       const std::function<void(std::size_t)>& after_row) {
@@ -71,16 +41,31 @@ std::string png_bytes(std::size_t width, std::size_t height, std::span<const std
   for (std::size_t k = 3; k < rgba.size(); k += 4) {
     channels = rgba[k] == 255 ? channels : 4;
   }
-  return packed_rows(width, height, channels, [&](std::size_t y) {
-    std::string row;
-    row.reserve(channels * width);
+  Deflater deflater(DeflateForm::zlib);
+  std::string above(channels * width, '\0');
+  std::string filtered(1 + above.size(), kUp);
+  std::string row;
+  for (std::size_t y = 0; y < height; ++y) {
+    row.clear();
     for (std::size_t x = 0; x < width; ++x) {
       const auto pixel = rgba.subspan(4 * (y * width + x), channels);
       row.append(pixel.begin(), pixel.end());
     }
-    after_row(y + 1);
-    return row;
-  });
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      filtered[k + 1] = static_cast<char>(row[k] - above[k]);
+    }
+    deflater.add(filtered);
+    std::swap(above, row);
+    if (after_row) {
+      after_row(y + 1);
+    }
+  }
+  // 8 bits each of red, green and blue, and of opacity; deflate, the five filters, not interlaced.
+  return "\x89PNG\r\n\x1a\n" +
+         png_chunk("IHDR",
+                   big_endian(width) + big_endian(height) +
+                       (channels == 3 ? "\x08\x02\x00\x00\x00"s : "\x08\x06\x00\x00\x00"s)) +
+         png_chunk("sRGB", "\x00"sv) + png_chunk("IDAT", deflater.finish()) + png_chunk("IEND", "");
 }
 
 }  // namespace soms::command

@@ -9,8 +9,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
-#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -20,52 +18,51 @@ namespace {
 
 constexpr const char* kOption = "-o";
 
-/// What is written by -o to files of some extensions.
-struct Kind {
-  AnswerFile file;
-  std::string AnswerOutputs::*name;
-  std::vector<std::string_view> extensions;
-  const char* meaning;   ///< in --help
-  const char* old_name;  ///< nullptr: it has none
-};
+constexpr const char* kAnswers =
+    "write the answers to a file, by its extension; may be repeated:\n";
 
-const std::array<Kind, 5>& all_kinds() {
-  static const std::array<Kind, 5> kinds{
-      Kind{AnswerFile::csv, &AnswerOutputs::csv, {".csv"}, ".csv", "--csv"},
-      Kind{AnswerFile::npz, &AnswerOutputs::npz, {".npz"}, ".npz (NumPy)", "--binary"},
-      Kind{AnswerFile::json, &AnswerOutputs::json, {".json"}, ".json", nullptr},
-      Kind{AnswerFile::lines, &AnswerOutputs::lines, {".jsonl"}, ".jsonl (lines)", nullptr},
-      Kind{
-          AnswerFile::page, &AnswerOutputs::page, {".html", ".htm"}, ".html (a page)", "--report"}};
-  return kinds;
-}
-
-std::vector<Kind> chosen(std::initializer_list<AnswerFile> wanted) {
-  std::vector<Kind> kinds;
-  std::copy_if(all_kinds().begin(), all_kinds().end(), std::back_inserter(kinds),
-               [&](const Kind& kind) {
-                 return std::find(wanted.begin(), wanted.end(), kind.file) != wanted.end();
-               });
+/// The kinds of a verb's answers, in their usual order.
+std::vector<OutputKind> kinds_of(AnswerOutputs& outputs, std::initializer_list<AnswerFile> wanted) {
+  const auto kind = [&](AnswerFile file) -> OutputKind {
+    switch (file) {
+      case AnswerFile::csv:
+        return {{".csv"}, &outputs.csv, ".csv", "--csv"};
+      case AnswerFile::npz:
+        return {{".npz"}, &outputs.npz, ".npz (NumPy)", "--binary"};
+      case AnswerFile::json:
+        return {{".json"}, &outputs.json, ".json", nullptr};
+      case AnswerFile::lines:
+        return {{".jsonl"}, &outputs.lines, ".jsonl (lines)", nullptr};
+      case AnswerFile::page:
+        break;
+    }
+    return {{".html", ".htm"}, &outputs.page, ".html (a page)", "--report"};
+  };
+  std::vector<AnswerFile> files = wanted;
+  std::sort(files.begin(), files.end());
+  std::vector<OutputKind> kinds;
+  for (const AnswerFile file : files) {
+    kinds.push_back(kind(file));
+  }
   return kinds;
 }
 
 /// Keeps the name of a file by its extension.
-void name_output(AnswerOutputs& outputs, const std::vector<Kind>& kinds, const std::string& path) {
+void name_output(const std::vector<OutputKind>& kinds, const std::string& path) {
   const std::string extension = extension_of(path);
   std::vector<std::string_view> known;
-  for (const Kind& kind : kinds) {
+  for (const OutputKind& kind : kinds) {
     const auto& own = kind.extensions;
     known.insert(known.end(), own.begin(), own.end());
     if (std::find(own.begin(), own.end(), extension) == own.end()) {
       continue;
     }
-    std::string& name = outputs.*kind.name;
-    if (!name.empty() && name != path) {
+    if (!kind.name->empty() && *kind.name != path) {
       throw Error(ErrorKind::usage,
-                  fmt::format("{0} {1}: {0} {2} is given, too", kOption, path, name),
+                  fmt::format("{0} {1}: {0} {2} is given, too", kOption, path, *kind.name),
                   "give one file of each kind");
     }
-    name = path;
+    *kind.name = path;
     return;
   }
   if (path == "-") {
@@ -77,46 +74,61 @@ void name_output(AnswerOutputs& outputs, const std::vector<Kind>& kinds, const s
               fmt::format("use one of the extensions {}", fmt::join(known, ", ")));
 }
 
-}  // namespace
-
-void add_answer_outputs(Parser& parser, AnswerOutputs& outputs,
-                        std::initializer_list<AnswerFile> kinds, const char* heading) {
-  const std::vector<Kind> own = chosen(kinds);
+void add_option_of_outputs(Parser& parser, const std::vector<OutputKind>& kinds,
+                           const char* heading, const std::string& meaning) {
   std::vector<std::string> meanings;
-  for (const Kind& kind : own) {
+  for (const OutputKind& kind : kinds) {
     meanings.emplace_back(kind.meaning);
   }
   parser
       .add_each_time(
-          "-o,--output",
-          [&outputs, own](const std::string& path) { name_output(outputs, own, path); },
-          fmt::format("write the answers to a file, by its extension; may be repeated:\n{}",
-                      fmt::join(meanings, ", ")))
+          "-o,--output", [kinds](const std::string& path) { name_output(kinds, path); },
+          fmt::format("{}{}", meaning, fmt::join(meanings, ", ")))
       ->option_text("FILE")
       ->group(heading);
 }
 
-void add_renamed_outputs(Parser& parser, AnswerOutputs& outputs,
-                         std::initializer_list<AnswerFile> kinds, const char* heading) {
-  add_answer_outputs(parser, outputs, kinds, heading);
-  for (const Kind& kind : chosen(kinds)) {
+}  // namespace
+
+void add_outputs(Parser& parser, const std::vector<OutputKind>& kinds, const char* heading,
+                 const std::string& meaning) {
+  add_option_of_outputs(parser, kinds, heading, meaning);
+  for (const OutputKind& kind : kinds) {
     if (kind.old_name != nullptr) {
-      add_output(parser, kind.old_name, outputs.*kind.name, "")
+      add_output(parser, kind.old_name, *kind.name, "")
           ->old_name_of(fmt::format("{} FILE{}", kOption, kind.extensions.front()))
           ->group(heading);
     }
   }
 }
 
+void check_outputs_by_extension(NamedFiles taken, const std::vector<OutputKind>& kinds,
+                                const NamedFiles& others) {
+  NamedFiles named = others;
+  for (const OutputKind& kind : kinds) {
+    named.emplace_back(kOption, *kind.name);
+  }
+  check_outputs(std::move(taken), named);
+  for (const OutputKind& kind : kinds) {
+    check_extension(kOption, *kind.name, kind.extensions);
+  }
+}
+
+void add_answer_outputs(Parser& parser, AnswerOutputs& outputs,
+                        std::initializer_list<AnswerFile> kinds, const char* heading) {
+  add_option_of_outputs(parser, kinds_of(outputs, kinds), heading, kAnswers);
+}
+
+void add_renamed_outputs(Parser& parser, AnswerOutputs& outputs,
+                         std::initializer_list<AnswerFile> kinds, const char* heading) {
+  add_outputs(parser, kinds_of(outputs, kinds), heading, kAnswers);
+}
+
 void check_answer_outputs(NamedFiles taken, const AnswerOutputs& outputs) {
-  check_outputs(std::move(taken), {{kOption, outputs.csv},
-                                   {kOption, outputs.npz},
-                                   {kOption, outputs.json},
-                                   {kOption, outputs.lines},
-                                   {kOption, outputs.page}});
-  check_extension(kOption, outputs.csv, {".csv"});
-  check_extension(kOption, outputs.npz, {".npz"});
-  check_extension(kOption, outputs.page, {".html", ".htm"});
+  AnswerOutputs named = outputs;
+  check_outputs_by_extension(std::move(taken),
+                             kinds_of(named, {AnswerFile::csv, AnswerFile::npz, AnswerFile::json,
+                                              AnswerFile::lines, AnswerFile::page}));
 }
 
 }  // namespace soms::command

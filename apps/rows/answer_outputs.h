@@ -6,6 +6,8 @@
 
 #include <initializer_list>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace soms::command {
 
@@ -24,7 +26,26 @@ struct AnswerOutputs {
   }
 };
 
-/// What -o can write.
+/// What -o writes to files of some extensions.
+struct OutputKind {
+  std::vector<std::string_view> extensions;
+  std::string* name = nullptr;     ///< where the name of the file is kept
+  const char* meaning = nullptr;   ///< in --help: ".html (a page)"
+  const char* old_name = nullptr;  ///< an option of the last release; nullptr: it had none
+};
+
+/// Adds -o for files of these kinds, one of each, and their old names. `meaning` is what --help
+/// says before the kinds.
+/// \pre Where the names are kept outlives the parser.
+void add_outputs(Parser& parser, const std::vector<OutputKind>& kinds, const char* heading,
+                 const std::string& meaning);
+
+/// \errors ErrorKind::usage as `check_outputs`, and for a name that came by an old name and has the
+///         extension of another kind.
+void check_outputs_by_extension(NamedFiles taken, const std::vector<OutputKind>& kinds,
+                                const NamedFiles& others = {});
+
+/// What -o of verbs that answer row by row can write.
 enum class AnswerFile { csv, npz, json, lines, page };
 
 /// Adds -o under a heading, for files of these kinds.

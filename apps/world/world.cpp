@@ -205,17 +205,20 @@ void note_large_movers(World& world, const Console& console) {
 
 void build_into_city(World& world, Upright model, const WorldOptions& options, Console& console) {
   FileNumbers numbers;
+  FileNumbers vertices;
   if (PartFilter* const parts = options.city_model.parts.get()) {
     if (std::optional<PartsLeft> rest = parts->left_of(model.mesh)) {
       model.mesh = std::move(rest->mesh);
       numbers = FileNumbers(std::move(rest->numbers));
+      vertices = FileNumbers(std::move(rest->vertices));
     }
   }
   const auto begin = Clock::now();
   Shape shape = build_named(std::move(model.mesh), model.origin.name, options, console);
   world.build_ms += milliseconds_since(begin);
   Body body(std::move(shape), Pose{}, model.origin.name);
-  add_to_city(world, std::move(body), std::move(model.origin), std::move(numbers));
+  add_to_city(world, std::move(body), std::move(model.origin), std::move(numbers),
+              std::move(vertices));
 }
 
 /// Reads or makes the city; adds the frame of each of its models to `frames`.
@@ -272,12 +275,14 @@ void check_count(const WorldOptions& options) {
   }
 }
 
-void add_to_city(World& world, Body body, RecordedMesh origin, FileNumbers numbers) {
+void add_to_city(World& world, Body body, RecordedMesh origin, FileNumbers numbers,
+                 FileNumbers vertices) {
   world.triangles += body.shape.mesh().triangles.size();
   world.bounds.grow(body.shape.bounds());
   world.city.push_back(std::move(body));
   world.origins.push_back(std::move(origin));
   world.numbers.push_back(std::move(numbers));
+  world.vertices.push_back(std::move(vertices));
 }
 
 Model make_model(Shape shape, std::string name, Kind kind) {

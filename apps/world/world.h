@@ -65,6 +65,7 @@ struct World {
   std::string title;  ///< name of the city
   std::vector<Body> city;
   std::vector<FileNumbers> numbers;   ///< of each body of the city: those in its file
+  std::vector<FileNumbers> vertices;  ///< likewise of vertices
   std::vector<RecordedMesh> origins;  ///< of each body of the city; without triangles and hash
   std::vector<Model> models;
   std::vector<MoverRoute> routes;
@@ -89,7 +90,8 @@ struct World {
 void check_count(const WorldOptions& options);
 
 /// Adds a body to the city; its bounds and triangles count from here on.
-void add_to_city(World& world, Body body, RecordedMesh origin, FileNumbers numbers = {});
+void add_to_city(World& world, Body body, RecordedMesh origin, FileNumbers numbers = {},
+                 FileNumbers vertices = {});
 
 /// A model of a shape, with what follows from its box and kind.
 [[nodiscard]] Model make_model(Shape shape, std::string name, Kind kind);

@@ -1,6 +1,7 @@
 #include "apps/world/world_options.h"
 
 #include "apps/cli/parse.h"
+#include "apps/model/part_filter.h"
 
 namespace soms::command {
 
@@ -26,6 +27,7 @@ void add_world_options(Parser& parser, WorldOptions& options) {
           "--strict", [&options] { options.city_model.strict = options.mover_model.strict = true; },
           kStrictMeaning)
       ->group("Models");
+  add_part_filter(parser, options.city_model.parts, "the city");
   parser
       .add_option_function(
           "--count",

@@ -27,7 +27,8 @@ struct WorldOptions {
   bool keep_trees = false;      ///< keep the canonical trees, which named traversals need
 };
 
-/// Adds CITY, --mover, --route, --count, --scale, --up, --mover-scale, --mover-up and --strict.
+/// Adds CITY, --mover, --route, --count, --scale, --up, --mover-scale, --mover-up, --strict, --only
+/// and --ignore.
 void add_world_options(Parser& parser, WorldOptions& options);
 
 }  // namespace soms::command

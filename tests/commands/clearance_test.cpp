@@ -218,9 +218,9 @@ TEST(ClearanceVerb, PosesAreTakenAsTheyAre) {
 
 TEST(ClearanceVerb, WritesTablesMapAndPage) {
   const Street street;
-  const RunResult result = street.run({"--ignore", "road", "--clearance", "1.2", "-o",
-                                       street.file("s.csv"), "-o", street.file("s.jsonl"), "--map",
-                                       street.file("m.svg"), "--report", street.file("r.html")});
+  const RunResult result =
+      street.run({"--ignore", "road", "--clearance", "1.2", "-o", street.file("s.csv"), "-o",
+                  street.file("s.jsonl"), "-o", street.file("m.svg"), "-o", street.file("r.html")});
   ASSERT_EQ(result.status, 0) << result.err;
   const auto rows = read_csv(street.file("s.csv"));
   const auto text = [&](const std::string& name) {
@@ -253,7 +253,9 @@ TEST(ClearanceVerb, RefusesWhatMakesNoSense) {
   EXPECT_EQ(status_and({"--ignore", "raod"}, "--ignore raod: no part fits"), 2);
   EXPECT_EQ(status_and({"--ignore", "*"}, "leaves nothing"), 2);
   EXPECT_EQ(status_and({"-o", street.file("a.txt")}, ".csv"), 2);
-  EXPECT_EQ(status_and({"--map", street.file("path.csv")}, "path.csv"), 2);
+  EXPECT_EQ(status_and({"-o", street.file("path.csv")}, "path.csv"), 2);
+  EXPECT_EQ(
+      status_and({"-o", street.file("a.csv"), "-o", street.file("b.csv")}, "one file of each"), 2);
   EXPECT_EQ(soms_run({"clearance", street.file("street.obj")}).status, 2);
   write_text(street.file("bad.csv"), "x,y,z\n0,0,0\n1,nan,0\n");
   const RunResult bad = street.run({}, "van.obj", "bad.csv");

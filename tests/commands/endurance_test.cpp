@@ -72,9 +72,9 @@ TEST(Endurance, KilledInTheMiddleOfWritingLeavesTheOldFile) {
       {"generate knot --triangles 2000000 -o $d/a.obj", {"a.obj"}},
       {"generate city --triangles 4000000 -o $d/a.ply", {"a.ply"}},
       {"convert $m/knot.ply $d/a.obj", {"a.obj"}},
-      {"simulate $m/town.ply --count 30 --frames 100000000 --record $d/r --events $d/e --map $d/m "
-       "--report $d/p",
-       {"r", "e", "m", "p"}}};
+      {"simulate $m/town.ply --count 30 --frames 100000000 --record $d/r -o $d/e.csv -o $d/m.svg "
+       "-o $d/p.html",
+       {"r", "e.csv", "m.svg", "p.html"}}};
   for (const Writer& writer : writers) {
     bool killed = false;
     // On a busy machine a child may be done before it is seen writing.
@@ -123,8 +123,8 @@ TEST(Endurance, EveryVerbKeepsOldFilesWhereFilesMayNotGrow) {
       {"convert $m/knot.ply $d/a.stl", {"a.stl"}},
       {"overlap $m/town.ply $m/town.ply --no-pairs -o $d/p.html", {"p.html"}},
       {"simulate $m/town.ply --count 30 --frames 40 --record $d/r", {"r"}},
-      {"simulate $m/town.ply --count 30 --frames 4 --map $d/m", {"m"}},
-      {"simulate $m/town.ply --count 3 --frames 4 --report $d/p", {"p"}}};
+      {"simulate $m/town.ply --count 30 --frames 4 -o $d/m.svg", {"m.svg"}},
+      {"simulate $m/town.ply --count 3 --frames 4 -o $d/p.html", {"p.html"}}};
   for (const Writer& writer : writers) {
     const TemporaryFolder target;
     put_old_files(writer, target.path());

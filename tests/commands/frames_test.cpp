@@ -164,7 +164,7 @@ TEST(FrameRegressions, R117SimulateTurnsWhatStatesItsAxisAndWarnsOfWhatDoesNot) 
   EXPECT_FALSE(Json::parse(stated.out).contains("warnings"));
   const TemporaryFolder folder;
   const std::string page = (folder.path() / "page.html").string();
-  ASSERT_EQ(with({"--report", page}).status, 0);
+  ASSERT_EQ(with({"-o", page}).status, 0);
   EXPECT_NE(read_text(page).find("the up axis is z in"), std::string::npos);
   // What soms makes itself is in meters, z up, and takes a city that states nothing for the same.
   EXPECT_EQ(soms_run({"simulate", hall(), "--count", "1", "--frames", "1", "--strict"}).err, "");
@@ -339,8 +339,8 @@ TEST(FrameRegressions, StrictRefusesMoversThatStayAwayAfterAllThatWasFoundIsWrit
   const TemporaryFolder folder;
   std::vector<std::string> words = far_run(folder, "3");
   for (const auto& [option, file] :
-       {std::pair("--events", "events.csv"), std::pair("--map", "map.svg"),
-        std::pair("--report", "page.html"), std::pair("--record", "run.somsrec")}) {
+       {std::pair("-o", "events.csv"), std::pair("-o", "map.svg"), std::pair("-o", "page.html"),
+        std::pair("--record", "run.somsrec")}) {
     words.insert(words.end(), {option, (folder.path() / file).string()});
   }
   const RunResult result = soms_run(words);

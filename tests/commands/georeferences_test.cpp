@@ -127,7 +127,7 @@ TEST(Georeferences, R117PagesHaveIt) {
         std::vector<std::string>{"clash", folder.city()},
         std::vector<std::string>{"simulate", folder.city(), "--frames", "1", "--count", "1"}}) {
     std::vector<std::string> report = words;
-    report.insert(report.end(), {words[0] == "simulate" ? "--report" : "-o", page});
+    report.insert(report.end(), {"-o", page});
     ASSERT_EQ(soms_run(report).status, 0) << words[0];
     EXPECT_NE(read_text(page).find(kShort), std::string::npos) << words[0];
   }

@@ -78,7 +78,7 @@ TEST_F(Names, ReachNoTerminalAsCommands) {
       {"convert", a, at("a." + kHostile)},
       {"generate", "sphere", "--triangles", "20", "-o", at(kHostile + ".off")},
       {"generate", kHostile, "-o", at("g.off")},
-      {"simulate", a, "--count", "2", "--frames", "3", "--events", at(kHostile + "e.csv")},
+      {"simulate", a, "--count", "2", "--frames", "3", "-o", at(kHostile + "e.csv")},
       {"simulate", a, "--count", "2", "--frames", "3", "--json"},
       {"simulate", "--mover", none},
       {"simulate", a, "--route", rows},

@@ -37,7 +37,7 @@ TEST(Notes, R115OfALossyFileReachWhoSimulates) {
   const std::string model = lossy(folder);
   const std::string page = (folder.path() / "page.html").string();
   const RunResult result =
-      soms_run({"simulate", model, "--count", "1", "--frames", "2", "--json", "--report", page});
+      soms_run({"simulate", model, "--count", "1", "--frames", "2", "--json", "-o", page});
   EXPECT_NE(result.err.find(model + ": " + kNote), std::string::npos) << result.err;
   EXPECT_EQ(json_lines(result.out).at(0).at("notes").size(), 1U);
   EXPECT_NE(read_text(page).find(kNote), std::string::npos);

@@ -182,7 +182,7 @@ class Parts(unittest.TestCase):
         self.write("path.csv", "x,y,z\n0,0,-0.25\n20,0,-0.25\n")
         for options, name in (((), "road"), (("--ignore", "road"), "sign")):
             done = self.run_words("simulate", "street.obj", "--mover", "van.obj", "--route", "path.csv", "--frames", "900", "--verify",
-                                  "--contacts", "out.csv", "--events", "events.csv", "--clearance", "1", *options, "--json")
+                                  "--contacts", "out.csv", "-o", "events.csv", "--clearance", "1", *options, "--json")
             with open(self.folder / "out.csv", newline="") as file:
                 rows = list(csv.DictReader(file))
             self.assertTrue(rows, done.stdout)
@@ -193,7 +193,7 @@ class Parts(unittest.TestCase):
             self.assertEqual("road" in names, not options)
             for touched in json.loads(done.stdout)["most_touched"]:
                 self.assertEqual(PARTS[touched["triangle"] // 12][0], touched["part"])
-        for output in (("--record", "out.soms"), ("--picture", "out.png"), ("--view",)):
+        for output in (("--record", "out.soms"), ("-o", "out.png")):
             done = self.run_words("simulate", "street.obj", "--ignore", "road", *output, status=2)
             self.assertIn("soms convert CITY PARTS.ply --ignore road", done.stderr)
 

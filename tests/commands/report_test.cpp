@@ -65,7 +65,7 @@ TEST_F(Report, OfASimulationCountsAsTheAnswerDoes) {
   const std::string town = write("to<wn & \"co\".obj", town_obj());
   const std::string page_path = at("page.html");
   const test::RunResult run =
-      test::soms_run({"simulate", town, "--count", "12", "--frames", "300", "--report", page_path,
+      test::soms_run({"simulate", town, "--count", "12", "--frames", "300", "-o", page_path,
                       "--contacts", at("events.csv"), "--json", "--quiet"});
   ASSERT_EQ(run.status, 0) << run.err;
   const test::Json answer = test::Json::parse(run.out);
@@ -93,7 +93,7 @@ TEST_F(Report, CountsAContactOfTwoMoversForBothModels) {
   const std::string route = write("route.csv", "x,y,z,qw,qx,qy,qz\n0,0,0,1,0,0,0\n");
   const test::RunResult run = test::soms_run({"simulate", town, "--mover", hammer, "--mover", anvil,
                                               "--route", route, "--route", route, "--frames", "1",
-                                              "--report", at("page.html"), "--json", "--quiet"});
+                                              "-o", at("page.html"), "--json", "--quiet"});
   ASSERT_EQ(run.status, 0) << run.err;
   ASSERT_EQ(test::Json::parse(run.out)["contacts_between_movers"], 1) << run.out;
   const std::string page = test::read_text(at("page.html"));
@@ -109,7 +109,7 @@ TEST_F(Report, OfTheSameRunIsTheSameButForTimes) {
   std::vector<std::string> scenes;
   for (const char* threads : {"1", "2"}) {
     ASSERT_EQ(test::soms_run({"simulate", town, "--count", "9", "--frames", "40", "--threads",
-                              threads, "--report", at("page.html"), "--quiet"})
+                              threads, "-o", at("page.html"), "--quiet"})
                   .status,
               0);
     const std::string page = test::read_text(at("page.html"));
@@ -178,7 +178,7 @@ TEST_F(Report, TellsAPlaceThatCannotBeWrittenBeforeTheWork) {
   const std::string a = write("a.off", test::triangle_off("0 0 0", "1 0 0", "0 1 0"));
   const std::string nowhere = at("no/folder/page.html");
   for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
-           {"simulate", "--frames", "1", "--report", nowhere},
+           {"simulate", "--frames", "1", "-o", nowhere},
            {"overlap", a, a, "-o", nowhere},
            {"reproduce", "--item", "5.3", "-o", at("out"), "--report", nowhere}}) {
     const test::RunResult run = test::soms_run(words);
@@ -203,7 +203,7 @@ TEST_F(Report, IsNotThereWhereTheRunFailed) {
   const std::string a = write("a.off", test::triangle_off("0 0 0", "1 0 0", "0 1 0"));
   const std::string poses = write("poses.csv", "x,y,z\n0,0,0\n0,0,oops\n");
   EXPECT_NE(test::soms_run({"overlap", a, a, "--pose", poses, "-o", at("page.html")}).status, 0);
-  EXPECT_NE(test::soms_run({"simulate", at("none.ply"), "--report", at("page.html")}).status, 0);
+  EXPECT_NE(test::soms_run({"simulate", at("none.ply"), "-o", at("page.html")}).status, 0);
   EXPECT_EQ(test::files_in(folder_.path()), (std::vector<std::string>{"a.off", "poses.csv"}));
 }
 

@@ -32,8 +32,7 @@ TEST(Viewer, IsSaidToBeMissingWithTheWayToGetIt) {
   std::filesystem::copy_file(command(), folder.path() / "soms");
   const std::string alone =
       "PATH=/usr/bin:/bin; unset SOMS_VIEW; '" + (folder.path() / "soms").string() + "' ";
-  for (const char* words :
-       {"view", "render -o a.png", "simulate --view", "simulate --picture a.png"}) {
+  for (const char* words : {"view", "render -o a.png", "simulate --view", "simulate -o a.png"}) {
     const RunResult result = shell(alone + words);
     EXPECT_EQ(result.status, 3) << words;
     EXPECT_EQ(result.out, "");
@@ -93,6 +92,9 @@ TEST(Viewer, ShowsTheWorldOfASimulation) {
       "--mover-scale 2 --mover-up x --seed 3 --threads 2 --quiet a.ply b.ply\n");
   EXPECT_EQ(with_viewer(viewer, "$soms simulate --view --count 5").out,
             "view --count 5 --seed 1 --threads 0\n");
+  EXPECT_EQ(
+      with_viewer(viewer, "$soms simulate --view a.ply --ignore road --only 'B*' --only c").out,
+      "view --count 1000 --only=B* --only=c --ignore=road --seed 1 --threads 0 a.ply\n");
   EXPECT_EQ(with_viewer(viewer,
                         "$soms simulate --view --count 5 --tree rule=soms,leaf=1,levels=15 "
                         "--tree midpoint=thesis --traversal e-node --descent both")
@@ -101,8 +103,8 @@ TEST(Viewer, ShowsTheWorldOfASimulation) {
             "descent=both --count 5 --seed 1 --threads 0\n");
   EXPECT_EQ(with_viewer(viewer, "$soms simulate --view --tree descent=both").status, 2);
   for (const char* other :
-       {"--json", "--verify", "--map a.svg", "--events a.csv", "--contacts a.csv", "--record a.rec",
-        "--picture a.png", "--picture-frame 3", "--fail-if contact"}) {
+       {"--json", "--verify", "-o a.svg", "-o a.csv", "-o a.json", "--contacts a.csv",
+        "--record a.rec", "-o a.png", "--picture-frame 3", "--fail-if contact"}) {
     EXPECT_EQ(with_viewer(viewer, std::string("$soms simulate --view ") + other).status, 2)
         << other;
   }
@@ -120,7 +122,7 @@ TEST(Viewer, DrawsAFrameOfASimulationFromATemporaryRecording) {
     return with_viewer(viewer, "export TMPDIR='" + path + "/tmp'; cd '" + path +
                                    "' && $soms generate city --triangles 3000 -o town.ply && $soms "
                                    "generate car -o car.ply && $soms simulate town.ply --mover "
-                                   "car.ply --count 5 --frames 20 --picture a.png " +
+                                   "car.ply --count 5 --frames 20 -o a.png " +
                                    words);
   };
   const RunResult last = draw("");
@@ -144,8 +146,7 @@ RunResult picture_by(const TemporaryFolder& folder, const std::string& lines,
   const std::string viewer = write_program(folder.path() / "viewer", lines);
   return with_viewer(viewer, "cd '" + folder.path().string() +
                                  "' && $soms generate city --triangles 3000 -q -o town.ply && " +
-                                 before + " $soms simulate town.ply --count 3 --picture a.png " +
-                                 words);
+                                 before + " $soms simulate town.ply --count 3 -o a.png " + words);
 }
 
 TEST(Viewer, ThatEndsByASignalDrewNothing) {
@@ -171,7 +172,7 @@ TEST(Viewer, DrewNothingOfARunThatWasInterrupted) {
   const std::string town = (folder.path() / "town.ply").string();
   ASSERT_EQ(soms_run({"generate", "city", "--triangles", "3000", "-o", town}).status, 0);
   Child child({"env", "SOMS_VIEW=" + viewer, command().string(), "simulate", town, "--count", "3",
-               "--picture", (folder.path() / "a.png").string(), "--frames", "100000000"},
+               "-o", (folder.path() / "a.png").string(), "--frames", "100000000"},
               folder.path());
   ASSERT_TRUE(child.wait_for_writing(10'000));  // the recording, so frames have been made
   child.send(SIGINT);

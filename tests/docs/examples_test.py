@@ -30,7 +30,7 @@ from printed import difference
 
 SECONDS = 1200  # of one block, a guard; all of them together take a few
 PAGES_OF_VERBS = dict.fromkeys(["completion", "man", "version"], "docs/install.md") | {"within": "docs/distance.md", "robot": "docs/robots.md", "join": "docs/scale.md", "build": "docs/tree_file.md", "tile": "docs/tiles.md"}  # others: docs/VERB.md
-NEEDS_VIEWER = re.compile(r"\bsoms (view|render)\b|--view\b|--picture\b")
+NEEDS_VIEWER = re.compile(r"\bsoms (view|render)\b|--view\b|--picture\b|\bsoms simulate\b.*\.png\b")
 NEEDS_DISPLAY = re.compile(r"\bsoms view\b|--view\b")
 NEEDS_BENCH = re.compile(r"\bsoms bench\b")
 # docs/README.md says "Your own files": these stand for them.

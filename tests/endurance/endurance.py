@@ -70,8 +70,8 @@ def verbs_that_write(models, target):
         "convert": (["convert", knot, f"{target}/a.obj"], ["a.obj"]),
         "overlap": (["overlap", knot, town, "-o", f"{target}/p.html"], ["p.html"]),
         "simulate": (["simulate", town, "--count", "30", "--frames", "300",
-                      "--record", f"{target}/r", "--events", f"{target}/e", "--map", f"{target}/m",
-                      "--report", f"{target}/p"], ["r", "e", "m", "p"]),
+                      "--record", f"{target}/r", "-o", f"{target}/e.csv", "-o", f"{target}/m.svg",
+                      "-o", f"{target}/p.html"], ["r", "e.csv", "m.svg", "p.html"]),
         "reproduce": (["reproduce", "--quick", "--item", "table-3.1,figure-4.2", "-o", f"{target}/o",
                        "--report", f"{target}/p"], ["p"]),
     }

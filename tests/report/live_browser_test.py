@@ -137,7 +137,7 @@ def pair_faults(browser, soms, folder):
 def mover_faults(browser, soms, folder):
     """A mover of a simulation, where the report has it: it touches what its event says, by as many triangles."""
     file = folder / "town.html"
-    subprocess.run([soms, "simulate", town(folder), "--count", "20", "--frames", "60", "--report", file], check=True,
+    subprocess.run([soms, "simulate", town(folder), "--count", "20", "--frames", "60", "-o", file], check=True,
                    stdout=subprocess.DEVNULL)
     page = Moved(browser, file, soms, [])
     in_sight(page, lines(page, "pair")[0]).click()

@@ -13,7 +13,7 @@ def gap_faults(browser, soms, folder):
     """A link of the table shows its gap: a line between the two, with its length."""
     file = folder / "near.html"
     subprocess.run([soms, "simulate", town(folder), "--count", "60", "--frames", "60",
-                    "--clearance", "2", "--report", file, "--quiet"], check=True,
+                    "--clearance", "2", "-o", file, "--quiet"], check=True,
                    capture_output=True)
     page = Look(browser, file, DESK)
     links = page.browser.find_elements("css selector", 'a[href^="#gap="]')

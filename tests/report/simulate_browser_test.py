@@ -244,7 +244,7 @@ def print_faults(browser, file, answer):
 def city_faults(browser, soms, folder):
     """The embedded city: a small page, and a first picture of few triangles. Times are printed, and decide nothing."""
     file = folder / "embedded.html"
-    run = subprocess.run([soms, "simulate", "--report", file, "--json"], check=True,
+    run = subprocess.run([soms, "simulate", "-o", file, "--json"], check=True,
                          capture_output=True, text=True)
     answer = json.loads(run.stdout)
     if file.stat().st_size > 5_000_000:
@@ -334,7 +334,7 @@ def main():
         try:
             file = folder / "city.html"
             run = subprocess.run([soms, "simulate", town(folder), "--count", "60", "--frames", "60",
-                                  "--report", file, "--json"], check=True, capture_output=True,
+                                  "-o", file, "--json"], check=True, capture_output=True,
                                  text=True)
             found = [*simulate_faults(browser, file, json.loads(run.stdout)), *city_faults(browser, soms, folder)]
         finally:

@@ -21,7 +21,7 @@ Mesh stacked() {
   return mesh;
 }
 
-Facet facet(std::array<Seen, 3> corners, int color) {
+Facet facet(std::array<Vec3, 3> corners, int color) {
   return {.corners = corners, .color = color};
 }
 
@@ -71,33 +71,21 @@ TEST(Drawing, KeepsItsBudgetAndSaysWhatIsLeftOut) {
 }
 
 TEST(Projection, SeesAlongTheView) {
-  const Projection flat(flat_view());
-  EXPECT_TRUE(flat.flat());
-  const Seen seen = flat.see({3, 4, 5});
-  EXPECT_EQ(seen.x, 3);
-  EXPECT_EQ(seen.y, -4);
-  EXPECT_EQ(seen.depth, -5);
-  const Projection above(axonometric(UpAxis::z));
-  EXPECT_FALSE(above.flat());
-  EXPECT_LT(above.see({0, 0, 1}).y, above.see({0, 0, 0}).y);
-  EXPECT_LT(above.see({0, 0, 1}).depth, above.see({0, 0, 0}).depth);
-  const Projection bunny(axonometric(UpAxis::y));
-  EXPECT_LT(bunny.see({0, 1, 0}).y, bunny.see({0, 0, 0}).y);
-}
-
-TEST(Projection, LightsTheTopMoreThanTheFloorOfAnyWinding) {
-  const Projection view(axonometric(UpAxis::z));
-  const Triangle top{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  const Triangle turned{top.a, top.c, top.b};
-  const Triangle right{{0, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  EXPECT_DOUBLE_EQ(view.brightness(top), view.brightness(turned));
-  EXPECT_GT(view.brightness(top), view.brightness(right));
+  const look::CameraFrame flat = frame_of(flat_view());
+  EXPECT_TRUE(is_flat(flat));
+  EXPECT_EQ(flat.on_page({3, 4, 5}), (Vec3{3, -4, -5}));
+  const look::CameraFrame above = frame_of(axonometric(UpAxis::z));
+  EXPECT_FALSE(is_flat(above));
+  EXPECT_LT(above.on_page({0, 0, 1}).y, above.on_page({0, 0, 0}).y);
+  EXPECT_LT(above.on_page({0, 0, 1}).z, above.on_page({0, 0, 0}).z);
+  const look::CameraFrame bunny = frame_of(axonometric(UpAxis::y));
+  EXPECT_LT(bunny.on_page({0, 1, 0}).y, bunny.on_page({0, 0, 0}).y);
 }
 
 TEST(Projection, DropsWhatIsHiddenAndPaintsFarOnesFirst) {
-  const std::array<Seen, 3> large{{{0, 0, 1}, {40, 0, 1}, {0, 40, 1}}};
-  const std::array<Seen, 3> behind{{{2, 2, 5}, {8, 2, 5}, {2, 8, 5}}};
-  const std::array<Seen, 3> beside{{{30, 30, 9}, {39, 30, 9}, {39, 39, 9}}};
+  const std::array<Vec3, 3> large{{{0, 0, 1}, {40, 0, 1}, {0, 40, 1}}};
+  const std::array<Vec3, 3> behind{{{2, 2, 5}, {8, 2, 5}, {2, 8, 5}}};
+  const std::array<Vec3, 3> beside{{{30, 30, 9}, {39, 30, 9}, {39, 39, 9}}};
   std::vector<Facet> facets{facet(large, 0), facet(behind, 1), facet(beside, 2)};
   keep_visible(facets, 40, 40);
   ASSERT_EQ(facets.size(), 2U);
@@ -115,8 +103,8 @@ TEST(Projection, CutsLongFacetsIntoTheSameArea) {
     const auto& [a, b, c] = f.corners;
     area += 0.5 * ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
     for (std::size_t k = 0; k < 3; ++k) {
-      const Seen& p = f.corners[k];
-      const Seen& q = f.corners[(k + 1) % 3];
+      const Vec3& p = f.corners[k];
+      const Vec3& q = f.corners[(k + 1) % 3];
       EXPECT_LE((p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y), 3600 + 1e-6);
     }
   }

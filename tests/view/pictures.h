@@ -2,7 +2,7 @@
 /// What tests ask of pictures and of their PNG files, which libpng reads: not what wrote them.
 #pragma once
 
-#include "apps/view/drawing/picture.h"
+#include "apps/view/drawing/picture_file.h"
 
 #include <cstddef>
 #include <filesystem>

@@ -85,26 +85,16 @@ std::string point_words(const Vec3& at) {
 class BoxSketch {
  public:
   BoxSketch(const Box& box, const PagePlace& place)
-      : projection_(axonometric(UpAxis::z)), all_(corners(box)) {
-    double left = 1e300;
-    double top = 1e300;
-    double right = -1e300;
-    double bottom = -1e300;
-    for (std::size_t k = 0; k < all_.size(); ++k) {
-      const Seen seen = projection_.see(all_[k]);
-      left = std::min(left, seen.x);
-      right = std::max(right, seen.x);
-      top = std::min(top, seen.y);
-      bottom = std::max(bottom, seen.y);
-      far_ = seen.depth > projection_.see(all_[far_]).depth ? k : far_;
-    }
-    scale_ = std::min(place.width / (right - left), place.height / (bottom - top));
-    origin_ = {place.corner.x + place.width / 2 - scale_ * (left + right) / 2,
-               place.corner.y + place.height / 2 - scale_ * (top + bottom) / 2};
+      : from_(frame_of(axonometric(UpAxis::z))), all_(corners(box)), far_(far_corner(all_, from_)) {
+    PageBounds bounds;
+    bounds.take(from_, box);
+    scale_ = std::min(place.width / bounds.width(), place.height / bounds.height());
+    origin_ = {place.corner.x + place.width / 2 - scale_ * (bounds.left + bounds.right) / 2,
+               place.corner.y + place.height / 2 - scale_ * (bounds.top + bounds.bottom) / 2};
   }
 
   [[nodiscard]] Spot operator()(const Vec3& point) const {
-    const Seen seen = projection_.see(point);
+    const Vec3 seen = from_.on_page(point);
     return {origin_.x + scale_ * seen.x, origin_.y + scale_ * seen.y};
   }
 
@@ -117,23 +107,18 @@ class BoxSketch {
 
   /// Edges; those behind the box are dashed.
   void draw_edges(Svg& svg, std::string_view attributes) const {
-    PathData front;
-    PathData hidden;
-    for (std::size_t k = 0; k < 8; ++k) {
-      for (const std::size_t bit : {1U, 2U, 4U}) {
-        if ((k & bit) == 0) {
-          (k == far_ || (k | bit) == far_ ? hidden : front).move(corner(k)).line(corner(k | bit));
-        }
-      }
-    }
-    svg.path(front.data(), fmt::format("fill=\"none\" {}", attributes));
-    svg.path(hidden.data(), fmt::format("fill=\"none\" {} stroke-dasharray=\"3 5\"", attributes));
+    std::array<Spot, 8> spots;
+    std::transform(all_.begin(), all_.end(), spots.begin(), *this);
+    const BoxEdges edges = edges_of(spots, far_);
+    svg.path(edges.front.data(), fmt::format("fill=\"none\" {}", attributes));
+    svg.path(edges.hidden.data(),
+             fmt::format("fill=\"none\" {} stroke-dasharray=\"3 5\"", attributes));
   }
 
  private:
-  Projection projection_;
+  look::CameraFrame from_;
   std::array<Vec3, 8> all_;
-  std::size_t far_ = 0;  ///< the corner that the box hides
+  std::size_t far_;  ///< the corner that the box hides
   double scale_ = 1;
   Spot origin_;
 };

@@ -26,6 +26,7 @@ constexpr double kKeyRow = 24;
 /// Rim of a panel's picture, so that lines and dots at its edge are whole.
 constexpr double kRim = 8;
 constexpr double kLongestSide = 90;
+constexpr double kAmbient = 0.42;
 /// Bytes that a box takes, about.
 constexpr std::size_t kBoxBytes = 300;
 /// With more boxes their hidden edges only confuse.
@@ -47,64 +48,43 @@ std::string stroke_attributes(int color) {
   return fmt::format("stroke=\"{}\"", shade_of(color, 0.95));
 }
 
-/// Bounds on the page.
-struct PageBounds {
-  double left = 1e300;
-  double top = 1e300;
-  double right = -1e300;
-  double bottom = -1e300;
-
-  void take(const Seen& seen) {
-    left = std::min(left, seen.x);
-    top = std::min(top, seen.y);
-    right = std::max(right, seen.x);
-    bottom = std::max(bottom, seen.y);
-  }
-
-  void take(const Projection& projection, const Box& box) {
-    for (const Vec3& corner : corners(box)) {
-      take(projection.see(corner));
-    }
-  }
-
-  [[nodiscard]] double width() const { return std::max(right - left, 1e-300); }
-
-  [[nodiscard]] double height() const { return std::max(bottom - top, 0.0); }
-};
-
-PageBounds frame_of(std::span<const Panel> panels, const Projection& projection) {
+PageBounds bounds_of(std::span<const Panel> panels, const look::CameraFrame& from) {
   PageBounds frame;
   for (const Panel& panel : panels) {
     for (const DrawnMesh& drawn : panel.meshes) {
       for (const auto& triangle : drawn.mesh->triangles) {
         for (const std::uint32_t vertex : triangle) {
-          frame.take(projection.see(drawn.mesh->vertices[vertex] + drawn.shift));
+          frame.take(from.on_page(drawn.mesh->vertices[vertex] + drawn.shift));
         }
       }
     }
     for (const DrawnBox& drawn : panel.boxes) {
       if (!drawn.box.empty()) {
-        frame.take(projection, drawn.box);
+        frame.take(from, drawn.box);
       }
     }
     for (const DrawnPlane& plane : panel.planes) {
-      frame.take(projection, plane.within);
+      frame.take(from, plane.within);
     }
     for (const DrawnPoint& point : panel.points) {
-      frame.take(projection.see(point.at));
+      frame.take(from.on_page(point.at));
     }
   }
   return frame.left > frame.right ? PageBounds{0, 0, 1, 1} : frame;
 }
 
+Vec3 normal_of(const Triangle& t) {
+  return cross(t.b - t.a, t.c - t.a);
+}
+
 /// What each panel shows: the same part of the page for all, or each its own.
-std::vector<PageBounds> frames_of(const Drawing& drawing, const Projection& projection) {
+std::vector<PageBounds> frames_of(const Drawing& drawing, const look::CameraFrame& from) {
   if (drawing.same_scale) {
-    return std::vector<PageBounds>(drawing.panels.size(), frame_of(drawing.panels, projection));
+    return std::vector<PageBounds>(drawing.panels.size(), bounds_of(drawing.panels, from));
   }
   std::vector<PageBounds> frames;
   for (const Panel& panel : drawing.panels) {
-    frames.push_back(frame_of({&panel, 1}, projection));
+    frames.push_back(bounds_of({&panel, 1}, from));
   }
   return frames;
 }
@@ -114,8 +94,8 @@ class Board {
  public:
   explicit Board(const Drawing& drawing)
       : drawing_(drawing),
-        projection_(drawing.view),
-        frames_(frames_of(drawing, projection_)),
+        from_(frame_of(drawing.view)),
+        frames_(frames_of(drawing, from_)),
         columns_(std::max(1, std::min(drawing.columns, static_cast<int>(drawing.panels.size())))),
         panel_width_((kDrawingWidth - 2 * kDrawingMargin - kGap * (columns_ - 1)) / columns_),
         picture_height_(tallest() + 2 * kRim),
@@ -248,14 +228,14 @@ class Board {
   }
 
   /// Place on the page of what is seen, in the panel that is being drawn.
-  [[nodiscard]] Seen place(const Vec3& point) const {
-    const Seen seen = projection_.see(point);
+  [[nodiscard]] Vec3 place(const Vec3& point) const {
+    const Vec3 seen = from_.on_page(point);
     return {(seen.x - frame_.left) * scale_ + indent_.x, (seen.y - frame_.top) * scale_ + indent_.y,
-            seen.depth * scale_};
+            seen.z * scale_};
   }
 
   [[nodiscard]] Spot spot(const Vec3& point) const {
-    const Seen seen = place(point);
+    const Vec3 seen = place(point);
     return {origin_.x + seen.x, origin_.y + seen.y};
   }
 
@@ -314,7 +294,9 @@ class Board {
         Facet facet;
         facet.corners = {place(triangle.a + drawn.shift), place(triangle.b + drawn.shift),
                          place(triangle.c + drawn.shift)};
-        facet.brightness = projection_.flat() ? 1 : projection_.brightness(triangle);
+        facet.brightness =
+            is_flat(from_) ? 1
+                           : look::brightness(from_, normal_of(triangle), from_.forward, kAmbient);
         facet.color = drawn.colors.empty() ? drawn.color : drawn.colors[k];
         facets.push_back(facet);
       }
@@ -327,7 +309,7 @@ class Board {
     if (facets.empty()) {
       return;
     }
-    if (!projection_.flat()) {
+    if (!is_flat(from_)) {
       cut_long(facets, kLongestSide);
     }
     keep_visible(facets, panel_width_, picture_height_);
@@ -366,9 +348,7 @@ class Board {
     std::vector<const DrawnBox*> order;
     double nearest = 1e300;
     double farthest = -1e300;
-    const auto depth = [&](const DrawnBox* drawn) {
-      return projection_.see(drawn->box.center()).depth;
-    };
+    const auto depth = [&](const DrawnBox* drawn) { return from_.on_page(drawn->box.center()).z; };
     for (const DrawnBox& drawn : panel.boxes) {
       if (!drawn.box.empty()) {
         order.push_back(&drawn);
@@ -382,7 +362,7 @@ class Board {
     svg_.open_group(
         fmt::format("fill=\"none\" stroke-width=\"{}\" stroke-linejoin=\"round\"", pixels(width)));
     for (const DrawnBox* drawn : order) {
-      const double share = farthest > nearest && !projection_.flat()
+      const double share = farthest > nearest && !is_flat(from_)
                                ? (depth(drawn) - nearest) / (farthest - nearest)
                                : 0;
       draw_box(*drawn,
@@ -396,7 +376,7 @@ class Board {
   void draw_box(const DrawnBox& drawn, const std::string& attributes, bool with_hidden) {
     const std::array<Vec3, 8> all = corners(drawn.box);
     const std::string_view dashes = drawn.dashed ? " stroke-dasharray=\"5 4\"" : "";
-    if (projection_.flat()) {
+    if (is_flat(from_)) {
       PageBounds frame;
       for (const Vec3& corner : all) {
         frame.take(place(corner));
@@ -405,28 +385,18 @@ class Board {
                 frame.bottom - frame.top, fmt::format("{}{}", attributes, dashes));
       return;
     }
-    std::size_t far = 0;
-    for (std::size_t k = 1; k < 8; ++k) {
-      far = place(all[k]).depth > place(all[far]).depth ? k : far;
-    }
-    PathData front;
-    PathData hidden;
-    for (unsigned k = 0; k < 8; ++k) {
-      for (const unsigned bit : {1U, 2U, 4U}) {
-        if ((k & bit) == 0) {
-          PathData& path = k == far || (k | bit) == far ? hidden : front;
-          path.move(spot(all[k])).line(spot(all[k | bit]));
-        }
-      }
-    }
-    svg_.path(front.data(), fmt::format("{}{}", attributes, dashes));
+    std::array<Spot, 8> spots;
+    std::transform(all.begin(), all.end(), spots.begin(),
+                   [this](const Vec3& corner) { return spot(corner); });
+    const BoxEdges edges = edges_of(spots, far_corner(all, from_));
+    svg_.path(edges.front.data(), fmt::format("{}{}", attributes, dashes));
     if (with_hidden) {
-      svg_.path(hidden.data(), fmt::format("{} stroke-dasharray=\"2 4\"", attributes));
+      svg_.path(edges.hidden.data(), fmt::format("{} stroke-dasharray=\"2 4\"", attributes));
     }
   }
 
   const Drawing& drawing_;
-  Projection projection_;
+  look::CameraFrame from_;
   std::vector<PageBounds> frames_;
   int columns_;
   double panel_width_;

@@ -1,8 +1,9 @@
 #include "thesis/pictures/projection.h"
 
+#include "apps/draw/depth_grid.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace soms::reproduce {
 
@@ -10,98 +11,25 @@ namespace {
 
 /// Samples a pixel in each direction.
 constexpr double kSampling = 2;
-constexpr double kAmbient = 0.42;
-constexpr std::uint32_t kNoTriangle = 0xffffffffU;
 
 Vec3 unit(const Vec3& v) {
   const double length = std::sqrt(dot(v, v));
   return length > 0 ? v * (1 / length) : v;
 }
 
-/// The nearest facet of each sample.
-class SampleGrid {
- public:
-  SampleGrid(double width, double height)
-      : columns_(std::max(1, static_cast<int>(width * kSampling))),
-        rows_(std::max(1, static_cast<int>(height * kSampling))),
-        nearest_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), kNoTriangle),
-        depth_(nearest_.size(), std::numeric_limits<double>::infinity()) {}
-
-  void add(const Facet& facet, std::uint32_t number) {
-    const auto& [a, b, c] = facet.corners;
-    const double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-    if (area == 0) {
-      return;
-    }
-    const auto [left, right] = std::minmax({a.x, b.x, c.x});
-    const auto [top, bottom] = std::minmax({a.y, b.y, c.y});
-    for (int row = first(top); row <= last(bottom, rows_); ++row) {
-      for (int column = first(left); column <= last(right, columns_); ++column) {
-        const double x = (column + 0.5) / kSampling;
-        const double y = (row + 0.5) / kSampling;
-        const double u = ((b.x - x) * (c.y - y) - (b.y - y) * (c.x - x)) / area;
-        const double v = ((c.x - x) * (a.y - y) - (c.y - y) * (a.x - x)) / area;
-        const double w = 1 - u - v;
-        if (u < 0 || v < 0 || w < 0) {
-          continue;
-        }
-        const double depth = u * a.depth + v * b.depth + w * c.depth;
-        const auto at = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                        static_cast<std::size_t>(column);
-        // Of what lies in one plane the later wins, as it does in painter's order.
-        if (depth <= depth_[at]) {
-          depth_[at] = depth;
-          nearest_[at] = number;
-        }
-      }
-    }
-  }
-
-  [[nodiscard]] std::span<const std::uint32_t> nearest() const { return nearest_; }
-
- private:
-  [[nodiscard]] static int first(double begin) {
-    return std::max(0, static_cast<int>(std::floor(begin * kSampling - 0.5)));
-  }
-
-  [[nodiscard]] static int last(double end, int count) {
-    return std::min(count - 1, static_cast<int>(std::ceil(end * kSampling - 0.5)));
-  }
-
-  int columns_;
-  int rows_;
-  std::vector<std::uint32_t> nearest_;
-  std::vector<double> depth_;
-};
-
-Seen middle(const Seen& a, const Seen& b) {
-  return {0.5 * (a.x + b.x), 0.5 * (a.y + b.y), 0.5 * (a.depth + b.depth)};
-}
-
-double length(const Seen& a, const Seen& b) {
-  return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y));
+double square_between(const Vec3& a, const Vec3& b) {
+  return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
 }
 
 }  // namespace
 
-Projection::Projection(const View& view) : toward_(unit(view.toward)) {
-  right_ = unit(cross(toward_, view.up));
-  down_ = cross(toward_, right_);
-  light_ = unit(-0.55 * toward_ - 0.75 * down_ - 0.45 * right_);
-  const auto axes = (toward_.x != 0 ? 1 : 0) + (toward_.y != 0 ? 1 : 0) + (toward_.z != 0 ? 1 : 0);
-  flat_ = axes == 1;
+look::CameraFrame frame_of(const View& view) {
+  return look::frame_along(unit(view.toward), unit(view.up));
 }
 
-Seen Projection::see(const Vec3& point) const {
-  return {dot(point, right_), dot(point, down_), dot(point, toward_)};
-}
-
-double Projection::brightness(const Triangle& triangle) const {
-  Vec3 normal = unit(cross(triangle.b - triangle.a, triangle.c - triangle.a));
-  if (dot(normal, toward_) > 0) {
-    normal = -normal;
-  }
-  return kAmbient + (1 - kAmbient) * std::max(0.0, dot(normal, light_));
+bool is_flat(const look::CameraFrame& frame) {
+  const Vec3& v = frame.forward;
+  return (v.x != 0 ? 1 : 0) + (v.y != 0 ? 1 : 0) + (v.z != 0 ? 1 : 0) == 1;
 }
 
 View axonometric(UpAxis up) {
@@ -124,19 +52,57 @@ std::array<Vec3, 8> corners(const Box& box) {
   return all;
 }
 
+std::size_t far_corner(const std::array<Vec3, 8>& corners, const look::CameraFrame& from) {
+  const auto nearer = [&](const Vec3& a, const Vec3& b) {
+    return dot(a, from.forward) < dot(b, from.forward);
+  };
+  return static_cast<std::size_t>(std::max_element(corners.begin(), corners.end(), nearer) -
+                                  corners.begin());
+}
+
+BoxEdges edges_of(const std::array<Spot, 8>& spots, std::size_t far) {
+  BoxEdges edges;
+  for (std::size_t k = 0; k < spots.size(); ++k) {
+    for (const std::size_t bit : {1U, 2U, 4U}) {
+      if ((k & bit) == 0) {
+        PathData& path = k == far || (k | bit) == far ? edges.hidden : edges.front;
+        path.move(spots[k]).line(spots[k | bit]);
+      }
+    }
+  }
+  return edges;
+}
+
+void PageBounds::take(const Vec3& seen) {
+  left = std::min(left, seen.x);
+  top = std::min(top, seen.y);
+  right = std::max(right, seen.x);
+  bottom = std::max(bottom, seen.y);
+}
+
+void PageBounds::take(const look::CameraFrame& from, const Box& box) {
+  for (const Vec3& corner : corners(box)) {
+    take(from.on_page(corner));
+  }
+}
+
 double Facet::farthest() const {
-  return std::max({corners[0].depth, corners[1].depth, corners[2].depth});
+  return std::max({corners[0].z, corners[1].z, corners[2].z});
 }
 
 void keep_visible(std::vector<Facet>& facets, double width, double height) {
   std::stable_sort(facets.begin(), facets.end(),
                    [](const Facet& a, const Facet& b) { return a.farthest() > b.farthest(); });
-  SampleGrid grid(width, height);
+  const auto samples = [](double pixels) {
+    return static_cast<std::size_t>(std::max(1.0, pixels * kSampling));
+  };
+  look::DepthGrid grid({.cell = 1 / kSampling, .columns = samples(width), .rows = samples(height)});
   for (std::size_t k = 0; k < facets.size(); ++k) {
-    grid.add(facets[k], static_cast<std::uint32_t>(k));
+    const auto& [a, b, c] = facets[k].corners;
+    grid.draw(a, b, c, static_cast<std::uint32_t>(k));
   }
-  for (const std::uint32_t number : grid.nearest()) {
-    if (number != kNoTriangle) {
+  for (const std::uint32_t number : grid.shown()) {
+    if (number != look::DepthGrid::kNothing) {
       ++facets[number].samples;
     }
   }
@@ -149,18 +115,18 @@ void cut_long(std::vector<Facet>& facets, double pixels) {
       std::size_t side = 0;
       double longest = 0;
       for (std::size_t s = 0; s < 3; ++s) {
-        const double size = length(facets[k].corners[s], facets[k].corners[(s + 1) % 3]);
+        const double size = square_between(facets[k].corners[s], facets[k].corners[(s + 1) % 3]);
         if (size > longest) {
           longest = size;
           side = s;
         }
       }
-      if (!(longest > pixels)) {
+      if (!(longest > pixels * pixels)) {
         break;
       }
       facets[k].whole = false;
       Facet half = facets[k];
-      const Seen cut = middle(half.corners[side], half.corners[(side + 1) % 3]);
+      const Vec3 cut = 0.5 * (half.corners[side] + half.corners[(side + 1) % 3]);
       facets[k].corners[(side + 1) % 3] = cut;
       half.corners[side] = cut;
       facets.push_back(half);

@@ -1,10 +1,11 @@
 #include "thesis/trees/facet_paths.h"
 
+#include "apps/draw/picture.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <numeric>
 #include <utility>
 
@@ -16,22 +17,15 @@ constexpr int kShades = 14;
 /// How many paths back a facet may go to find its color.
 constexpr std::size_t kReach = 48;
 
-struct Rgb {
-  int red;
-  int green;
-  int blue;
-};
-
-Rgb rgb_of(int color) {
+look::Color rgb_of(int color) {
   if (color == kClay) {
     return {216, 206, 190};
   }
   if (color == kHighlight) {
     return {226, 30, 45};
   }
-  const std::string hex(series_color(static_cast<std::size_t>(color)).substr(1));
-  const int all = static_cast<int>(std::strtol(hex.c_str(), nullptr, 16));
-  return {all >> 16, (all >> 8) & 255, all & 255};
+  return look::color_of(
+      look::kSeries[static_cast<std::size_t>(color) % look::kSeries.size()].light);
 }
 
 /// What a facet may cover, its outline included.
@@ -103,12 +97,8 @@ void keep_most(std::vector<Facet>& facets, std::size_t count) {
 
 std::string shade_of(int color, double brightness) {
   const double light = 1.08 * std::round(brightness * kShades) / kShades;
-  const Rgb rgb = rgb_of(color);
-  const auto channel = [&](int value) {
-    return std::min(static_cast<int>(std::lround(light * value)), 255);
-  };
-  return fmt::format("#{:02x}{:02x}{:02x}", channel(rgb.red), channel(rgb.green),
-                     channel(rgb.blue));
+  const look::Color shade = look::lit(rgb_of(color), light);
+  return look::hex({shade.r, shade.g, shade.b});
 }
 
 std::vector<FacetPath> facet_paths(std::span<const Facet> facets) {

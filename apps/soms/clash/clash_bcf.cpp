@@ -6,6 +6,7 @@
 #include "apps/cli/console.h"
 #include "apps/cli/text.h"
 #include "apps/draw/look.h"
+#include "apps/output/png_file.h"
 #include "apps/output/zip_file.h"
 #include "apps/soms/clash/bcf_guid.h"
 #include "apps/soms/clash/clash_picture.h"
@@ -156,8 +157,8 @@ BcfCamera camera_in_meters(const ClashSight& sight, double unit) {
                    .direction = forward,
                    .up = cross(right, forward),
                    .field_of_view = ClashSight::kFieldOfView,
-                   .aspect = static_cast<double>(ClashPainter::kWidth) /
-                             static_cast<double>(ClashPainter::kHeight)};
+                   .aspect = static_cast<double>(ClashPainter::kSize.width) /
+                             static_cast<double>(ClashPainter::kSize.height)};
   for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
     for (const Vec3& outward : {axis, -axis}) {
       camera.clipping.push_back(
@@ -257,7 +258,9 @@ class BcfWriter {
       topic.camera = camera_in_meters(*sight, unit_);
       topic.has_snapshot = options_.snapshots;
       if (options_.snapshots) {
-        made.snapshot = png_bytes(painter_.draw(clash, *sight));
+        const look::Picture drawn = painter_.draw(clash, *sight);
+        made.snapshot = png_bytes(static_cast<std::size_t>(drawn.size.width),
+                                  static_cast<std::size_t>(drawn.size.height), drawn.bytes);
       }
     }
     return made;

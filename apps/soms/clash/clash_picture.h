@@ -2,10 +2,9 @@
 /// Pictures of clashes, drawn without a graphics card: the same pixels on every machine.
 #pragma once
 
-#include "apps/output/png_file.h"
+#include "apps/draw/picture.h"
 #include "apps/soms/clash/clash_sight.h"
 
-#include <cstddef>
 #include <vector>
 
 namespace soms::command {
@@ -20,10 +19,9 @@ class ClashPainter {
   /// it, what is around them pale and cut away toward the eye, the place as a red dot.
   /// \cost    O(p + t) for p parts and t triangles of the parts that are near.
   /// \threads Any number of callers.
-  [[nodiscard]] RgbPicture draw(const ListedClash& clash, const ClashSight& sight) const;
+  [[nodiscard]] look::Picture draw(const ListedClash& clash, const ClashSight& sight) const;
 
-  static constexpr std::size_t kWidth = 480;
-  static constexpr std::size_t kHeight = 360;
+  static constexpr look::Size kSize{480, 360};
 
  private:
   const ClashModels& models_;

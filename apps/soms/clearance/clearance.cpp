@@ -11,6 +11,7 @@
 #include "apps/cli/text.h"
 #include "apps/model/part_filter.h"
 #include "apps/output/output.h"
+#include "apps/rows/answer_outputs.h"
 #include "apps/rows/json_list.h"
 #include "apps/soms/clearance/clearance_map.h"
 #include "apps/soms/clearance/clearance_output.h"
@@ -23,6 +24,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <sstream>
 #include <utility>
@@ -51,46 +53,49 @@ ClearanceOptions search_options(const ClearanceVerbOptions& options, const Model
           .keep_on_stop = true};
 }
 
+std::vector<OutputKind> clearance_files(ClearanceVerbOptions& options) {
+  return {{{".csv"}, &options.table, ".csv"},
+          {{".json"}, &options.list, ".json"},
+          {{".jsonl"}, &options.lines, ".jsonl (lines)"},
+          {{".svg"}, &options.map, ".svg (a map)", "--map"},
+          {{".html", ".htm"}, &options.report, ".html (a page)", "--report"}};
+}
+
 /// Files of answers, opened before the work.
 class ClearanceFiles {
  public:
-  explicit ClearanceFiles(const ClearanceVerbOptions& options) : names_(options.outputs) {
-    for (const std::string& name : names_) {
-      lists_.push_back(std::make_unique<OutputFile>(name));
+  explicit ClearanceFiles(const ClearanceVerbOptions& options) {
+    open(options.table, [](std::ostream& out, const auto& report, const auto& names) {
+      out << clearance_as_csv(report, names);
+    });
+    for (const std::string& name : {options.list, options.lines}) {
+      open(name, [name](std::ostream& out, const auto& report, const auto& names) {
+        JsonListWriter list(out, name);
+        write_clearance_as_json(report, names, list);
+      });
     }
-    if (!options.map.empty()) {
-      map_.emplace(options.map);
-    }
-    if (!options.report.empty()) {
-      page_.emplace(options.report);
-    }
+    open(options.map, draw_clearance_map);
+    open(options.report, write_clearance_page);
   }
 
   void write(const ClearanceReport& report, const NearestNames& names) {
-    for (std::size_t k = 0; k < lists_.size(); ++k) {
-      if (extension_of(names_[k]) == ".csv") {
-        lists_[k]->stream() << clearance_as_csv(report, names);
-      } else {
-        JsonListWriter list(lists_[k]->stream(), names_[k]);
-        write_clearance_as_json(report, names, list);
-      }
-      lists_[k]->commit();
-    }
-    if (map_) {
-      draw_clearance_map(map_->stream(), report, names);
-      map_->commit();
-    }
-    if (page_) {
-      write_clearance_page(page_->stream(), report, names);
-      page_->commit();
+    for (const auto& [file, form] : files_) {
+      form(file->stream(), report, names);
+      file->commit();
     }
   }
 
  private:
-  const std::vector<std::string>& names_;
-  std::vector<std::unique_ptr<OutputFile>> lists_;
-  std::optional<OutputFile> map_;
-  std::optional<OutputFile> page_;
+  using Form =
+      std::function<void(std::ostream&, const ClearanceReport& report, const NearestNames& names)>;
+
+  void open(const std::string& name, Form form) {
+    if (!name.empty()) {
+      files_.emplace_back(std::make_unique<OutputFile>(name), std::move(form));
+    }
+  }
+
+  std::vector<std::pair<std::unique_ptr<OutputFile>, Form>> files_;
 };
 
 void check_clearance_files(const ClearanceVerbOptions& options) {
@@ -98,14 +103,8 @@ void check_clearance_files(const ClearanceVerbOptions& options) {
   for (const std::string& city : options.world.cities) {
     taken.emplace_back("CITY", city);
   }
-  NamedFiles outputs{{"--map", options.map}, {"--report", options.report}};
-  for (const std::string& output : options.outputs) {
-    check_extension("-o", output, {".csv", ".json", ".jsonl"});
-    outputs.emplace_back("-o", output);
-  }
-  check_outputs(std::move(taken), outputs);
-  check_extension("--map", options.map, {".svg"});
-  check_extension("--report", options.report, {".html", ".htm"});
+  ClearanceVerbOptions named = options;
+  check_outputs_by_extension(std::move(taken), clearance_files(named));
   if (options.fail_if == ClearanceFailure::below && !(options.clearance > 0)) {
     throw Error(ErrorKind::usage, "--fail-if below has no effect without --clearance",
                 "also give --clearance D");
@@ -239,13 +238,9 @@ void add_clearance_questions(Parser& parser, ClearanceVerbOptions& options) {
                 "compare stations, and places between them, with brute force; exit with\nstatus 6 "
                 "if they differ")
       ->group(kQuestionGroup);
-  add_repeatable(
-      parser, "-o,--output", options.outputs,
-      "write the stations to a file, by its extension: .csv, .json or .jsonl; may be repeated",
-      "FILE");
-  add_output(parser, "--map", options.map, "draw the path and the city around it as SVG");
-  add_output(parser, "--report", options.report,
-             "write an HTML report with figures, a plot and the scene in 3-D");
+  add_outputs(parser, clearance_files(options), "Options",
+              "write the stations, or a picture of the path, to a file, by its extension; may be\n"
+              "repeated: ");
 }
 
 }  // namespace
@@ -264,7 +259,7 @@ Action add_clearance(Parser& parser, Shared&) {
       "  soms generate city --triangles 20000 -o town.ply\n"
       "  soms generate car -o car.ply\n"
       "  printf 'x,y,z\\n-60,-2,0.5\\n60,-2,0.5\\n' |\n"
-      "    soms clearance town.ply --profile car.ply --path - --clearance 0.5 --map path.svg");
+      "    soms clearance town.ply --profile car.ply --path - --clearance 0.5 -o path.svg");
   return [options](Console& console) { return run_clearance(*options, console); };
 }
 

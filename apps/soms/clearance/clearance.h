@@ -26,9 +26,11 @@ struct ClearanceVerbOptions {
   double clearance = 0;            ///< 0: none
   ClearanceFailure fail_if = ClearanceFailure::never;
   bool verify = false;
-  std::vector<std::string> outputs;  ///< files, .csv or .json
-  std::string map;                   ///< file; empty: none
-  std::string report;                ///< likewise
+  std::string table;   ///< file of stations as CSV; empty: none
+  std::string list;    ///< likewise, as a JSON document
+  std::string lines;   ///< likewise, as JSON Lines
+  std::string map;     ///< file; empty: none
+  std::string report;  ///< likewise
 };
 
 [[nodiscard]] Action add_clearance(Parser& parser, Shared& shared);

@@ -1,5 +1,5 @@
 /// \file
-/// The page of a clearance along a path: what --report of `clearance` writes.
+/// The page of a clearance along a path: what `clearance -o FILE.html` writes.
 #pragma once
 
 #include "apps/soms/clearance/clearance_output.h"

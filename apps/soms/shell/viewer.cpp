@@ -2,6 +2,7 @@
 
 #include "apps/cli/child.h"
 #include "apps/cli/parse.h"
+#include "apps/model/part_filter.h"
 
 #include <fmt/format.h>
 
@@ -45,6 +46,13 @@ std::vector<std::string> words_of(const WorldOptions& world, const Shared& share
   add_model_words(words, world.mover_model, "--mover-scale", "--mover-up");
   if (world.city_model.strict) {
     words.emplace_back("--strict");
+  }
+  if (const PartFilter* const parts = world.city_model.parts.get()) {
+    for (const bool only : {true, false}) {
+      for (const std::string& pattern : parts->patterns(only)) {
+        words.push_back((only ? "--only=" : "--ignore=") + pattern);
+      }
+    }
   }
   words.insert(words.end(), {"--seed", std::to_string(shared.seed)});
   words.insert(words.end(), {"--threads", std::to_string(shared.threads)});

@@ -42,26 +42,19 @@ void check_files(const SimulateOptions& options) {
   for (const std::string& path : options.world.routes) {
     taken.emplace_back("--route", path);
   }
-  check_outputs(std::move(taken), {{"--events", options.events},
-                                   {"--contacts", options.contacts},
-                                   {"--map", options.map},
-                                   {"--report", options.report},
-                                   {"--record", options.record},
-                                   {"--picture", options.picture}});
-  check_extension("--events", options.events, {".csv"});
+  SimulateOptions named = options;
+  check_outputs_by_extension(std::move(taken), simulate_files(named),
+                             {{"--contacts", options.contacts}, {"--record", options.record}});
   check_extension("--contacts", options.contacts, {".csv"});
-  check_extension("--map", options.map, {".svg"});
-  check_extension("--report", options.report, {".html", ".htm"});
-  check_extension("--picture", options.picture, {".png"});
 }
 
-/// Throws ErrorKind::usage for a recording, or a window, of parts of a city.
+/// Throws ErrorKind::usage for a recording of parts of a city.
 void check_parts(const SimulateOptions& options) {
   const PartFilter& parts = *options.world.city_model.parts;
-  if (parts.is_given() && (options.view || !options.record.empty() || !options.picture.empty())) {
+  if (parts.is_given() && (!options.record.empty() || !options.picture.empty())) {
     throw Error(ErrorKind::usage,
                 parts.options() +
-                    " does not go with --view, --record and --picture, which name "
+                    " does not go with --record and -o FILE.png, which name "
                     "whole models",
                 "write a city of these parts first: soms convert CITY PARTS.ply " + parts.text());
   }
@@ -74,7 +67,7 @@ void check_recording(const SimulateOptions& options) {
     if ((!options.record.empty() || !options.picture.empty()) &&
         std::find(files->begin(), files->end(), "-") != files->end()) {
       throw Error(ErrorKind::usage,
-                  "--record and --picture cannot name a model from standard input",
+                  "--record and -o FILE.png cannot name a model from standard input",
                   "give the model as a file, which can be read again later");
     }
   }
@@ -92,11 +85,68 @@ RecordingEnding ending_of(const Outcome& outcome) {
   return RecordingEnding::interrupted;
 }
 
-void open(std::optional<OutputFile>& file, const std::string& path) {
-  if (!path.empty()) {
-    file.emplace(path);
+/// Files of a simulation. Places that cannot be written to are reported before the work, not after
+/// it.
+class SimulateFiles {
+ public:
+  SimulateFiles(const SimulateOptions& options, const std::string& recording) {
+    open(events_, options.events);
+    open(contacts_, options.contacts);
+    open(map_, options.map);
+    open(page_, options.report);
+    open(answer_, options.answer);
+    open(recording_, recording);
   }
-}
+
+  /// What the frames are written to while they run; nothing where they are not.
+  [[nodiscard]] std::optional<OutputFile>& recording() { return recording_; }
+
+  [[nodiscard]] bool has_answer() const { return answer_.has_value(); }
+
+  /// All but the answer.
+  void write(const World& world, const Outcome& outcome, const SimulateOptions& options) {
+    std::vector<std::size_t> event_of;
+    if (events_ || contacts_ || page_) {
+      event_of = events_of_contacts(world, outcome.contacts.contacts(), outcome.events.spans());
+    }
+    if (events_) {
+      write_events(events_->stream(), world, outcome, event_of, options);
+      events_->commit();
+    }
+    if (contacts_) {
+      write_contacts(contacts_->stream(), world, outcome, event_of);
+      contacts_->commit();
+    }
+    if (map_) {
+      draw_map(map_->stream(), world, outcome);
+      map_->commit();
+    }
+    if (page_) {
+      write_page(page_->stream(), world, outcome, std::move(event_of), options);
+      page_->commit();
+    }
+  }
+
+  /// \pre has_answer().
+  void write_answer(const std::string& json) {
+    answer_->stream() << json;
+    answer_->commit();
+  }
+
+ private:
+  static void open(std::optional<OutputFile>& file, const std::string& path) {
+    if (!path.empty()) {
+      file.emplace(path);
+    }
+  }
+
+  std::optional<OutputFile> events_;
+  std::optional<OutputFile> contacts_;
+  std::optional<OutputFile> map_;
+  std::optional<OutputFile> page_;
+  std::optional<OutputFile> answer_;
+  std::optional<OutputFile> recording_;
+};
 
 /// `drawn`: the exit status of who drew the picture.
 int status_of(const Outcome& outcome, const SimulateOptions& options, int drawn) {
@@ -162,9 +212,9 @@ void settle_frames(World& world, SimulateOptions& options, const Console& consol
   note_long_steps(world, strict, console);
 }
 
-/// Draws the picture, then tells what was found, whatever became of the picture.
+/// Draws the picture, then tells and writes what was found, whatever became of the picture.
 int finish(const World& world, const Outcome& outcome, const Picture& picture,
-           const SimulateOptions& options, Console& console) {
+           const SimulateOptions& options, SimulateFiles& files, Console& console) {
   std::optional<int> drawn;
   std::exception_ptr fault;
   try {
@@ -176,8 +226,14 @@ int finish(const World& world, const Outcome& outcome, const Picture& picture,
   if (drawn != 0) {
     reported.picture.clear();  // there is none
   }
+  const std::string answer = files.has_answer() || console.shared().json
+                                 ? json_of(world, outcome, reported)
+                                 : std::string();
+  if (files.has_answer()) {
+    files.write_answer(answer);
+  }
   console.print(console.shared().json
-                    ? json_of(world, outcome, reported)
+                    ? answer
                     : table_of(world, outcome, reported, console.talks_to_a_person()));
   console.flush();
   const int status = status_of(outcome, options, drawn.value_or(0));
@@ -192,8 +248,8 @@ int run_window(const SimulateOptions& options, const Console& console) {
   const bool answers = options.verify || options.fail_if != FailIf::never || console.shared().json;
   if (answers || !options.report.empty() || !options.map.empty() || !options.events.empty() ||
       !options.contacts.empty() || !options.record.empty() || !options.picture.empty() ||
-      options.picture_frame || !options.between_movers || !options.ignored.empty() ||
-      options.clearance > 0) {
+      !options.answer.empty() || options.picture_frame || !options.between_movers ||
+      !options.ignored.empty() || options.clearance > 0) {
     throw Error(ErrorKind::usage, "--view cannot be combined with an option of outputs or contacts",
                 "leave out --view, or the other option");
   }
@@ -224,23 +280,13 @@ int run_simulate(const SimulateOptions& given, Console& console) {
   console.go_on_without_reader();
   const Picture picture(given);
   SimulateOptions options = given;
-  // Places that cannot be written to are reported before the work, not after it.
-  std::optional<OutputFile> events;
-  std::optional<OutputFile> contacts;
-  std::optional<OutputFile> map;
-  std::optional<OutputFile> page;
-  std::optional<OutputFile> record;
-  open(events, options.events);
-  open(contacts, options.contacts);
-  open(map, options.map);
-  open(page, options.report);
-  open(record, picture.recording());
+  SimulateFiles files(options, picture.recording());
   World world = load_world(options.world, console);
   world.filter = {.between = options.between_movers, .ignored = ignored_pairs(world, ignored)};
   settle_frames(world, options, console);
   std::optional<Recorder> recorder;
-  if (record) {
-    recorder.emplace(*record, world, options.frames, options.clearance);
+  if (files.recording()) {
+    recorder.emplace(*files.recording(), world, options.frames, options.clearance);
   }
   const Outcome outcome = run_frames(world, options, console, recorder ? &*recorder : nullptr);
   if (recorder) {
@@ -252,27 +298,8 @@ int run_simulate(const SimulateOptions& given, Console& console) {
   if (!strict) {
     tell_warnings(doubts, strict, console);
   }
-  std::vector<std::size_t> event_of;
-  if (events || contacts || page) {
-    event_of = events_of_contacts(world, outcome.contacts.contacts(), outcome.events.spans());
-  }
-  if (events) {
-    write_events(events->stream(), world, outcome, event_of, options);
-    events->commit();
-  }
-  if (contacts) {
-    write_contacts(contacts->stream(), world, outcome, event_of);
-    contacts->commit();
-  }
-  if (map) {
-    draw_map(map->stream(), world, outcome);
-    map->commit();
-  }
-  if (page) {
-    write_page(page->stream(), world, outcome, std::move(event_of), options);
-    page->commit();
-  }
-  const int status = finish(world, outcome, picture, options, console);
+  files.write(world, outcome, options);
+  const int status = finish(world, outcome, picture, options, files, console);
   if (strict) {
     tell_warnings(doubts, strict, console);  // an error, after all that was found is in its place
   }

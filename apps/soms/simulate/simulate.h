@@ -3,6 +3,7 @@
 #pragma once
 
 #include "apps/cli/verb.h"
+#include "apps/rows/answer_outputs.h"
 #include "apps/soms/pairs/traversal_by_name.h"
 #include "apps/world/world_options.h"
 
@@ -32,6 +33,7 @@ struct SimulateOptions {
   std::string contacts = {};  ///< empty: none
   std::string record = {};    ///< empty: none
   std::string report = {};    ///< empty: none
+  std::string answer = {};    ///< as JSON; empty: none
   bool view = false;          ///< in a window, instead of all else
   bool frames_given = false;
   std::vector<std::string> tree_words = {};  ///< options of trees and traversals, as given
@@ -42,6 +44,9 @@ struct SimulateOptions {
   bool between_movers = true;             ///< test movers against each other
   std::vector<std::string> ignored = {};  ///< pairs of movers that are not, "A,B"
 };
+
+/// What -o of `simulate` writes.
+[[nodiscard]] std::vector<OutputKind> simulate_files(SimulateOptions& options);
 
 [[nodiscard]] Action add_simulate(Parser& parser, Shared& shared);
 [[nodiscard]] int run_simulate(const SimulateOptions& given, Console& console);

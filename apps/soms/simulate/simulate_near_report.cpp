@@ -135,7 +135,7 @@ void add_near(report::Page& page, const World& world, const Outcome& outcome,
       .caption = "The nearest first. What touches in these frames is among the contacts.",
       .of_gaps = true};
   if (all > most) {
-    table.caption = fmt::format("The nearest {} of {}, the nearest first; --events lists all.",
+    table.caption = fmt::format("The nearest {} of {}, the nearest first; -o FILE.csv lists all.",
                                 with_commas(most), with_commas(all));
   }
   const CityParts parts(world);

@@ -1,6 +1,5 @@
 #include "apps/cli/parse.h"
 #include "apps/cli/parser.h"
-#include "apps/model/part_filter.h"
 #include "apps/soms/simulate/simulate.h"
 
 #include <fmt/format.h>
@@ -26,10 +25,10 @@ const char* const kFooter =
     "qw,qx,qy,qz, or as r00,...,tz, each row is the pose of one frame.\n"
     "Only surfaces are tested: a mover entirely inside a closed building touches nothing.\n\n"
     "Example:\n"
-    "  soms simulate --map city.svg\n"
+    "  soms simulate -o city.svg\n"
     "  soms generate city --triangles 20000 -o town.ply\n"
     "  soms generate car -o car.ply\n"
-    "  soms simulate town.ply --mover car.ply --count 50 --frames 60 --events events.csv";
+    "  soms simulate town.ply --mover car.ply --count 50 --frames 60 -o events.csv";
 
 /// The keys of trees and traversals that were given, with their values.
 std::vector<std::string> words_of_trees(const Parser& parser) {
@@ -46,10 +45,17 @@ std::vector<std::string> words_of_trees(const Parser& parser) {
 
 }  // namespace
 
+std::vector<OutputKind> simulate_files(SimulateOptions& options) {
+  return {{{".csv"}, &options.events, ".csv (who touches what, from when to when)", "--events"},
+          {{".svg"}, &options.map, ".svg (a map)", "--map"},
+          {{".html", ".htm"}, &options.report, ".html (a page)", "--report"},
+          {{".png"}, &options.picture, ".png (a frame)", "--picture"},
+          {{".json"}, &options.answer, ".json"}};
+}
+
 Action add_simulate(Parser& parser, Shared&) {
   const auto options = std::make_shared<SimulateOptions>();
   add_world_options(parser, options->world);
-  add_part_filter(parser, options->world.city_model.parts, "the city");
   add_tree_list(parser, options->world.build);
   options->traversal = add_traversal_by_name(parser);
   const Option* frames =
@@ -60,21 +66,16 @@ Action add_simulate(Parser& parser, Shared&) {
   parser.add_flag_callback(
       "--no-between-movers", [options] { options->between_movers = false; },
       "test movers against the city alone, not against each other");
-  add_repeatable(
-      parser, "--ignore-pair", options->ignored,
-      "do not test two movers against each other, as neighboring links of\n"
-      "a robot; each is a number as in --events or the name of a model;\nmay be repeated",
-      "A,B")
+  add_repeatable(parser, "--ignore-pair", options->ignored,
+                 "do not test two movers against each other, as neighboring links of\n"
+                 "a robot; each is a number as in events or the name of a model;\nmay be repeated",
+                 "A,B")
       ->old_name("--ignore", has_comma);
   add_positive(parser, "--clearance", options->clearance,
                "report what comes within this distance (above 0), too, and how\n"
-               "near; --map, --report and --picture draw it, --record keeps it");
-  add_output(parser, "--map", options->map, "draw the city, its movers and contacts as SVG");
-  add_output(parser, "--report", options->report,
-             "write an HTML report with figures, a time line and the scene in 3-D");
-  add_output(parser, "--events", options->events,
-             "write who touches what, from when to when, as CSV: one row for a mover and\n"
-             "the part of the city, or other mover, that it touches (and near events)");
+               "near; maps, pages and pictures draw it, --record keeps it");
+  add_outputs(parser, simulate_files(*options), "Options",
+              "write a file, by its extension; may be repeated:\n");
   add_output(parser, "--contacts", options->contacts,
              "write the beginning and end of every contact, triangle by triangle, as CSV");
   add_output(parser, "--record", options->record,
@@ -82,14 +83,13 @@ Action add_simulate(Parser& parser, Shared&) {
              "file");
   parser.add_flag("--view", options->view,
                   "show the simulation in a window instead of reporting it");
-  add_output(parser, "--picture", options->picture, "draw the last frame and its contacts as PNG");
   parser
       .add_option_function(
           "--picture-frame",
           [options](const std::string& value) {
             options->picture_frame = parse_count("--picture-frame", value, 0, kMostFrames);
           },
-          "frame to draw with --picture, counted from 0 (the last)")
+          "frame that -o FILE.png draws, counted from 0 (the last)")
       ->option_text("N");
   add_choice<FailIf>(
       parser, "--fail-if", options->fail_if,

@@ -1,5 +1,5 @@
 /// \file
-/// The page of a simulation: what `--report` writes.
+/// The page of a simulation: what `-o FILE.html` writes.
 #pragma once
 
 #include "apps/soms/simulate/simulate.h"

@@ -16,7 +16,7 @@ namespace soms::command {
 void check_picture_frame(const SimulateOptions& options) {
   const std::uint64_t frame = options.picture_frame.value_or(0);
   if (!options.picture.empty() && frame >= options.frames) {
-    throw Error(ErrorKind::usage, fmt::format("--picture of frame {} of {}", frame, options.frames),
+    throw Error(ErrorKind::usage, fmt::format("picture of frame {} of {}", frame, options.frames),
                 "frames count from 0");
   }
 }
@@ -24,7 +24,7 @@ void check_picture_frame(const SimulateOptions& options) {
 Picture::Picture(const SimulateOptions& options) : options_(options), recording_(options.record) {
   if (options.picture.empty()) {
     if (options.picture_frame) {
-      throw Error(ErrorKind::usage, "--picture-frame without --picture", "give --picture FILE");
+      throw Error(ErrorKind::usage, "--picture-frame without -o FILE.png", "give -o FILE.png");
     }
     return;
   }
@@ -33,7 +33,7 @@ Picture::Picture(const SimulateOptions& options) : options_(options), recording_
   const std::filesystem::file_status there = std::filesystem::status(recording_, ignored);
   if (kept && std::filesystem::exists(there) && !std::filesystem::is_regular_file(there)) {
     throw Error(ErrorKind::usage,
-                fmt::format("--record {} is not a regular file, which --picture needs", recording_),
+                fmt::format("--record {} is not a regular file, which a picture needs", recording_),
                 "record to a file, or leave one of the two out");
   }
   (void)viewer_program();

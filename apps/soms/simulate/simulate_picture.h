@@ -1,5 +1,5 @@
 /// \file
-/// `simulate --picture`: a frame drawn by soms-view from a recording.
+/// `simulate -o FILE.png`: a frame drawn by soms-view from a recording.
 #pragma once
 
 #include "apps/cli/temporary_folder.h"
@@ -11,7 +11,7 @@
 
 namespace soms::command {
 
-/// Throws ErrorKind::usage for a --picture of a frame that will not be.
+/// Throws ErrorKind::usage for a picture of a frame that will not be.
 void check_picture_frame(const SimulateOptions& options);
 
 /// The recording that a picture is drawn from: that of --record, or one that goes with the object.

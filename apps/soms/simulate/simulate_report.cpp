@@ -171,7 +171,7 @@ std::string table_of(const World& world, const Outcome& outcome, const SimulateO
     text += row(name, value);
   }
   if (hints && options.map.empty() && options.report.empty() && options.picture.empty()) {
-    text += row("see it", "add --map city.svg to draw the city and its contacts, or --view");
+    text += row("see it", "add -o city.svg to draw the city and its contacts, or --view");
   }
   for (const auto& [name, path] :
        {Figure("map", options.map), Figure("report", options.report),

@@ -25,18 +25,6 @@ Vec3 upright(const Camera& camera) {
   return scaled_to_one(camera.up, {0, 0, 1});
 }
 
-// A direction square to a unit vector: +x for +z, so a plan shows x to the right.
-Vec3 square_to(const Vec3& unit) {
-  const Vec3 axis = std::abs(unit.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-  return scaled_to_one(axis - unit * dot(axis, unit), axis);
-}
-
-CameraFrame frame_of(const Vec3& forward, const Vec3& up) {
-  Vec3 right = cross(forward, up);
-  right = length(right) > 1e-9 ? scaled_to_one(right, right) : square_to(up);
-  return {right, cross(right, forward), forward};
-}
-
 // Turns a view direction about `up` and toward it, away from the poles.
 Vec3 turned_direction(const CameraFrame& f, const Vec3& up, double yaw, double pitch) {
   const double rise = std::clamp(dot(f.forward, up), -1.0, 1.0);
@@ -73,7 +61,8 @@ Vec3 mixed(const Vec3& a, const Vec3& b, double t) {
 
 CameraFrame frame(const Camera& camera) {
   const Vec3 up = upright(camera);
-  return frame_of(scaled_to_one(camera.target - camera.eye, cross(up, square_to(up))), up);
+  const Vec3 level = look::frame_along(up, up).up * -1;  // for an eye on its target
+  return look::frame_along(scaled_to_one(camera.target - camera.eye, level), up);
 }
 
 double distance_to_target(const Camera& camera) {
@@ -183,7 +172,7 @@ Camera fitted(const Box& box, const Vec3& toward_eye, Size size, double field_of
   camera.field_of_view = field_of_view;
   camera.target = box.empty() ? Vec3{} : box.center();
   const Vec3 back = scaled_to_one(toward_eye, {0, -1, 0});
-  const CameraFrame f = frame_of(-back, camera.up);
+  const CameraFrame f = look::frame_along(-back, camera.up);
   const double tall = slope(camera);
   const double wide = tall * size.width / std::max(size.height, 1);
   double reach = 0;
@@ -259,16 +248,13 @@ Ray ray_through(const Camera& camera, Size size, PixelPoint pixel) {
 }
 
 std::optional<Projection> project(const Camera& camera, Size size, const Vec3& point) {
-  const CameraFrame f = frame(camera);
-  const Vec3 d = point - camera.eye;
-  const double depth = dot(d, f.forward);
-  if (!(depth > 0)) {
+  const look::Eye eye{camera.eye, frame(camera), slope(camera)};
+  const Vec3 seen = eye.see(point);
+  if (!(seen.z > 0)) {
     return std::nullopt;
   }
-  const double pixels = size.height / (2 * slope(camera) * depth);
-  return Projection{
-      {0.5 * size.width + dot(d, f.right) * pixels, 0.5 * size.height - dot(d, f.up) * pixels},
-      depth};
+  const Vec3 place = eye.place(seen, size.width, size.height);
+  return Projection{{place.x, place.y}, seen.z};
 }
 
 double length_of_pixel(const Camera& camera, Size size, double depth) {

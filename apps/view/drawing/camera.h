@@ -7,26 +7,18 @@
 #include "soms/base/vector.h"
 #include "soms/query/ray.h"
 
+#include "apps/draw/eye.h"
+#include "apps/draw/picture.h"
+
 #include <functional>
 #include <optional>
 #include <span>
 
 namespace soms::view {
 
-/// Width and height of a picture or window, in pixels.
-struct Size {
-  int width = 960;
-  int height = 540;
-
-  [[nodiscard]] bool operator==(const Size&) const = default;
-};
-
-/// A place in a picture, in pixels from its upper left corner; the center of the first is (0.5,
-/// 0.5).
-struct PixelPoint {
-  double x = 0;
-  double y = 0;
-};
+using look::CameraFrame;
+using look::PixelPoint;
+using look::Size;
 
 /// A perspective camera. It looks from `eye` to `target`, about which it orbits; `up` is the
 /// world's direction that stays upright in the picture.
@@ -40,13 +32,6 @@ struct Camera {
   double cut = 0;
 
   [[nodiscard]] bool operator==(const Camera&) const = default;
-};
-
-/// The camera's directions, each of length 1 and square to the others.
-struct CameraFrame {
-  Vec3 right;
-  Vec3 up;
-  Vec3 forward;
 };
 
 /// Distances along the forward direction between which things are drawn; `near` is no less than the

@@ -7,6 +7,8 @@
 #include "soms/base/vector.h"
 #include "soms/geometry/mesh.h"
 
+#include "apps/draw/picture.h"
+
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -15,21 +17,9 @@
 
 namespace soms::view {
 
-/// Color in sRGB; `a` below 255 is translucent.
-struct Color {
-  std::uint8_t r = 255;
-  std::uint8_t g = 255;
-  std::uint8_t b = 255;
-  std::uint8_t a = 255;
-
-  [[nodiscard]] bool operator==(const Color&) const = default;
-};
-
-/// `color` with another opacity.
-[[nodiscard]] constexpr Color with_alpha(Color color, std::uint8_t a) {
-  color.a = a;
-  return color;
-}
+using look::Color;
+using look::color_of;
+using look::with_alpha;
 
 /// A mesh that instances share. Renderers upload it once for each pair of key and version, cut into
 /// tiles, and drop it when a list no longer names its key.

@@ -23,13 +23,10 @@ set(SOMS_VIEW_HEADERS
   markers.h
   overlay.h
   palette.h
-  picture.h
-  picture_marks.h
+  picture_file.h
   recording_renderer.h
   renderer.h
   stand_in.h
-  stroke_font.h
-  stroke_letters.h
   sun_maps.h
   tiles.h
   visibility.h
@@ -58,11 +55,9 @@ set(SOMS_VIEW_SOURCES
   markers.cpp
   overlay.cpp
   palette.cpp
-  picture.cpp
-  picture_marks.cpp
+  picture_file.cpp
   recording_renderer.cpp
   stand_in.cpp
-  stroke_font.cpp
   sun_maps.cpp
   tiles.cpp
   visibility.cpp

@@ -1,6 +1,6 @@
 #include "apps/view/drawing/labels.h"
 
-#include "apps/view/drawing/stroke_font.h"
+#include "apps/draw/stroke_font.h"
 
 #include <algorithm>
 #include <array>
@@ -107,7 +107,7 @@ std::vector<PlacedLabel> place_labels(std::span<const Label> labels, const Camer
     if (!seen) {
       continue;
     }
-    const double half_width = 0.5 * width_of(labels[k].text, labels[k].height);
+    const double half_width = 0.5 * look::width_of(labels[k].text, labels[k].height);
     const double half_height = 0.5 * labels[k].height;
     const PixelPoint side = side_of(*seen);
     // Just as far that the line through the segment passes the box.

@@ -1,9 +1,9 @@
 #include "apps/view/drawing/overlay.h"
 
+#include "apps/draw/stroke_font.h"
 #include "apps/view/drawing/labels.h"
 #include "apps/view/drawing/markers.h"
 #include "apps/view/drawing/palette.h"
-#include "apps/view/drawing/stroke_font.h"
 
 #include <fmt/format.h>
 
@@ -60,14 +60,14 @@ class OverlayWriter {
   /// Letters from the left end of their base line; with a rim of another color where `rim` is not
   /// the letters' own.
   void text(PixelPoint start, std::string_view words, double height, Color color, Color rim) {
-    const std::vector<TextStroke> strokes = strokes_of(words, height);
+    const std::vector<look::TextStroke> strokes = look::strokes_of(words, height);
     const double pen = kOverlayPen * height;
     for (const auto& [ink, width] :
          {std::pair(rim, pen + 2 * kOverlayLetterRim), std::pair(color, pen)}) {
       if (ink == color && width > pen) {
         continue;
       }
-      for (const TextStroke& s : strokes) {
+      for (const look::TextStroke& s : strokes) {
         line({start.x + s.from.x, start.y - s.from.y}, {start.x + s.to.x, start.y - s.to.y}, ink,
              width);
       }
@@ -87,7 +87,7 @@ class OverlayWriter {
 
   void disc(PixelPoint at, std::string_view words, Color color) {
     const double height = 0.5 * kOverlayDisc;
-    const double width = width_of(words, height);
+    const double width = look::width_of(words, height);
     const double half = std::max(0.0, 0.5 * (width + 0.55 * kOverlayDisc - kOverlayDisc));
     rimmed({at.x - half, at.y}, {at.x + half, at.y}, color, kOverlayDisc, kOverlayDiscRim);
     text({at.x - 0.5 * width, at.y + 0.5 * height}, words, height, palette::kPaper,
@@ -178,7 +178,7 @@ class OverlayWriter {
         line({left, y - 5}, {left, y}, color, width);
         line({right, y - 5}, {right, y}, color, width);
       }
-      const double middle = 0.5 * (left + right - width_of(words, kKeyHeight));
+      const double middle = 0.5 * (left + right - look::width_of(words, kKeyHeight));
       text({middle, y - 9}, words, kKeyHeight, palette::kInk, palette::kPaper);
       y -= 3 * kKeyRow / 2;
     }
@@ -212,8 +212,8 @@ class OverlayWriter {
       line(at(0.2, -0.18), at(0.5, 0), color, width);
     }
     const PixelPoint letter = at(0.85, 0);
-    text({letter.x - 0.5 * width_of("N", kKeyHeight), letter.y + 0.5 * kKeyHeight}, "N", kKeyHeight,
-         palette::kInk, palette::kPaper);
+    text({letter.x - 0.5 * look::width_of("N", kKeyHeight), letter.y + 0.5 * kKeyHeight}, "N",
+         kKeyHeight, palette::kInk, palette::kPaper);
   }
 
   const DrawList& list_;

@@ -2,17 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace soms::view {
-
-namespace {
-
-std::uint8_t to_byte(double value) {
-  return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
-}
-
-}  // namespace
 
 Color part_color(std::size_t i) {
   // Body B in lighter and darker, grayer and yellower shades.
@@ -40,11 +31,8 @@ Color mover_color(std::size_t i) {
 Color ordered_color(double t) {
   const double at = std::clamp(t, 0.0, 1.0) * (look::kLevels.size() - 1);
   const auto i = std::min(static_cast<std::size_t>(at), look::kLevels.size() - 2);
-  const double f = at - static_cast<double>(i);
-  const look::Rgb a = look::kLevels[i];
-  const look::Rgb b = look::kLevels[i + 1];
-  return {to_byte(a.r + (b.r - a.r) * f), to_byte(a.g + (b.g - a.g) * f),
-          to_byte(a.b + (b.b - a.b) * f), 255};
+  return look::mixed(color_of(look::kLevels[i]), color_of(look::kLevels[i + 1]),
+                     at - static_cast<double>(i));
 }
 
 std::vector<Color> colors_by_part(const Mesh& mesh) {

@@ -9,11 +9,6 @@
 
 namespace soms::view {
 
-/// A color of apps/draw/look.h, opaque.
-[[nodiscard]] constexpr Color color_of(look::Rgb color) {
-  return {color.r, color.g, color.b, 255};
-}
-
 /// The colors of the window and its pictures, which have one light look: those of
 /// apps/draw/look.h where a color has a meaning, else eight by Okabe and Ito and a violet. Only
 /// contacts are red: of surfaces, or of boxes beside surfaces that are violet.

@@ -4,7 +4,7 @@
 
 #include "apps/view/drawing/camera.h"
 #include "apps/view/drawing/draw_list.h"
-#include "apps/view/drawing/picture.h"
+#include "apps/view/drawing/picture_file.h"
 
 #include <cstdint>
 #include <limits>

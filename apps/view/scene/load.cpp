@@ -4,6 +4,7 @@
 #include "soms/io/read_mesh.h"
 
 #include "apps/model/models.h"
+#include "apps/model/part_filter.h"
 #include "apps/model/stated_options.h"
 #include "apps/world/recorded_world.h"
 #include "apps/world/route_notes.h"
@@ -20,6 +21,7 @@ SceneContent content_of(command::World world) {
   content.frames = command::frames_of_routes(world, content.frames);
   content.title = std::move(world.title);
   content.city = std::move(world.city);
+  content.numbers = {std::move(world.numbers), std::move(world.vertices)};
   content.notes = std::move(world.notes);
   content.warnings = std::move(world.warnings);
   content.georeference = std::move(world.georeference);
@@ -62,6 +64,12 @@ SceneContent load_recording(const std::filesystem::path& path, const command::Wo
   if (!options.movers.empty() || !options.routes.empty() || options.count) {
     throw Error(ErrorKind::usage, path.string() + ": a recording has its own movers",
                 "leave out --mover, --route and --count");
+  }
+  if (options.city_model.parts && options.city_model.parts->is_given()) {
+    throw Error(ErrorKind::usage,
+                fmt::format("{} has no effect: {} is a recording, which names whole models",
+                            options.city_model.parts->options(), path.string()),
+                "leave it out");
   }
   for (const command::ModelOptions& model : {options.city_model, options.mover_model}) {
     if (model.scale_is_given || model.up != UpAxis::unknown) {

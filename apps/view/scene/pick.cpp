@@ -44,8 +44,8 @@ std::uint32_t place_of(std::uint32_t id, const std::vector<std::uint32_t>& all) 
 }
 
 std::string describe(const ViewScene& scene, const Picked& p) {
-  std::string text =
-      fmt::format("{}, triangle {} (face {})", name_of(scene, p.body), p.triangle, p.face);
+  std::string text = fmt::format("{}, triangle {} (face {})", name_of(scene, p.body),
+                                 scene.numbers().triangle(p.body, p.triangle), p.face);
   if (!p.part_name.empty()) {
     text += ", part " + p.part_name;
   }
@@ -63,8 +63,10 @@ std::string describe(const ViewScene& scene, const Picked& p) {
   for (std::size_t k = 0; k < std::min(kListed, p.touches.size()); ++k) {
     const Touch& touch = p.touches[k];
     const bool first = touch.a == p.body && touch.i == p.triangle;
-    text += fmt::format("\n{}, triangle {}: {}", name_of(scene, first ? touch.b : touch.a),
-                        first ? touch.j : touch.i, scene.explain(touch).text);
+    const BodyRef other = first ? touch.b : touch.a;
+    text += fmt::format("\n{}, triangle {}: {}", name_of(scene, other),
+                        scene.numbers().triangle(other, first ? touch.j : touch.i),
+                        scene.explain(touch).text);
   }
   return text;
 }
@@ -104,6 +106,9 @@ std::optional<Picked> ViewScene::pick(const Ray& ray, bool with_movers) const {
   best->part = part_of(mesh, best->triangle);
   best->part_name = best->part == Part::kNoParent ? std::string() : mesh.parts[best->part].name;
   best->vertices = mesh.triangles[best->triangle];
+  for (std::uint32_t& vertex : best->vertices) {
+    vertex = numbers().vertex(best->body, vertex);
+  }
   best->corners = triangle(best->body, best->triangle);
   for (const Touch& touch : contacts()) {
     if ((touch.a == best->body && touch.i == best->triangle) ||

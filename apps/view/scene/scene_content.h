@@ -6,7 +6,9 @@
 #include "soms/query/body.h"
 #include "soms/scene/replay.h"
 
+#include "apps/model/file_numbers.h"
 #include "apps/model/frame_warnings.h"
+#include "apps/view/scene/touch.h"
 
 #include <cstdint>
 #include <functional>
@@ -28,10 +30,33 @@ struct MovingBody {
   Motion motion = {};
 };
 
+/// Numbers in the files of a city, of which parts may be left out. Movers are whole, as are bodies
+/// of the city that were added later.
+struct CityNumbers {
+  std::vector<command::FileNumbers> triangles = {};  ///< of each body
+  std::vector<command::FileNumbers> vertices = {};   ///< likewise
+
+  [[nodiscard]] TriangleId triangle(BodyRef body, TriangleId i) const {
+    return in_file(triangles, body, i);
+  }
+
+  [[nodiscard]] std::uint32_t vertex(BodyRef body, std::uint32_t i) const {
+    return in_file(vertices, body, i);
+  }
+
+ private:
+  [[nodiscard]] static std::uint32_t in_file(const std::vector<command::FileNumbers>& numbers,
+                                             BodyRef body, std::uint32_t i) {
+    const bool known = body.role == Role::city && body.index < numbers.size();
+    return known ? numbers[body.index](i) : i;
+  }
+};
+
 /// A scene before its first frame: plain values, made by `load.h` or by hand.
 struct SceneContent {
   std::string title;  ///< name of the city or model
   std::vector<Body> city;
+  CityNumbers numbers = {};  ///< in the files of the city
   std::vector<MovingBody> movers;
   std::uint64_t frames = 600;      ///< in which contacts are searched for, if anything moves
   std::vector<std::string> notes;  ///< what the reader should know of how it was made

@@ -170,7 +170,7 @@ struct ViewScene::State {
 };
 
 ViewScene::ViewScene(SceneContent content, const Limits& limits)
-    : state_(std::make_unique<State>()) {
+    : state_(std::make_unique<State>()), numbers_(std::move(content.numbers)) {
   State& s = *state_;
   s.title = std::move(content.title);
   s.notes = std::move(content.notes);

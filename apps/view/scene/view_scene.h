@@ -45,7 +45,7 @@ struct Picked {
   std::uint32_t face = 0;                   ///< of the file
   std::uint32_t part = Part::kNoParent;     ///< part of the mesh
   std::string part_name;                    ///< empty where the file names none
-  std::array<std::uint32_t, 3> vertices{};  ///< numbers of the corners in the mesh
+  std::array<std::uint32_t, 3> vertices{};  ///< numbers of the corners in the file
   Triangle corners;                         ///< where they are
   Vec3 point;
   double distance = 0;         ///< from the ray's origin
@@ -178,6 +178,9 @@ class ViewScene {
   /// Distance queries that gaps took so far.
   [[nodiscard]] std::uint64_t gap_queries() const;
 
+  /// Numbers in the files of the city, of which parts may be left out.
+  [[nodiscard]] const CityNumbers& numbers() const { return numbers_; }
+
   /// World corners of a triangle at its body's present pose.
   [[nodiscard]] Triangle triangle(BodyRef ref, TriangleId i) const;
 
@@ -230,6 +233,7 @@ class ViewScene {
  private:
   struct State;
   std::unique_ptr<State> state_;
+  CityNumbers numbers_;
 };
 
 }  // namespace soms::view

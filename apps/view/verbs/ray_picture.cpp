@@ -1,15 +1,13 @@
 #include "apps/view/verbs/ray_picture.h"
 
 #include "apps/cli/length_unit.h"
-#include "apps/view/drawing/length.h"
+#include "apps/draw/picture_marks.h"
+#include "apps/draw/stroke_font.h"
 #include "apps/view/drawing/palette.h"
-#include "apps/view/drawing/picture_marks.h"
-#include "apps/view/drawing/stroke_font.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -25,6 +23,7 @@ constexpr std::size_t kRaysAtOnce = std::size_t{1} << 17;
 constexpr Color kSky{247, 248, 250, 255};
 constexpr Color kInSight = palette::kOrange;
 constexpr Color kHidden{158, 164, 172, 255};
+constexpr double kSightAmbient = 0.5;
 constexpr double kRounded = 0x1p-30;  ///< of the way to a hit: where its own surface is met again
 
 /// Place of sample `k` of `count` in a pixel: evenly spread both ways.
@@ -42,12 +41,11 @@ PixelPoint sample_place(int k, int count) {
   return {(k + 0.5) / count, inverse + 0.5 / static_cast<double>(std::bit_ceil(unsigned(count)))};
 }
 
-/// Calls `use(first_pixel, rays, hits)` for the pixels of a picture in order, some rows at a time:
+/// Calls `use(first_row, rays, hits)` for the pixels of a picture in order, some rows at a time:
 /// `samples` rays a pixel, and what each hits.
-void for_pixels(const ViewScene& scene, const Camera& camera, Size size, int samples,
-                const Limits& limits,
-                const std::function<void(std::size_t, std::span<const Ray>,
-                                         std::span<const SurfaceHit>)>& use) {
+void for_pixels(
+    const ViewScene& scene, const Camera& camera, Size size, int samples, const Limits& limits,
+    const std::function<void(int, std::span<const Ray>, std::span<const SurfaceHit>)>& use) {
   const auto width = static_cast<std::size_t>(size.width);
   const auto height = static_cast<std::size_t>(size.height);
   const std::size_t a_row = width * static_cast<std::size_t>(samples);
@@ -67,7 +65,7 @@ void for_pixels(const ViewScene& scene, const Camera& camera, Size size, int sam
         }
       }
     }
-    use(y * width, rays, scene.first_hits(rays, true, inner));
+    use(static_cast<int>(y), rays, scene.first_hits(rays, true, inner));
     if (limits.progress) {
       limits.progress(static_cast<double>(std::min(y + rows, height)) /
                       static_cast<double>(height));
@@ -75,20 +73,12 @@ void for_pixels(const ViewScene& scene, const Camera& camera, Size size, int sam
   }
 }
 
-/// Writes the mean color of each pixel's samples.
-void put_pixels(Picture& picture, std::size_t first, std::span<const Color> colors, int samples) {
+/// Writes the mean color of each pixel's samples, from the left end of a row.
+void put_pixels(Picture& picture, int row, std::span<const Color> colors, int samples) {
   const auto each = static_cast<std::size_t>(samples);
-  for (std::size_t p = 0; p * each < colors.size(); ++p) {
-    std::array<unsigned, 3> sum{};
-    for (const Color& c : colors.subspan(p * each, each)) {
-      sum[0] += c.r;
-      sum[1] += c.g;
-      sum[2] += c.b;
-    }
-    for (std::size_t k = 0; k < sum.size(); ++k) {
-      picture.bytes[4 * (first + p) + k] = static_cast<std::uint8_t>(
-          (sum[k] + static_cast<unsigned>(samples) / 2) / static_cast<unsigned>(samples));
-    }
+  for (int p = 0; !colors.empty(); ++p, colors = colors.subspan(each)) {
+    picture.put(p % picture.size.width, row + p / picture.size.width,
+                look::mean_of(colors.first(each)));
   }
 }
 
@@ -147,37 +137,19 @@ void draw_key(Picture& picture, const Scale& scale, double nearest, double farth
   for (const double d : round_distances(nearest, farthest)) {
     const std::string text = fmt::format("{:g}{}", d, unit_text);
     const double x = corner.x + scale.at(d) * width;
-    const double left = x - width_of(text, unit) / 2;
-    if (left < free_from || left + width_of(text, unit) > corner.x + width + 0.9 * unit) {
+    const double left = x - look::width_of(text, unit) / 2;
+    if (left < free_from || left + look::width_of(text, unit) > corner.x + width + 0.9 * unit) {
       continue;
     }
     draw_line(picture, {x, corner.y + 1.2 * unit}, {x, corner.y + 1.7 * unit}, unit / 8,
               palette::kGap);
     draw_number(picture, {left, corner.y + 3.2 * unit}, text, unit, palette::kGap);
-    free_from = left + width_of(text, unit) + unit;
+    free_from = left + look::width_of(text, unit) + unit;
   }
 }
 
 Vec3 normal_of(const Triangle& t) {
   return cross(t.b - t.a, t.c - t.a);
-}
-
-/// How bright a surface is in the light of a sun behind the camera, up on the left.
-double brightness(const Vec3& normal, const Vec3& toward_eye, const CameraFrame& f) {
-  const Vec3 sun = f.up * 0.66 - f.right * 0.45 - f.forward * 0.6;  // length 1
-  const double size = length(normal);
-  if (!(size > 0)) {
-    return 1;
-  }
-  const double facing = dot(normal, toward_eye) < 0 ? -1 : 1;
-  return 0.5 + 0.5 * std::max(0.0, facing * dot(normal, sun) / size);
-}
-
-Color dimmed(Color color, double by) {
-  const auto dim = [by](std::uint8_t part) {
-    return static_cast<std::uint8_t>(std::lround(part * by));
-  };
-  return {dim(color.r), dim(color.g), dim(color.b), color.a};
 }
 
 /// A disc where the observer is in the picture, or a ring if it is hidden.
@@ -190,8 +162,7 @@ void mark_observer(Picture& picture, const ViewScene& scene, const Camera& camer
   const Ray ray{camera.eye, observer - camera.eye, 1 - kRounded};
   const bool hidden = scene.first_hits({&ray, 1}).front().body.has_value();
   const double radius = std::max(4.0, picture.size.height / 90.0);
-  draw_disc(picture, at->pixel, 1.4 * radius, palette::kPaper);
-  draw_disc(picture, at->pixel, radius, palette::kBlue);
+  draw_mark(picture, at->pixel, radius, palette::kBlue, palette::kPaper);
   if (hidden) {
     draw_disc(picture, at->pixel, 0.55 * radius, palette::kPaper);
   }
@@ -236,7 +207,7 @@ DepthPicture draw_depth(const ViewScene& scene, const Camera& camera, Size size,
                         const Limits& limits) {
   DepthPicture drawn;
   drawn.nearest = std::numeric_limits<double>::infinity();
-  for_pixels(scene, camera, size, 1, limits.silent(), [&](std::size_t, auto, auto hits) {
+  for_pixels(scene, camera, size, 1, limits.silent(), [&](int, auto, auto hits) {
     for (const SurfaceHit& hit : hits) {
       if (hit.body) {
         drawn.nearest = std::min(drawn.nearest, hit.t);
@@ -254,12 +225,12 @@ DepthPicture draw_depth(const ViewScene& scene, const Camera& camera, Size size,
   const double nearest = std::max(drawn.nearest, 1e-9 * drawn.farthest);
   const Scale scale(nearest, drawn.farthest);
   std::vector<Color> colors;
-  for_pixels(scene, camera, size, samples, limits, [&](std::size_t first, auto, auto hits) {
+  for_pixels(scene, camera, size, samples, limits, [&](int row, auto, auto hits) {
     colors.clear();
     for (const SurfaceHit& hit : hits) {
       colors.push_back(hit.body ? ordered_color(scale.at(hit.t)) : kSky);
     }
-    put_pixels(drawn.picture, first, colors, samples);
+    put_pixels(drawn.picture, row, colors, samples);
   });
   draw_key(drawn.picture, scale, nearest, drawn.farthest, unit_after_number(scene.unit()));
   return drawn;
@@ -273,7 +244,7 @@ SightPicture draw_sight(const ViewScene& scene, const Camera& camera, const Vec3
   const Limits inner = limits.silent();
   std::vector<Color> colors;
   for_pixels(scene, camera, size, samples, limits,
-             [&](std::size_t first, std::span<const Ray> rays, std::span<const SurfaceHit> hits) {
+             [&](int row, std::span<const Ray> rays, std::span<const SurfaceHit> hits) {
                const auto seen = seen_from(scene, observer, hits, rays, inner);
                colors.clear();
                for (std::size_t k = 0; k < hits.size(); ++k) {
@@ -282,12 +253,13 @@ SightPicture draw_sight(const ViewScene& scene, const Camera& camera, const Vec3
                    continue;
                  }
                  const Triangle t = scene.triangle(*hits[k].body, hits[k].triangle);
-                 colors.push_back(dimmed(seen[k] != 0 ? kInSight : kHidden,
-                                         brightness(normal_of(t), rays[k].direction * -1.0, f)));
+                 colors.push_back(look::lit(
+                     seen[k] != 0 ? kInSight : kHidden,
+                     look::brightness(f, normal_of(t), rays[k].direction, kSightAmbient)));
                  ++drawn.surface;
                  drawn.in_sight += seen[k];
                }
-               put_pixels(drawn.picture, first, colors, samples);
+               put_pixels(drawn.picture, row, colors, samples);
              });
   mark_observer(drawn.picture, scene, camera, observer);
   return drawn;

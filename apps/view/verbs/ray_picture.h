@@ -6,7 +6,7 @@
 #include "soms/base/parallel.h"
 
 #include "apps/view/drawing/camera.h"
-#include "apps/view/drawing/picture.h"
+#include "apps/view/drawing/picture_file.h"
 #include "apps/view/scene/view_scene.h"
 
 #include <cstdint>

@@ -204,12 +204,13 @@ ViewOptions what_is_shown(const RenderOptions& options, ViewScene& scene) {
 }
 
 /// With the keys of `soms distance --json`.
-command::Json gap_json(const Gap& gap) {
+command::Json gap_json(const ViewScene& scene, const Gap& gap) {
   const auto point = [](const Vec3& p) { return command::Json::array({p.x, p.y, p.z}); };
   const Distance& near = gap.distance;
   return {{"lower", near.distance.lower},
           {"upper", near.distance.upper},
-          {"triangles", command::Json::array({near.triangles->a, near.triangles->b})},
+          {"triangles", command::Json::array({scene.numbers().triangle(gap.a, near.triangles->a),
+                                              scene.numbers().triangle(gap.b, near.triangles->b)})},
           {"points", command::Json::array({point(near.point_a), point(near.point_b)})}};
 }
 
@@ -262,7 +263,7 @@ void report(const RenderOptions& options, ViewScene& scene, const GlRenderer& re
     answer["leaves_above"] = nodes_of_level(tree, *options.level, true).size() - on_level;
   }
   if (gap) {
-    answer["gap"] = gap_json(*gap);
+    answer["gap"] = gap_json(scene, *gap);
   }
   add_gaps(answer, scene);
   command::add_georeference(answer, scene.georeference());

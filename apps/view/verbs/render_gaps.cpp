@@ -21,7 +21,8 @@ command::Json named_gap_json(const ViewScene& scene, const Gap& gap) {
   const Distance& near = gap.distance;
   json["lower"] = near.distance.lower;
   json["upper"] = near.distance.upper;
-  json["triangles"] = {near.triangles->a, near.triangles->b};
+  json["triangles"] = {scene.numbers().triangle(gap.a, near.triangles->a),
+                       scene.numbers().triangle(gap.b, near.triangles->b)};
   json["points"] = {point(near.point_a), point(near.point_b)};
   return json;
 }

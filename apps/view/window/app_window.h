@@ -5,7 +5,7 @@
 
 #include "apps/view/control/input_event.h"
 #include "apps/view/drawing/camera.h"
-#include "apps/view/drawing/picture.h"
+#include "apps/view/drawing/picture_file.h"
 
 #include <memory>
 #include <string>

@@ -61,9 +61,10 @@ std::vector<std::string> reasons(const ViewScene& scene, const Picked& picked) {
   for (std::size_t k = 0; k < std::min(kExplained, picked.touches.size()); ++k) {
     const Touch& touch = picked.touches[k];
     const bool first = touch.a == picked.body && touch.i == picked.triangle;
-    sentences.push_back(fmt::format("With triangle {} of {}: {}", first ? touch.j : touch.i,
-                                    body_in_words(scene, first ? touch.b : touch.a),
-                                    scene.explain(touch).text));
+    const BodyRef other = first ? touch.b : touch.a;
+    sentences.push_back(fmt::format("With triangle {} of {}: {}",
+                                    scene.numbers().triangle(other, first ? touch.j : touch.i),
+                                    body_in_words(scene, other), scene.explain(touch).text));
   }
   if (picked.touches.size() > kExplained) {
     sentences.push_back(
@@ -279,7 +280,7 @@ std::optional<GapFacts> SceneSubject::gap_facts() const {
     return std::nullopt;
   }
   const auto side = [&](BodyRef body, TriangleId i) {
-    return fmt::format("{} of {}", i, scene_.body(body).name);
+    return fmt::format("{} of {}", scene_.numbers().triangle(body, i), scene_.body(body).name);
   };
   const Distance& near = gap->distance;
   if (!gap->known()) {
@@ -366,7 +367,8 @@ std::optional<PickedFacts> SceneSubject::pick(const Ray& ray) {
 PickedFacts SceneSubject::triangle_facts(const Picked& picked) const {
   PickedFacts facts;
   facts.title =
-      fmt::format("triangle {} of {}", picked.triangle, body_in_words(scene_, picked.body));
+      fmt::format("triangle {} of {}", scene_.numbers().triangle(picked.body, picked.triangle),
+                  body_in_words(scene_, picked.body));
   if (!picked.part_name.empty()) {
     facts.numbers.emplace_back("part", picked.part_name);
   }
@@ -386,8 +388,9 @@ PickedFacts SceneSubject::triangle_facts(const Picked& picked) const {
 PickedFacts SceneSubject::contact_facts(const Touch& touch) const {
   PickedFacts facts;
   facts.title =
-      fmt::format("contact of triangle {} of {} and triangle {} of {}", touch.i,
-                  body_in_words(scene_, touch.a), touch.j, body_in_words(scene_, touch.b));
+      fmt::format("contact of triangle {} of {} and triangle {} of {}",
+                  scene_.numbers().triangle(touch.a, touch.i), body_in_words(scene_, touch.a),
+                  scene_.numbers().triangle(touch.b, touch.j), body_in_words(scene_, touch.b));
   const Explanation why = scene_.explain(touch);
   facts.numbers.emplace_back("kind", std::string(name(why.kind)));
   facts.numbers.emplace_back("decided by", std::string(name(why.stage)));

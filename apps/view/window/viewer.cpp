@@ -8,7 +8,7 @@
 #include "apps/view/control/panels.h"
 #include "apps/view/control/preset.h"
 #include "apps/view/drawing/gl/gl_renderer.h"
-#include "apps/view/drawing/picture.h"
+#include "apps/view/drawing/picture_file.h"
 #include "apps/view/window/app_window.h"
 
 #include <algorithm>

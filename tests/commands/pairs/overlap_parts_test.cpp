@@ -151,8 +151,8 @@ TEST_F(OverlapParts, R116PageOfASimulationListsWhoTouchesWhat) {
   }
   const std::string city = write("town.obj", town);
   const test::RunResult run =
-      test::soms_run({"simulate", city, "--count", "30", "--frames", "300", "--report",
-                      at("page.html"), "--contacts", at("events.csv"), "--json", "--quiet"});
+      test::soms_run({"simulate", city, "--count", "30", "--frames", "300", "-o", at("page.html"),
+                      "--contacts", at("events.csv"), "--json", "--quiet"});
   ASSERT_EQ(run.status, 0) << run.err;
   const std::string page = test::read_text(at("page.html"));
   std::map<std::tuple<std::string, std::string, std::string>, PageRow> expected;

@@ -1,4 +1,4 @@
-// Who touches what, from when to when: what --events says, by what --contacts says.
+// Who touches what, from when to when: what the table of events says, by what --contacts says.
 #include "tests/commands/run.h"
 #include "tests/support/support.h"
 
@@ -22,7 +22,7 @@ TEST(SimulateEvents, AreStretchesOfTheContactsOfAMoverAndAPart) {
       test::soms_run({"generate", "city", "--triangles", "3000", "-o", at("town.ply")}).status, 0);
   const test::RunResult run =
       test::soms_run({"simulate", at("town.ply"), "--frames", "600", "--count", "80", "--contacts",
-                      contacts, "--events", events, "--json"});
+                      contacts, "-o", events, "--json"});
   ASSERT_EQ(run.status, 0) << run.err;
   const test::Json object = test::Json::parse(run.out);
   const auto rows = test::read_csv(contacts);

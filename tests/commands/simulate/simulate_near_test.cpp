@@ -197,7 +197,7 @@ class NearRun : public ::testing::Test {
 };
 
 TEST_F(NearRun, WritesNearEventsBehindContacts) {
-  ASSERT_EQ(run({"--clearance", "1", "--events", at("e.csv")}).status, 0);
+  ASSERT_EQ(run({"--clearance", "1", "-o", at("e.csv")}).status, 0);
   const auto rows = test::read_csv(at("e.csv"));
   ASSERT_EQ(rows.size(), 5U);
   const auto joined = [&](std::size_t row, std::size_t fields) {
@@ -288,7 +288,7 @@ TEST_F(NearRun, TellsTheNearestToPeopleAndPrograms) {
 }
 
 TEST_F(NearRun, ListsTheNearestOnItsPage) {
-  ASSERT_EQ(run({"--clearance", "1", "--report", at("p.html")}).status, 0);
+  ASSERT_EQ(run({"--clearance", "1", "-o", at("p.html")}).status, 0);
   const std::string page = test::read_text(at("p.html"));
   EXPECT_NE(page.find("<h2>Near, within 1 m, without a touch</h2>"), std::string::npos);
   EXPECT_NE(page.find("<tr><td><a href=\"#gap=0\">kite 0</a></td><td>wall</td><td>0.25 m</td>"
@@ -306,17 +306,17 @@ TEST_F(NearRun, ListsTheNearestOnItsPage) {
   EXPECT_EQ(bodies(0), std::pair(std::string("kite 0"), std::string("wall")));
   EXPECT_EQ(bodies(1), std::pair(std::string("kite 0"), std::string("kite 1")));
   EXPECT_EQ(words[4], 7U) << "the frame of the least distance";
-  ASSERT_EQ(run({"--report", at("plain.html")}).status, 0);
+  ASSERT_EQ(run({"-o", at("plain.html")}).status, 0);
   EXPECT_EQ(test::scene_of(test::read_text(at("plain.html")))["gaps"]["listed"], 0);
 }
 
 TEST_F(NearRun, DrawsTheLeastGapOfEachPairOnItsMap) {
-  ASSERT_EQ(run({"--clearance", "1", "--map", at("m.svg")}).status, 0);
+  ASSERT_EQ(run({"--clearance", "1", "-o", at("m.svg")}).status, 0);
   const std::string map = test::read_text(at("m.svg"));
   EXPECT_NE(map.find(">0.25 m</text>"), std::string::npos);
   EXPECT_EQ(map.find(">0.5 m</text>"), std::string::npos) << "it lies beyond the map";
   EXPECT_NE(map.find(">2 gaps without a touch</text>"), std::string::npos);
-  ASSERT_EQ(run({"--map", at("plain.svg")}).status, 0);
+  ASSERT_EQ(run({"-o", at("plain.svg")}).status, 0);
   EXPECT_EQ(test::read_text(at("plain.svg")).find("id=\"gaps\""), std::string::npos);
 }
 

@@ -38,9 +38,9 @@ TEST_F(SimulateOptions, HintsAtAMapOnATerminalUnlessItIsToBeQuiet) {
     words.insert(words.begin(), {"simulate", town(), "--frames", "1", "--count", "1"});
     return soms_on_terminal(words).out;
   };
-  EXPECT_NE(shown({}).find("--map city.svg"), std::string::npos);
-  EXPECT_EQ(shown({"--quiet"}).find("--map city.svg"), std::string::npos);
-  EXPECT_EQ(shown({"--map", beside("a.svg")}).find("--map city.svg"), std::string::npos);
+  EXPECT_NE(shown({}).find("-o city.svg"), std::string::npos);
+  EXPECT_EQ(shown({"--quiet"}).find("-o city.svg"), std::string::npos);
+  EXPECT_EQ(shown({"-o", beside("a.svg")}).find("-o city.svg"), std::string::npos);
 }
 
 // "Not found" is no proof of "free" when time ran out.
@@ -84,7 +84,7 @@ TEST_F(SimulateOptions, R119OptionsThatChangeNothingAreRefused) {
   says({"--route", beside("a.csv"), "--route", beside("a.csv"), "--count", "1"},
        "--count 1 leaves 1 of 2 --route without a mover; give --count 2 or more");
   says({"--mover", town(), "--count", "0"}, "--count 0 leaves 1 of 1 --mover without a mover");
-  says({"--picture-frame", "0"}, "--picture-frame without --picture");
+  says({"--picture-frame", "0"}, "--picture-frame without -o FILE.png");
   const RunResult embedded = simulate({"--scale", "1", "--frames", "1"});
   EXPECT_EQ(embedded.status, 2);
   EXPECT_NE(embedded.err.find("--scale, --up and --crs need a city from files"), std::string::npos);
@@ -109,9 +109,41 @@ TEST_F(SimulateOptions, RefusesNamesWhoseExtensionsAreThoseOfOtherFiles) {
             0);
 }
 
+TEST_F(SimulateOptions, OldNamesWriteTheSameWithOneRemark) {
+  const auto run = [&](const std::string& option, const std::string& file) {
+    return simulate({town(), "--frames", "40", "--count", "9", option, beside(file)});
+  };
+  for (const auto& [name, extension] :
+       {std::pair("--events", ".csv"), std::pair("--map", ".svg")}) {
+    const std::string now = "now" + std::string(extension);
+    EXPECT_EQ(run("-o", now).err, "");
+    EXPECT_EQ(run(name, "before").err, std::string(name) + " is now -o FILE" + extension +
+                                           "; the old form ends with the next release\n");
+    EXPECT_EQ(read_text(beside("before")), read_text(beside(now))) << name;
+  }
+  const RunResult page = run("--report", "page.html");
+  EXPECT_EQ(page.status, 0);
+  EXPECT_EQ(page.err, "--report is now -o FILE.html; the old form ends with the next release\n");
+  const std::string help = simulate({"--help"}).out;
+  for (const char* const old : {"--events", "--map ", "--report", "--picture "}) {
+    EXPECT_EQ(help.find(old), std::string::npos) << help;
+  }
+}
+
+TEST_F(SimulateOptions, WritesTheObjectOfJson) {
+  const RunResult printed =
+      simulate({town(), "--frames", "40", "--count", "9", "--json", "-o", beside("answer.json")});
+  ASSERT_EQ(printed.status, 0) << printed.err;
+  EXPECT_EQ(read_text(beside("answer.json")), printed.out);
+  const RunResult table =
+      simulate({town(), "--frames", "40", "--count", "9", "-o", beside("beside.json")});
+  EXPECT_FALSE(table.out.starts_with("{"));
+  EXPECT_TRUE(read_text(beside("beside.json")).starts_with("{\"schema\":\"soms.simulate/1\""));
+}
+
 TEST_F(SimulateOptions, ListsOnTheMapWhatTheTableLists) {
   const std::string map = beside("a.svg");
-  const RunResult result = simulate({town(), "--count", "60", "--frames", "200", "--map", map});
+  const RunResult result = simulate({town(), "--count", "60", "--frames", "200", "-o", map});
   ASSERT_EQ(result.status, 0) << result.err;
   ASSERT_NE(result.out.find("most touched"), std::string::npos) << result.out;
   const std::string picture = read_text(map);

@@ -104,7 +104,7 @@ TEST(Simulate, RefusesToOverwriteItsOwnFiles) {
     EXPECT_NE(result.err.find(text), std::string::npos) << result.err;
   };
   refused({town.path(), "--map", town.beside("m.svg"), "--events", same},
-          "m.svg: --events names the same file");
+          "m.svg: -o names the same file");
   refused({town.path(), "--map", town.path()}, "town.off: CITY names the same file");
   refused({town.path(), "--mover", "a.ply", "--events", "./a.ply"}, "--mover names");
   refused({town.path(), "--route", "r.csv", "--events", "r.csv"}, "--route names");
@@ -149,7 +149,7 @@ TEST(Simulate, CountsMoversOfAFileByItsName) {
   const std::string route = town.write("r.csv", "x,y,z\n5,5,1\n5,195,1\n");
   const std::string map = town.beside("map.svg");
   const test::RunResult result = simulate({town.path(), "--mover", mover, "--route", route,
-                                           "--count", "2", "--frames", "1", "--map", map});
+                                           "--count", "2", "--frames", "1", "-o", map});
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_NE(result.out.find("  2 (2 of car, 1 triangle)\n"), std::string::npos) << result.out;
   EXPECT_NE(read_text(map).find(">2 of car<"), std::string::npos);
@@ -212,7 +212,7 @@ TEST(Simulate, WritesBeginAndEndOfEveryContact) {
 TEST(Simulate, DrawsAMapThatIsWholeAndSmall) {
   const Town town("a & <b>.off");
   const std::string map = town.beside("map.svg");
-  static_cast<void>(answer({town.path(), "--frames", "60", "--count", "40", "--map", map}));
+  static_cast<void>(answer({town.path(), "--frames", "60", "--count", "40", "-o", map}));
   const std::string text = read_text(map);
   EXPECT_TRUE(text.starts_with("<svg "));
   EXPECT_TRUE(text.ends_with("</svg>\n"));
@@ -230,7 +230,7 @@ TEST(Simulate, DrawsTracksThatLeaveTheMapByFar) {
   const std::string mover = town.write("mover.off", "OFF\n3 1 0\n-1 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   const std::string map = town.beside("map.svg");
   static_cast<void>(
-      answer({town.path(), "--mover", mover, "--route", route, "--frames", "2", "--map", map}));
+      answer({town.path(), "--mover", mover, "--route", route, "--frames", "2", "-o", map}));
   EXPECT_NE(read_text(map).find("h99999"), std::string::npos) << "no line to the right";
 }
 
@@ -304,7 +304,7 @@ TEST(Simulate, FailsOnContactOnlyWhenRequested) {
 TEST(Simulate, RunsWithoutMovers) {
   const Town town;
   const std::string map = town.beside("map.svg");
-  EXPECT_EQ(answer({town.path(), "--count", "0", "--frames", "5", "--map", map})["movers"], 0);
+  EXPECT_EQ(answer({town.path(), "--count", "0", "--frames", "5", "-o", map})["movers"], 0);
   EXPECT_TRUE(read_text(map).ends_with("</svg>\n"));
 }
 
@@ -367,7 +367,7 @@ TEST(Simulate, NamesBadInputAndLeavesNoFile) {
                                                   {town.path(), "--route", gone}};
   for (std::vector<std::string> words : bad) {
     const std::string name = words.back();
-    words.insert(words.end(), {"--map", map, "--events", town.beside("e.csv")});
+    words.insert(words.end(), {"-o", map, "-o", town.beside("e.csv")});
     const test::RunResult result = simulate(words);
     EXPECT_EQ(result.status, 3) << name << ": " << result.err;
     EXPECT_NE(result.err.find(name), std::string::npos) << result.err;
@@ -393,7 +393,7 @@ TEST(Simulate, EndsCleanlyWhenInterruptedAndMarksItsAnswer) {
   const std::string events = town.beside("events.csv");
   const test::TemporaryFolder streams;
   test::Child child({test::command().string(), "simulate", town.path(), "--count", "20", "--frames",
-                     "100000000", "--json", "--events", events, "--record", town.beside("record")},
+                     "100000000", "--json", "-o", events, "--record", town.beside("record")},
                     streams.path());
   ASSERT_TRUE(child.wait_for_writing(10'000));  // the recording, so frames have been made
   child.send(SIGINT);

@@ -1,6 +1,6 @@
 #include "apps/view/drawing/labels.h"
 
-#include "apps/view/drawing/stroke_font.h"
+#include "apps/draw/stroke_font.h"
 #include "tests/support/support.h"
 
 #include <algorithm>
@@ -46,8 +46,9 @@ TEST(Labels, StandBesideTheMiddleOfTheirSegmentInAnyDirection) {
     EXPECT_NEAR(clearance(placed[0], a, b), 9, 1e-6) << "turned by " << angle;
     const PixelPoint middle{(placed[0].upper_left.x + placed[0].lower_right.x) / 2,
                             (placed[0].upper_left.y + placed[0].lower_right.y) / 2};
-    EXPECT_LT(std::hypot(middle.x - 200, middle.y - 150), width_of("0.1234", 13)) << angle;
-    EXPECT_NEAR(placed[0].lower_right.x - placed[0].upper_left.x, width_of("0.1234", 13), 1e-9);
+    EXPECT_LT(std::hypot(middle.x - 200, middle.y - 150), look::width_of("0.1234", 13)) << angle;
+    EXPECT_NEAR(placed[0].lower_right.x - placed[0].upper_left.x, look::width_of("0.1234", 13),
+                1e-9);
     EXPECT_NEAR(placed[0].lower_right.y - placed[0].upper_left.y, 13, 1e-9);
   }
 }

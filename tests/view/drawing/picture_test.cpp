@@ -1,7 +1,6 @@
-#include "apps/view/drawing/picture.h"
-
 #include "soms/base/error.h"
 
+#include "apps/view/drawing/picture_file.h"
 #include "tests/support/support.h"
 #include "tests/view/pictures.h"
 

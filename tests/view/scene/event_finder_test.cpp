@@ -127,7 +127,7 @@ TEST(EventFinder, FindsWhatSimulateFinds) {
   run({"generate", "city", "--triangles", "20000", "-o", path("town.ply")});
   run({"generate", "car", "-o", path("car.ply")});
   run({"simulate", path("town.ply"), "--mover", path("car.ply"), "--count", "40", "--frames", "200",
-       "--events", path("events.csv"), "--quiet"});
+       "-o", path("events.csv"), "--quiet"});
   command::Shared shared;
   shared.quiet = true;
   command::Console console(shared);

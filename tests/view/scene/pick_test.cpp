@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -126,6 +127,23 @@ TEST(Pick, TellsPartVerticesAndContacts) {
   EXPECT_NE(picked->explanation.find("part upper"), std::string::npos);
   EXPECT_NE(picked->explanation.find("block"), std::string::npos);
   EXPECT_FALSE(scene.pick({{-9, 1.5, 2.9}, {-1, 0, 0}}).has_value());
+}
+
+TEST(Pick, NamesTrianglesAndVerticesAsTheFileDoes) {
+  SceneContent content;
+  content.city.emplace_back(Shape(test::soup_body({{{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}}})));
+  content.city.back().name = "sheet";
+  content.numbers.triangles = {command::FileNumbers({41})};
+  content.numbers.vertices = {command::FileNumbers({5, 70, 900})};
+  const ViewScene scene(std::move(content));
+  const std::optional<Picked> picked = scene.pick({{0, 0, 5}, {0, 0, -1}});
+  ASSERT_TRUE(picked.has_value());
+  EXPECT_EQ(picked->triangle, 0U) << "of the shape";
+  EXPECT_EQ(scene.numbers().triangle(picked->body, 0), 41U);
+  EXPECT_EQ(picked->vertices, (std::array<std::uint32_t, 3>{5, 70, 900}));
+  EXPECT_NE(picked->explanation.find("sheet, triangle 41 "), std::string::npos)
+      << picked->explanation;
+  EXPECT_NE(picked->explanation.find("vertices 5, 70, 900"), std::string::npos);
 }
 
 TEST(Pick, FindsNothingInAnEmptyScene) {

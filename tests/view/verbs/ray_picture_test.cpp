@@ -221,6 +221,35 @@ TEST_F(RayPictureVerb, WritesBothPicturesAndTheMap) {
   EXPECT_EQ(run.out.find("\"width\""), std::string::npos) << "a map has cells, not pixels";
 }
 
+TEST_F(RayPictureVerb, LeavesOutPartsBeforeItDraws) {
+  Mesh parted = walled_plate();
+  const auto plate =
+      static_cast<std::uint32_t>(test::box_body({-10, -10, -1}, {10, 10, 0}).triangles.size());
+  const auto all = static_cast<std::uint32_t>(parted.triangles.size());
+  parted.parts = {{.name = "plate", .first = 0, .count = plate},
+                  {.name = "wall", .first = plate, .count = all - plate}};
+  write_mesh(path("parted.obj"), parted, MeshFormat::obj);
+  write_mesh(path("rest.ply"), test::box_body({-10, -10, -1}, {10, 10, 0}), MeshFormat::ply);
+  const auto draw = [&](const std::string& model, std::vector<std::string> words) {
+    words.insert(words.begin(), {SOMS_VIEW_COMMAND, "render", path(model.c_str()), "--depth",
+                                 "--up", "z", "--size", "64x48", "--camera", "top"});
+    return test::run_program(words);
+  };
+  ASSERT_EQ(draw("rest.ply", {"-o", path("rest.png")}).status, 0);
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"--only", "plate"}, {"--ignore", "w*"}}) {
+    std::vector<std::string> all_words = words;
+    all_words.insert(all_words.end(), {"-o", path("left.png")});
+    const test::RunResult run = draw("parted.obj", all_words);
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_NE(run.err.find(" leaves 12 of 24 triangles"), std::string::npos) << run.err;
+    EXPECT_EQ(read_png(path("left.png")), read_png(path("rest.png"))) << words[0];
+  }
+  ASSERT_EQ(draw("parted.obj", {"-o", path("whole.png")}).status, 0);
+  EXPECT_NE(read_png(path("whole.png")), read_png(path("rest.png")));
+  EXPECT_EQ(draw("parted.obj", {"--only", "palte", "-o", path("a.png")}).status, 2);
+}
+
 TEST_F(RayPictureVerb, RefusesWhatMakesNoSense) {
   const auto fails = [&](std::vector<std::string> words, const std::string& with) {
     const test::RunResult run = render(std::move(words));

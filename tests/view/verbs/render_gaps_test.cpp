@@ -7,7 +7,7 @@
 #include "soms/scene/scene.h"
 
 #include "apps/view/drawing/gl/headless_context.h"
-#include "apps/view/drawing/picture.h"
+#include "apps/view/drawing/picture_file.h"
 #include "tests/support/support.h"
 #include "tests/view/pictures.h"
 

@@ -88,7 +88,7 @@ TEST_F(RecordedTown, IsDrawnByTheCommandAfterASimulation) {
   const auto draw = [&](const std::string& picture) {
     return soms::test::run_program({soms::test::command().string(), "simulate", path("town.ply"),
                                     "--mover", path("car.ply"), "--count", "5", "--frames", "9",
-                                    "--picture", picture});
+                                    "-o", picture});
   };
   const soms::test::RunResult result = draw(path("last.png"));
   if (result.status == 5) {

@@ -12,7 +12,7 @@
 
 #include "apps/cli/text.h"
 #include "apps/view/drawing/palette.h"
-#include "apps/view/drawing/picture.h"
+#include "apps/view/drawing/picture_file.h"
 #include "tests/support/support.h"
 #include "tests/view/pictures.h"
 #include "tests/view/verbs/render_support.h"

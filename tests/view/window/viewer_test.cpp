@@ -3,7 +3,7 @@
 
 #include "apps/view/control/session.h"
 #include "apps/view/drawing/palette.h"
-#include "apps/view/drawing/picture.h"
+#include "apps/view/drawing/picture_file.h"
 #include "apps/view/scene/load.h"
 #include "apps/view/window/scene_subject.h"
 #include "tests/support/bodies.h"

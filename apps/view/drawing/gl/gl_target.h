@@ -5,7 +5,7 @@
 
 #include "apps/view/drawing/camera.h"
 #include "apps/view/drawing/gl/gl_slicer.h"
-#include "apps/view/drawing/picture.h"
+#include "apps/view/drawing/picture_file.h"
 
 namespace soms::view {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-namespace soms::view {
+namespace soms::look {
 
 /// A letter on a grid on which digits and capitals are 10 high and small letters 6. Its path is a
 /// list of `P x y x y ...`, a line through points, and `A x y rx ry from to`, part of an ellipse
@@ -105,4 +105,4 @@ inline constexpr std::array kStrokeLetters{
     StrokeLetter{'y', 5.4, "P 0 6 2.7 0 P 5.4 6 1.6 -2.7"},
     StrokeLetter{'z', 4.8, "P 0 6 4.8 6 0 0 4.8 0"}};
 
-}  // namespace soms::view
+}  // namespace soms::look

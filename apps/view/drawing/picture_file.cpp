@@ -1,4 +1,4 @@
-#include "apps/view/drawing/picture.h"
+#include "apps/view/drawing/picture_file.h"
 
 #include "soms/base/error.h"
 
@@ -6,22 +6,6 @@
 #include "apps/output/png_file.h"
 
 namespace soms::view {
-
-Color Picture::at(int x, int y) const {
-  const auto i = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
-                      static_cast<std::size_t>(x));
-  return {bytes[i], bytes[i + 1], bytes[i + 2], bytes[i + 3]};
-}
-
-Picture filled(Size size, Color color) {
-  Picture picture{size, {}};
-  const auto pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
-  picture.bytes.reserve(4 * pixels);
-  for (std::size_t i = 0; i < pixels; ++i) {
-    picture.bytes.insert(picture.bytes.end(), {color.r, color.g, color.b, color.a});
-  }
-  return picture;
-}
 
 std::string to_png(const Picture& picture, const Limits& limits) {
   if (picture.size.width < 1 || picture.size.height < 1) {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace soms::view {
+namespace soms::look {
 
 /// A place in a line of text: x to the right from its start, y up from its base line.
 struct TextPoint {
@@ -27,4 +27,4 @@ struct TextStroke {
 /// From the start of the first letter to the end of the last.
 [[nodiscard]] double width_of(std::string_view text, double height);
 
-}  // namespace soms::view
+}  // namespace soms::look

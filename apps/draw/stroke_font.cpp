@@ -1,6 +1,6 @@
-#include "apps/view/drawing/stroke_font.h"
+#include "apps/draw/stroke_font.h"
 
-#include "apps/view/drawing/stroke_letters.h"
+#include "apps/draw/stroke_letters.h"
 
 #include <algorithm>
 #include <charconv>
@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-namespace soms::view {
+namespace soms::look {
 
 namespace {
 
@@ -122,4 +122,4 @@ double width_of(std::string_view text, double height) {
   return std::max(0.0, width - kBetween) * height / kGridHeight;
 }
 
-}  // namespace soms::view
+}  // namespace soms::look

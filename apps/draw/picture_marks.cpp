@@ -1,30 +1,21 @@
-#include "apps/view/drawing/picture_marks.h"
+#include "apps/draw/picture_marks.h"
 
-#include "apps/view/drawing/stroke_font.h"
+#include "apps/draw/stroke_font.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
-namespace soms::view {
+namespace soms::look {
 
 namespace {
 
 /// Part of the pen's width in the height of digits.
 constexpr double kPenOfHeight = 0.13;
+/// Radius of a halo in that of its mark.
+constexpr double kHaloOfMark = 1.5;
 
 void blend(Picture& picture, int x, int y, Color color, double cover) {
-  const double share = cover * color.a / 255;
-  std::uint8_t* const pixel =
-      &picture
-           .bytes[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.size.width) +
-                       static_cast<std::size_t>(x))];
-  const auto mix = [share](std::uint8_t& below, std::uint8_t above) {
-    below = static_cast<std::uint8_t>(std::lround(below + (above - below) * share));
-  };
-  mix(pixel[0], color.r);
-  mix(pixel[1], color.g);
-  mix(pixel[2], color.b);
+  picture.put(x, y, mixed(picture.at(x, y), color, cover * color.a / 255));
 }
 
 int clamped(double at, int most) {
@@ -53,6 +44,11 @@ void fill(Picture& picture, PixelPoint lower, PixelPoint upper, Color color, con
 
 void draw_disc(Picture& picture, PixelPoint center, double radius, Color color) {
   draw_line(picture, center, center, 2 * radius, color);
+}
+
+void draw_mark(Picture& picture, PixelPoint center, double radius, Color color, Color halo) {
+  draw_disc(picture, center, kHaloOfMark * radius, halo);
+  draw_disc(picture, center, radius, color);
 }
 
 void draw_line(Picture& picture, PixelPoint from, PixelPoint to, double width, Color color) {
@@ -85,4 +81,4 @@ void draw_number(Picture& picture, PixelPoint start, std::string_view text, doub
   }
 }
 
-}  // namespace soms::view
+}  // namespace soms::look

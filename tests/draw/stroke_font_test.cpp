@@ -1,4 +1,4 @@
-#include "apps/view/drawing/stroke_font.h"
+#include "apps/draw/stroke_font.h"
 
 #include "tests/support/support.h"
 
@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-namespace soms::view {
+namespace soms::look {
 namespace {
 
 constexpr std::string_view kLetters =
@@ -78,4 +78,4 @@ TEST(StrokeFont, ALetterStandsBehindThoseBeforeIt) {
 }
 
 }  // namespace
-}  // namespace soms::view
+}  // namespace soms::look
