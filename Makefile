@@ -117,7 +117,7 @@ asan:
 
 # The tests of the library only, by their labels: under clang's ASan+UBSan with the fuzzers' inputs, and under TSan,
 # with std::jthread in place of TBB.
-LIBRARY = base geometry kinematics tree query thesis scene clash robot io store tiles generate properties regressions
+LIBRARY = base geometry kinematics tree query motion thesis scene clash robot io store tiles generate properties regressions
 asan-library: TESTED = $(or $(ROOMS),$(LIBRARY) fuzz)
 tsan: TESTED = $(LIBRARY)
 asan-library tsan:

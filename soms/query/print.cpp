@@ -48,14 +48,6 @@ std::ostream& operator<<(std::ostream& out, const NearTriangles& value) {
                     .add("cost", value.cost);
 }
 
-std::ostream& operator<<(std::ostream& out, const RigidMotion& value) {
-  return out << PrintedFields("RigidMotion")
-                    .item(value.straight() ? "straight" : "turning")
-                    .add("start", value.start())
-                    .add("end", value.end())
-                    .add("pivot", value.pivot());
-}
-
 std::ostream& operator<<(std::ostream& out, const OverlapBatch& value) {
   return out << PrintedFields("OverlapBatch")
                     .item(hits_in_words(value.any))

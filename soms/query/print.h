@@ -8,7 +8,6 @@
 #include "soms/query/contains.h"
 #include "soms/query/contains_parts.h"
 #include "soms/query/distance.h"
-#include "soms/query/first_contact.h"
 #include "soms/query/overlap.h"
 #include "soms/query/ray.h"
 #include "soms/query/signed_closest.h"
@@ -22,7 +21,6 @@ namespace soms {
 
 class ClosedBody;
 class DividedBody;
-class RigidMotion;
 class WindingIndex;
 struct AllHits;
 struct Body;
@@ -40,7 +38,6 @@ std::ostream& operator<<(std::ostream& out, const DividedPart& value);
 std::ostream& operator<<(std::ostream& out, const ContainsPartsBatch& value);
 std::ostream& operator<<(std::ostream& out, const DividedBody& value);
 std::ostream& operator<<(std::ostream& out, const NearTriangles& value);
-std::ostream& operator<<(std::ostream& out, const RigidMotion& value);
 std::ostream& operator<<(std::ostream& out, const OverlapBatch& value);
 std::ostream& operator<<(std::ostream& out, const Ray& value);
 std::ostream& operator<<(std::ostream& out, const AllHits& value);

@@ -1,9 +1,9 @@
 // First contacts along motions of all kinds, beside their twin in whole numbers.
-#include "soms/query/first_contact.h"
+#include "soms/motion/first_contact.h"
 
 #include "soms/base/random.h"
+#include "soms/motion/reference/first_contact.h"
 #include "soms/query/overlap.h"
-#include "soms/query/reference/first_contact.h"
 #include "soms/query/within.h"
 
 #include "tests/properties/property.h"

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "soms/base/box.h"
-#include "soms/query/detail/motion/quaternion.h"
-#include "soms/query/rigid_motion.h"
+#include "soms/motion/detail/quaternion.h"
+#include "soms/motion/rigid_motion.h"
 #include "soms/scene/motion_path.h"
 
 namespace soms::detail {

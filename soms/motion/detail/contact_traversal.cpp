@@ -1,0 +1,231 @@
+#include "soms/motion/detail/contact_traversal.h"
+
+#include "soms/motion/detail/pair_advance.h"
+#include "soms/query/detail/engine/node_id.h"
+#include "soms/query/detail/moved_triangle.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace soms::detail {
+
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+/// Both nodes are descended while neither is more than this much larger.
+constexpr double kSimilarSwept = 2;
+
+/// A bow up to this share of both boxes is no reason to halve the time.
+constexpr double kBowShare = 0.1;
+
+/// Nor is one that is next to the rounding, nor is a stretch of the way halved that is this short.
+constexpr double kBowMargins = 8;
+constexpr double kShortest = 0x1p-20;
+
+/// Lanes of a node that a task means: all, or that of a leaf.
+bool means_lane(std::uint32_t id, std::size_t lane) {
+  return !is_lane(id) || lane_of(id) == lane;
+}
+
+}  // namespace
+
+template <class Source>
+ContactTraversal<Source>::ContactTraversal(const MotionBounds& bounds, const Shape& mover,
+                                           const Body& fixed, ContactGoal& goal)
+    : bounds_(bounds),
+      mover_(mover),
+      fixed_(fixed),
+      goal_(goal),
+      x_(mover),
+      y_(fixed.shape),
+      unfinished_(kNever) {
+  intervals_.emplace_back(bounds, 0.0, 1.0);
+  push({0, kRootId, kRootId, 0, 0});
+}
+
+template <class Source>
+void ContactTraversal<Source>::push(const Task& task) {
+  heap_.push_back(task);
+  std::push_heap(heap_.begin(), heap_.end(), Later());
+}
+
+template <class Source>
+bool ContactTraversal<Source>::run(Limit& limit) {
+  while (!heap_.empty() && heap_.front().key <= goal_.limit()) {
+    if (limit.spend(0)) {
+      return false;
+    }
+    std::pop_heap(heap_.begin(), heap_.end(), Later());
+    const Task task = heap_.back();
+    heap_.pop_back();
+    step(task, limit);
+    if (limit.late()) {
+      unfinished_ = std::min(unfinished_, task.key);
+      return false;
+    }
+  }
+  return true;
+}
+
+template <class Source>
+double ContactTraversal<Source>::free_until() const {
+  double least = unfinished_;
+  for (const Task& task : heap_) {
+    least = std::min(least, task.key);
+  }
+  return least;
+}
+
+template <class Source>
+void ContactTraversal<Source>::step(const Task& task, Limit& limit) {
+  if (is_lane(task.x) && is_lane(task.y)) {
+    look_at_leaves(task, limit);
+    return;
+  }
+  static_cast<void>(limit.spend(64));
+  open(task);
+}
+
+template <class Source>
+std::uint32_t ContactTraversal<Source>::halves_of(std::uint32_t interval) {
+  const MotionInterval whole = intervals_[interval];
+  if (whole.halves != MotionInterval::kNone) {
+    return whole.halves;
+  }
+  const auto first = static_cast<std::uint32_t>(intervals_.size());
+  intervals_.emplace_back(bounds_, whole.from, whole.middle);
+  intervals_.emplace_back(bounds_, whole.middle, whole.to);
+  intervals_[interval].halves = first;
+  return first;
+}
+
+template <class Source>
+bool ContactTraversal<Source>::halve(const Task& task, const SweptBoxes& x, std::size_t lane_x,
+                                     const SweptBoxes& y, std::size_t lane_y) {
+  const MotionInterval& interval = intervals_[task.interval];
+  const double give = x.give[lane_x];
+  if (give <= kBowShare * (x.radius(lane_x) + y.radius(lane_y)) ||
+      give <= kBowMargins * bounds_.box_margin() || interval.to - interval.from <= kShortest) {
+    return false;
+  }
+  const std::uint32_t first = halves_of(task.interval);
+  for (std::uint32_t half = first; half < first + 2; ++half) {
+    if (task.key <= intervals_[half].to) {
+      push({std::max(task.key, intervals_[half].from), task.x, task.y, half, task.depth});
+    }
+  }
+  return true;
+}
+
+template <class Source>
+void ContactTraversal<Source>::open(const Task& task) {
+  // Copies: sources may give up what they gave before.
+  const WideNode node_x = x_.node(index_of(task.x));
+  const WideNode node_y = y_.node(index_of(task.y));
+  const WideTree& tree_x = mover_.layout();
+  const WideTree& tree_y = fixed_.shape.layout();
+  const MotionInterval interval = intervals_[task.interval];
+  const double size_x = node_x.l1_radius / tree_x.scale();
+  const double size_y = node_y.l1_radius / tree_y.scale();
+  const bool any_leaf = is_lane(task.x | task.y);
+  const bool only_x = !any_leaf && size_x > kSimilarSwept * size_y;
+  const bool only_y = !any_leaf && size_y > kSimilarSwept * size_x;
+  const SweptBoxes whole_x = swept_boxes(tree_x, node_x, bounds_, interval, true);
+  const SweptBoxes whole_y = resting_boxes(tree_y, node_y, fixed_.pose, true);
+  if (halve(task, whole_x, 0, whole_y, 0)) {
+    return;
+  }
+  const SweptBoxes x = only_y ? whole_x : swept_boxes(tree_x, node_x, bounds_, interval, false);
+  const SweptBoxes y = only_x ? whole_y : resting_boxes(tree_y, node_y, fixed_.pose, false);
+  LaneWindows windows;
+  find_windows(x, y, bounds_.box_margin(), windows);
+  cost_.node_tests += x.count * y.count;
+  for (std::size_t i = 0; i < x.count; ++i) {
+    for (std::size_t j = 0; j < y.count; ++j) {
+      const TimeWindow& window = windows[4 * i + j];
+      if (window.empty() || (!only_y && !means_lane(task.x, i)) ||
+          (!only_x && !means_lane(task.y, j))) {
+        continue;
+      }
+      Task child = task;
+      child.key = std::max(task.key, interval.begin_of(window));
+      ++child.depth;
+      if (!only_y && !is_lane(task.x)) {
+        child.x = child_id(node_x, task.x, static_cast<std::uint32_t>(i));
+      }
+      if (!only_x && !is_lane(task.y)) {
+        child.y = child_id(node_y, task.y, static_cast<std::uint32_t>(j));
+      }
+      if (child.key <= goal_.limit() && child.key <= interval.end_of(window)) {
+        push(child);
+      }
+    }
+  }
+}
+
+template <class Source>
+void ContactTraversal<Source>::look_at_leaves(const Task& task, Limit& limit) {
+  const WideNode node_x = x_.node(index_of(task.x));
+  const WideNode node_y = y_.node(index_of(task.y));
+  const MotionInterval interval = intervals_[task.interval];
+  const SweptBoxes boxes_x = swept_boxes(mover_.layout(), node_x, bounds_, interval, false);
+  const SweptBoxes boxes_y = resting_boxes(fixed_.shape.layout(), node_y, fixed_.pose, false);
+  if (halve(task, boxes_x, lane_of(task.x), boxes_y, lane_of(task.y))) {
+    static_cast<void>(limit.spend(16));
+    return;
+  }
+  std::uint32_t token_x = node_x.child[lane_of(task.x)];
+  for (bool more_x = true; more_x; token_x = x_.next(token_x)) {
+    const TriangleBlock block_x = x_.block(token_x);
+    more_x = block_x.following != 0;
+    std::uint32_t token_y = node_y.child[lane_of(task.y)];
+    for (bool more_y = true; more_y; token_y = y_.next(token_y)) {
+      const TriangleBlock block_y = y_.block(token_y);
+      more_y = block_y.following != 0;
+      look_at_blocks(block_x, block_y, interval, task.key);
+      if (limit.spend(256)) {
+        return;
+      }
+    }
+  }
+}
+
+template <class Source>
+void ContactTraversal<Source>::look_at_blocks(const TriangleBlock& x, const TriangleBlock& y,
+                                              const MotionInterval& interval, double key) {
+  swept_.clear();
+  meetings_.clear();
+  for (std::uint32_t i = 0; i < x.count; ++i) {
+    swept_.push_back(swept_triangle(mover_.mesh().triangle(x.id[i]), bounds_, interval));
+  }
+  for (std::size_t j = 0; j < y.count; ++j) {
+    const Corners resting = corners_of(moved_triangle(fixed_, y.id[j]));
+    for (std::uint32_t i = 0; i < x.count; ++i) {
+      const TimeWindow window = window_of(swept_[i], resting, bounds_.box_margin());
+      ++cost_.triangle_tests;
+      const double from = std::max(key, interval.begin_of(window));
+      if (!window.empty() && from <= goal_.limit()) {
+        meetings_.push_back({from, std::max(from, interval.end_of(window)), i, x.id[i], y.id[j]});
+      }
+    }
+  }
+  std::sort(meetings_.begin(), meetings_.end(), [](const Meeting& a, const Meeting& b) {
+    return a.from != b.from ? a.from < b.from
+                            : std::pair(a.id_x, a.id_y) < std::pair(b.id_x, b.id_y);
+  });
+  for (const Meeting& meeting : meetings_) {
+    if (meeting.from <= goal_.limit()) {
+      PairAdvance(bounds_, {meeting.id_x, meeting.id_y}, swept_[meeting.x].body,
+                  moved_triangle(fixed_, meeting.id_y), goal_, cost_)
+          .run(meeting.from, meeting.until);
+    }
+  }
+}
+
+template class ContactTraversal<WideSource>;
+template class ContactTraversal<CompactSource>;
+
+}  // namespace soms::detail

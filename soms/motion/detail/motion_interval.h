@@ -1,0 +1,63 @@
+/// \file
+/// A stretch of the way of a motion, and the chord that stands for it.
+#pragma once
+
+#include "soms/motion/detail/motion_bounds.h"
+#include "soms/motion/detail/time_window.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace soms::detail {
+
+/// Times [from, to], which are multiples of a power of two, and the chord of motion_bounds.h there.
+struct MotionInterval {
+  static constexpr std::uint32_t kNone = 0xffffffffU;
+
+  MotionInterval(const MotionBounds& bounds, double begin, double end);
+
+  /// No contact of a window is before this, in the time of the whole way.
+  [[nodiscard]] double begin_of(const TimeWindow& window) const {
+    return std::max(from, middle + half * std::max(-1.0, window.lower) - 0x1p-51);
+  }
+
+  /// Nor after this.
+  [[nodiscard]] double end_of(const TimeWindow& window) const {
+    return std::min(to, middle + half * std::min(1.0, window.upper) + 0x1p-51);
+  }
+
+  double from;
+  double to;
+  double middle;
+  double half;
+  Pose mean;    ///< half the sum of the poses at both ends: a map, not a pose
+  Pose change;  ///< half their difference
+  double turn;  ///< no vector changes by more of its length
+  double bend;  ///< no point leaves the chord by more of its distance from the axis
+  std::uint32_t halves = kNone;  ///< the first half; the second follows
+};
+
+/// Where a map takes a point, and where it takes a vector.
+[[nodiscard]] inline Vec3 turned(const Pose& map, const Vec3& v) {
+  const auto& m = map.m;
+  return {(m[0] * v.x + m[1] * v.y) + m[2] * v.z, (m[4] * v.x + m[5] * v.y) + m[6] * v.z,
+          (m[8] * v.x + m[9] * v.y) + m[10] * v.z};
+}
+
+[[nodiscard]] inline Vec3 mapped(const Pose& map, const Vec3& v) {
+  return turned(map, v) + map.shift();
+}
+
+/// A vector in the direction of `v`, of length 1 to 2^-50; zero for one that has no length, or
+/// next to none beside the doubles.
+[[nodiscard]] inline Vec3 direction_of(const Vec3& v) {
+  const double most = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  if (!(most > 0x1p-1000)) {
+    return {};
+  }
+  const Vec3 u{v.x / most, v.y / most, v.z / most};
+  const double length = std::sqrt(dot(u, u));
+  return {u.x / length, u.y / length, u.z / length};
+}
+
+}  // namespace soms::detail

@@ -1,0 +1,216 @@
+#include "soms/motion/detail/pair_advance.h"
+
+#include "soms/geometry/triangle_distance.h"
+#include "soms/geometry/triangle_overlap.h"
+#include "soms/motion/detail/exact_sweep.h"
+#include "soms/motion/detail/motion_interval.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace soms::detail {
+
+namespace {
+
+/// Steps of one pair in one window; what slides along at next to no gap is left open beyond them.
+constexpr int kMostSteps = 2000;
+
+/// A gap that is above the margin by this much of the rounding counts as none: steps would be too
+/// short.
+constexpr double kNextToNone = 0x1p-2;
+
+/// What a step leaves of the gap, for the proof.
+constexpr double kLeft = 0x1p-10;
+
+/// How often a step that cannot be proved is halved.
+constexpr int kHalvings = 40;
+
+/// How often a contact is drawn nearer to a time without one.
+constexpr int kDraws = 12;
+
+/// The number with the fewest binary digits in [from, to], 0 <= from <= to <= 1.
+double simplest(double from, double to) {
+  for (double unit = 1; unit > 0x1p-60; unit /= 2) {
+    const double at = std::ceil(from / unit) * unit;
+    if (at <= to) {
+      return at;
+    }
+  }
+  return from;
+}
+
+}  // namespace
+
+PairAdvance::PairAdvance(const MotionBounds& bounds, const TrianglePair& ids,
+                         const Triangle& moving, const Triangle& resting, ContactGoal& goal,
+                         Cost& cost)
+    : bounds_(bounds),
+      motion_(bounds.motion()),
+      ids_(ids),
+      moving_(corners_of(moving)),
+      resting_(corners_of(resting)),
+      goal_(goal),
+      cost_(cost) {
+  for (const Vec3& corner : moving_) {
+    arm_ = std::max(arm_, bounds.arm(corner));
+  }
+}
+
+PairAdvance::Place PairAdvance::at(double t) const {
+  Place place{t, motion_.law_at(t), {}};
+  for (std::size_t k = 0; k < 3; ++k) {
+    place.corners[k] = place.pose.apply(moving_[k]);
+  }
+  return place;
+}
+
+bool PairAdvance::touches(double t) {
+  const Pose pose = motion_.pose_at(t);
+  Corners placed;
+  for (std::size_t k = 0; k < 3; ++k) {
+    placed[k] = pose.apply(moving_[k]);
+  }
+  if (bounds_.clearance() > 0) {
+    return triangles_within(triangle_of(placed), triangle_of(resting_), bounds_.clearance());
+  }
+  return triangles_overlap(triangle_of(placed), triangle_of(resting_), &cost_.exact_tests);
+}
+
+double PairAdvance::reach(const Place& place, const Parting& parting) const {
+  const Vec3& n = parting.direction;
+  Vec3 drift = motion_.by();
+  Vec3 spin;
+  Vec3 pivot;
+  if (!motion_.straight()) {
+    drift = motion_.pivot_to() - motion_.pivot_from();
+    pivot = motion_.pivot_from() + drift * place.t;
+    double squared = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double q = motion_.from()[k] + place.t * (motion_.to()[k] - motion_.from()[k]);
+      squared += q * q;
+    }
+    spin = turned(place.pose, axis_between(motion_.from(), motion_.to())) * (2 / squared);
+  }
+  const double top =
+      std::max({0.0, dot(n, resting_[1] - resting_[0]), dot(n, resting_[2] - resting_[0])});
+  const double a = arm_ * curvature_ / 2;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vec3& x : place.corners) {
+    const double gap =
+        dot(n, x - resting_[0]) - top - bounds_.pair_margin() - bounds_.rounding() * 0x1p-4;
+    const double speed = dot(n, drift + cross(spin, x - pivot));
+    // Where gap + speed s - a s^2 is spent.
+    double s = std::numeric_limits<double>::infinity();
+    if (a > 0) {
+      const double root = std::sqrt(speed * speed + 4 * a * std::max(gap, 0.0));
+      s = speed >= 0 ? (speed + root) / (2 * a) : 2 * gap / (root - speed);
+    } else if (speed < 0) {
+      s = gap / -speed;
+    }
+    least = std::min(least, s);
+  }
+  return least;
+}
+
+bool PairAdvance::step(Place& place, const Parting& parting, double until) const {
+  double length = reach(place, parting) * (curvature_ > 0 ? 1 - kLeft : 1 - 0x1p-40);
+  for (int k = 0; k < kHalvings; ++k, length /= 2) {
+    const double t = std::min(until, place.t + length);
+    if (!(t > place.t)) {
+      return false;
+    }
+    Place next = at(t);
+    const double gap = std::min(parting.gap, gap_along(parting.direction, next.corners, resting_));
+    const double bow = arm_ * MotionBounds::bow(curvature_, t - place.t) * kMotionUp;
+    if (gap - bow > bounds_.pair_margin()) {
+      place = next;
+      return true;
+    }
+  }
+  return false;
+}
+
+double PairAdvance::earliest(double without, double with) {
+  for (int k = 0; k < kDraws; ++k) {
+    const double middle = without + (with - without) / 2;
+    if (!(middle > without && middle < with)) {
+      break;
+    }
+    (touches(middle) ? with : without) = middle;
+  }
+  return with;
+}
+
+void PairAdvance::decide() {
+  const Pose& start = motion_.start();
+  const Triangle starting{start.apply(moving_[0]), start.apply(moving_[1]),
+                          start.apply(moving_[2])};
+  ++cost_.exact_tests;
+  if (auto time = exact_sweep(starting, triangle_of(resting_), motion_.by())) {
+    goal_.add_exact(ids_, std::move(*time));
+  }
+}
+
+bool PairAdvance::pass(Place& place, double until) {
+  if (bounds_.exact()) {
+    decide();
+    return false;
+  }
+  const double begin = place.t;
+  const double enough = bounds_.pair_margin() + 2 * kNextToNone * bounds_.rounding();
+  double before = begin;
+  double length = std::max(begin, 0x1p-30) * 0x1p-52;
+  double t = begin;
+  while (!touches(t)) {
+    Place here = at(t);
+    const bool apart = t > begin && parting_of(here.corners, resting_, enough).gap > enough;
+    if (apart || t >= until) {
+      const double simple = simplest(begin, t);
+      if (touches(simple)) {
+        goal_.add_spell(ids_, begin, simple);
+        goal_.add_contact(ids_, simple);
+        return false;
+      }
+      goal_.add_spell(ids_, begin, t);
+      place = here;
+      return t < until;
+    }
+    before = t;
+    t = std::min(until, begin + length);
+    length *= 2;
+  }
+  const double contact = t > begin ? earliest(before, t) : t;
+  goal_.add_spell(ids_, begin, contact);
+  goal_.add_contact(ids_, contact);
+  return false;
+}
+
+void PairAdvance::run(double from, double until) {
+  curvature_ = bounds_.curvature(from, until);
+  const double enough = bounds_.pair_margin() + kNextToNone * bounds_.rounding();
+  Place place = at(from);
+  for (int k = 0; k < kMostSteps; ++k) {
+    ++cost_.triangle_tests;
+    if (place.t > goal_.limit()) {
+      return;
+    }
+    const Parting parting = parting_of(place.corners, resting_, enough);
+    const bool apart = parting.gap > enough;
+    if (apart && place.t >= until) {
+      return;
+    }
+    if ((!apart || !step(place, parting, until)) && !pass(place, until)) {
+      return;
+    }
+  }
+  if (bounds_.exact()) {
+    decide();
+  } else {
+    goal_.add_spell(ids_, place.t, until);
+  }
+}
+
+}  // namespace soms::detail

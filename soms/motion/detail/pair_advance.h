@@ -1,0 +1,66 @@
+/// \file
+/// The first contact of two triangles, one of which moves: conservative advancement by chords.
+#pragma once
+
+#include "soms/motion/detail/contact_goal.h"
+#include "soms/motion/detail/motion_bounds.h"
+#include "soms/motion/detail/parting.h"
+#include "soms/query/answer.h"
+
+#include <cstdint>
+
+namespace soms::detail {
+
+/// Follows one pair of triangles through a window of times. A step goes as far as the speed along
+/// the parting direction lets it; that is a guess. What proves the step is the chord of
+/// motion_bounds.h: the gaps at both ends, less what the curve may leave the chord by.
+class PairAdvance {
+ public:
+  /// `moving` in the coordinates of its body, `resting` in world.
+  PairAdvance(const MotionBounds& bounds, const TrianglePair& ids, const Triangle& moving,
+              const Triangle& resting, ContactGoal& goal, Cost& cost);
+
+  /// Adds to the goal what is not free in [from, until]. \pre 0 <= from <= until <= 1
+  void run(double from, double until);
+
+ private:
+  /// The triangle at a time.
+  struct Place {
+    double t = 0;
+    Pose pose;
+    Corners corners;
+  };
+
+  [[nodiscard]] Place at(double t) const;
+
+  /// At 0 and 1 the poses as the caller gave them.
+  [[nodiscard]] bool touches(double t);
+
+  /// About how far to go from `place` until the gap along a direction is spent.
+  [[nodiscard]] double reach(const Place& place, const Parting& parting) const;
+
+  /// Goes on from `place` to a later time, up to `until`, with a proof; false if it cannot.
+  [[nodiscard]] bool step(Place& place, const Parting& parting, double until) const;
+
+  /// Decides a straight motion in whole numbers, whatever was proved before.
+  void decide();
+
+  /// From `place` on nothing can be proved free: looks for a contact, or for the time when there is
+  /// a gap again. True if it goes on from there.
+  [[nodiscard]] bool pass(Place& place, double until);
+
+  /// Draws a proved contact nearer to a time without one.
+  [[nodiscard]] double earliest(double without, double with);
+
+  const MotionBounds& bounds_;
+  const RigidMotion& motion_;
+  TrianglePair ids_;
+  Corners moving_;
+  Corners resting_;
+  double arm_ = 0;
+  double curvature_ = 0;  ///< over what is left
+  ContactGoal& goal_;
+  Cost& cost_;
+};
+
+}  // namespace soms::detail

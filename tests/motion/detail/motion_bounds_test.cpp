@@ -1,0 +1,247 @@
+// What the proof of motion_bounds.h claims, on motions of all kinds: chords, curvature, windows.
+#include "soms/motion/detail/motion_bounds.h"
+
+#include "soms/motion/detail/motion_interval.h"
+#include "soms/motion/detail/swept_boxes.h"
+#include "soms/motion/detail/swept_triangle.h"
+
+#include "tests/support/bodies.h"
+#include "tests/support/support.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+namespace soms::detail {
+namespace {
+
+/// A motion, and a body of some size somewhere.
+struct MotionCase {
+  Shape mover;
+  RigidMotion motion;
+  Body fixed;
+  MotionBounds bounds;
+
+  MotionCase(const Mesh& mesh, RigidMotion m)
+      : mover(mesh),
+        motion(m),
+        fixed(test::box_body({-1, -1, -1}, {1, 1, 1})),
+        bounds(mover, motion, fixed, 0) {}
+};
+
+MotionCase any_motion_case(Rng& rng) {
+  constexpr std::array kFarOff{0.0, 0.0, 1e3, 1e7};
+  constexpr std::array kAngles{3.1, 1.0, 1e-3, 1e-9};
+  const double far = kFarOff[rng.below(kFarOff.size())];
+  const auto any = [&](double most) {
+    return Vec3{rng.uniform(-most, most), rng.uniform(-most, most), rng.uniform(-most, most)};
+  };
+  const Vec3 place = any(far);
+  const Mesh mesh = test::mapped(test::box_body({-1, -2, -1}, {2, 1, 3}),
+                                 [&](const Vec3& v) { return v + place; });
+  const double angle = rng.uniform(-1, 1) * kAngles[rng.below(kAngles.size())];
+  const Pose start = Pose::from_axis_angle(any(1) + Vec3{0, 0, 2}, rng.uniform(-3, 3), any(far));
+  const Pose turn = Pose::from_axis_angle(any(1) + Vec3{0, 2, 0}, angle, any(1 + far));
+  if (rng.below(4) == 0) {
+    return {mesh, RigidMotion::along(start, any(3 + far))};
+  }
+  return {mesh, RigidMotion::between(start, turn * start, any(far + 1))};
+}
+
+using Far3 = std::array<long double, 3>;
+
+/// Where the law puts a point, by long doubles.
+Far3 place_by_law(const RigidMotion& motion, const Vec3& v, long double t) {
+  if (motion.straight()) {
+    const Vec3 start = motion.start().apply(v);
+    return {start.x + t * motion.by().x, start.y + t * motion.by().y, start.z + t * motion.by().z};
+  }
+  std::array<long double, 4> q{};
+  long double squared = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const long double from = motion.from()[k];
+    q[k] = from + t * (motion.to()[k] - from);
+    squared += q[k] * q[k];
+  }
+  const auto [w, x, y, z] = q;
+  const std::array<Far3, 3> rotation{
+      {{w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)},
+       {2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)},
+       {2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z}}};
+  Far3 place{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const long double from = motion.pivot_from()[i];
+    place[i] = from + t * (motion.pivot_to()[i] - from);
+    for (std::size_t j = 0; j < 3; ++j) {
+      place[i] += rotation[i][j] / squared *
+                  (static_cast<long double>(v[j]) - static_cast<long double>(motion.pivot()[j]));
+    }
+  }
+  return place;
+}
+
+double distance_from(const Far3& a, const Vec3& b) {
+  return static_cast<double>(std::hypot(a[0] - b.x, a[1] - b.y, a[2] - b.z));
+}
+
+TEST(MotionBounds, PosesAreWithinTheSlackOfTheLaw) {
+  test::for_each_case("motion-bounds/slack", 500, [](Rng& rng) {
+    const MotionCase c = any_motion_case(rng);
+    const double t = rng.unit();
+    for (const Vec3& v : c.mover.mesh().vertices) {
+      ASSERT_LE(distance_from(place_by_law(c.motion, v, t), c.motion.law_at(t).apply(v)),
+                c.bounds.slack());
+    }
+  });
+}
+
+// Chords of long and short stretches; the bound is not only safe, but of the size of what it
+// bounds.
+TEST(MotionBounds, PointsAreNearTheChord) {
+  double greatest_share = 0;
+  test::for_each_case("motion-bounds/chord", 1000, [&](Rng& rng) {
+    const MotionCase c = any_motion_case(rng);
+    const double from = rng.below(2) == 0 ? 0 : rng.uniform(0, 0.9);
+    const double to = rng.below(2) == 0 ? 1 : rng.uniform(from, 1);
+    const MotionInterval interval(c.bounds, from, to);
+    for (const Vec3& v : c.mover.mesh().vertices) {
+      const double bound = interval.bend * c.bounds.arm(v) + 2 * c.bounds.slack();
+      for (const double s : {-0.9, -0.5, 0.0, 0.3, rng.uniform(-1, 1)}) {
+        const Vec3 chord = mapped(interval.mean, v) + mapped(interval.change, v) * s;
+        const double off =
+            distance_from(place_by_law(c.motion, v, interval.middle + s * interval.half), chord);
+        ASSERT_LE(off, bound);
+        greatest_share = std::max(greatest_share, off / bound);
+      }
+    }
+  });
+  EXPECT_GT(greatest_share, 0.5);
+}
+
+// The law turns faster in the middle: its acceleration has a part along the way, too.
+TEST(MotionBounds, CurvatureKnowsHowTheSpeedGrows) {
+  test::for_each_case("motion-bounds/curvature", 500, [](Rng& rng) {
+    const MotionCase c = any_motion_case(rng);
+    if (c.motion.straight()) {
+      return;
+    }
+    constexpr long double kStep = 1e-4L;
+    const double t = rng.below(3) == 0 ? 1e-4 : rng.uniform(1e-3, 0.999);
+    const double curvature = c.bounds.curvature(t - 1e-4, t + 1e-4);
+    for (const Vec3& v : c.mover.mesh().vertices) {
+      const Far3 before = place_by_law(c.motion, v, t - kStep);
+      const Far3 here = place_by_law(c.motion, v, t);
+      const Far3 after = place_by_law(c.motion, v, t + kStep);
+      Far3 bend{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        bend[k] = (before[k] + after[k] - 2 * here[k]) / (kStep * kStep);
+      }
+      const double arm = c.bounds.arm(v);
+      ASSERT_LE(distance_from(bend, {}), arm * curvature * (1 + 1e-5) + arm * 1e-9);
+    }
+  });
+}
+
+// All corners lie in the box of the whole body, seen from any side, at any time of a stretch.
+TEST(MotionBounds, BoxesHoldTheirPointsAllTheWay) {
+  test::for_each_case("motion-bounds/boxes", 500, [](Rng& rng) {
+    const MotionCase c = any_motion_case(rng);
+    const double from = rng.uniform(0, 0.9);
+    const MotionInterval interval(c.bounds, from, from + 0.1 * rng.unit());
+    const WideTree& tree = c.mover.layout();
+    const SweptBoxes box = swept_boxes(tree, tree.nodes()[0], c.bounds, interval, true);
+    const double s = rng.uniform(-1, 1);
+    const Pose pose = c.motion.law_at(interval.middle + s * interval.half);
+    for (int side = 0; side < 8; ++side) {
+      const Vec3 n = side < 3 ? box.direction[static_cast<std::size_t>(side)]
+                              : direction_of({rng.uniform(-1, 1), rng.uniform(-1, 1), 0.1});
+      double radius = box.give[0] + c.bounds.box_margin();
+      for (std::size_t k = 0; k < 3; ++k) {
+        radius += std::abs(dot(n, box.axis[k])) * box.half[0][k];
+      }
+      for (const Vec3& v : c.mover.mesh().vertices) {
+        const Vec3 off = pose.apply(v) - (box.center[0] + box.change[0] * s);
+        ASSERT_LE(std::abs(dot(n, off)), radius);
+      }
+    }
+  });
+}
+
+// Two points, as boxes of no size, that are at one place at one time.
+TEST(MotionBounds, WindowsHoldTheTimeOfAMeeting) {
+  test::for_each_case("motion-bounds/windows", 1000, [](Rng& rng) {
+    const MotionCase c = any_motion_case(rng);
+    const MotionInterval interval(c.bounds, 0.25, 0.25 + 0x1p-6);
+    const double s = rng.uniform(-1, 1);
+    const Vec3 v = c.mover.mesh().vertices[rng.below(8)];
+    SweptBoxes x;
+    SweptBoxes y;
+    x.count = y.count = 1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      x.axis[k] = y.axis[k] = Vec3{};
+      x.axis[k][k] = y.axis[k][(k + 1) % 3] = 1;
+      x.direction[k] = direction_of(turned(interval.mean, x.axis[k]));
+      y.direction[k] = y.axis[k];
+    }
+    x.half[0] = y.half[0] = {0, 0, 0};
+    x.center[0] = mapped(interval.mean, v);
+    x.change[0] = mapped(interval.change, v);
+    x.give[0] = interval.bend * c.bounds.arm(v);
+    y.center[0] = c.motion.law_at(interval.middle + s * interval.half).apply(v);
+    y.change[0] = {};
+    y.give[0] = 0;
+    LaneWindows windows;
+    find_windows(x, y, c.bounds.box_margin(), windows);
+    ASSERT_LE(windows[0].lower, s);
+    ASSERT_GE(windows[0].upper, s);
+  });
+}
+
+TEST(MotionBounds, WindowsOfTrianglesHoldTheTimeOfAMeeting) {
+  test::for_each_case("motion-bounds/triangles", 1000, [](Rng& rng) {
+    const MotionCase c = any_motion_case(rng);
+    const MotionInterval interval(c.bounds, 0.25, 0.25 + 0x1p-5);
+    const double s = rng.uniform(-1, 1);
+    const Triangle t = c.mover.mesh().triangle(static_cast<TriangleId>(rng.below(12)));
+    const Pose pose = c.motion.law_at(interval.middle + s * interval.half);
+    // A triangle that has one corner on the moving one, and goes on somewhere.
+    const double share = rng.unit();
+    const Vec3 touch = pose.apply(t.a * (1 - share) + t.b * share);
+    const Vec3 n{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)};
+    const Corners resting{touch, touch + n, touch + cross(n, {1, 2, 3})};
+    const TimeWindow window =
+        window_of(swept_triangle(t, c.bounds, interval), resting, c.bounds.box_margin());
+    ASSERT_LE(window.lower, s);
+    ASSERT_GE(window.upper, s);
+  });
+}
+
+TEST(TimeWindow, IsWholeAlongADirectionOfNoLength) {
+  TimeWindow window;
+  window.narrow(0, 0, 1);
+  EXPECT_EQ(window.lower, -1);
+  EXPECT_EQ(window.upper, 1);
+  window.narrow(0, 0, 0);
+  EXPECT_EQ(window.lower, -1);
+  EXPECT_EQ(window.upper, 1);
+  window.narrow(2, 0, 1);
+  EXPECT_TRUE(window.empty());
+}
+
+TEST(TimeWindow, LeavesTheTimesWithinReach) {
+  TimeWindow window;
+  window.narrow(1, 4, 1);  // |1 - 4 s| <= 1
+  EXPECT_NEAR(window.lower, 0, 1e-14);
+  EXPECT_LE(window.lower, 0);
+  EXPECT_NEAR(window.upper, 0.5, 1e-14);
+  EXPECT_GE(window.upper, 0.5);
+  window.narrow(-1, -4, 0.5);
+  EXPECT_NEAR(window.lower, 0.125, 1e-14);
+  EXPECT_NEAR(window.upper, 0.375, 1e-14);
+  window.narrow(10, 1, 2);
+  EXPECT_TRUE(window.empty());
+}
+
+}  // namespace
+}  // namespace soms::detail

@@ -1,0 +1,223 @@
+// The truth sets of motions: nothing in contact is free, nothing free is in contact, brackets hold.
+#include "soms/io/read_mesh.h"
+#include "soms/motion/first_contact.h"
+#include "soms/query/overlap.h"
+
+#include "tests/support/support.h"
+#include "tests/support/truth/truth.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace soms {
+namespace {
+
+constexpr std::array<Layout, 2> kMotionLayouts{Layout::wide, Layout::compact};
+
+/// A table by the names of its columns.
+class MotionTable {
+ public:
+  explicit MotionTable(const std::filesystem::path& file) : rows_(test::read_csv(file)) {
+    for (std::size_t k = 0; k < rows_.at(0).size(); ++k) {
+      column_[rows_[0][k]] = k;
+    }
+  }
+
+  [[nodiscard]] std::size_t size() const { return rows_.size() - 1; }
+
+  [[nodiscard]] const std::string& text(std::size_t row, const std::string& name) const {
+    static const std::string kNothing;
+    const auto& fields = rows_[row + 1];
+    const std::size_t at = column_.at(name);
+    return at < fields.size() ? fields[at] : kNothing;
+  }
+
+  [[nodiscard]] double number(std::size_t row, const std::string& name) const {
+    return std::strtod(text(row, name).c_str(), nullptr);
+  }
+
+  [[nodiscard]] Vec3 vector(std::size_t row, const std::string& name) const {
+    return {number(row, name + "x"), number(row, name + "y"), number(row, name + "z")};
+  }
+
+  [[nodiscard]] Pose pose(std::size_t row, const std::string& name) const {
+    Pose pose;
+    for (std::size_t k = 0; k < 12; ++k) {
+      pose.m[k] = number(row, name + std::to_string(k));
+    }
+    return pose;
+  }
+
+ private:
+  std::vector<std::vector<std::string>> rows_;
+  std::map<std::string, std::size_t> column_;
+};
+
+const Shape& motion_shape(const std::string& name, Layout layout) {
+  static std::map<std::pair<std::string, Layout>, Shape> shapes;
+  const auto known = shapes.find({name, layout});
+  if (known != shapes.end()) {
+    return known->second;
+  }
+  const auto file = test::data("motion/meshes/" + name + ".ply");
+  const Mesh mesh = std::filesystem::exists(file) ? read_mesh(file) : *test::truth_mesh(name);
+  return shapes.emplace(std::pair(name, layout), Shape(mesh, {.layout = layout})).first->second;
+}
+
+/// What a row says, in the time of the motion.
+struct MotionFact {
+  std::string answer;
+  double lower = 0;
+  double upper = 0;
+  double tolerance = 0;
+};
+
+double greatest_coordinate(const Vec3& v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+/// The greatest coordinate met, but for the size of the bodies: for tolerances.
+double size_of(const RigidMotion& motion, const Vec3& center) {
+  return 8 + std::max({greatest_coordinate(motion.start().shift()),
+                       greatest_coordinate(motion.end().shift()), greatest_coordinate(center)});
+}
+
+void expect_fact(const FirstContact& found, const MotionFact& fact) {
+  ASSERT_EQ(found.coverage, Coverage::complete);
+  if (fact.answer == "free") {
+    ASSERT_EQ(found.verdict, ContactVerdict::free);
+  } else if (fact.answer == "start") {
+    ASSERT_EQ(found.verdict, ContactVerdict::started);
+  } else {
+    ASSERT_EQ(found.verdict, ContactVerdict::contact);
+    ASSERT_LE(found.t.lower, fact.upper + fact.tolerance);
+    ASSERT_GE(found.t.upper, fact.lower - fact.tolerance);
+    ASSERT_LE(found.t.upper - found.t.lower, 100 * fact.tolerance + 1e-9);
+    ASSERT_TRUE(found.triangles);
+  }
+}
+
+/// Rows by the law of paths.
+void run_paths(const MotionTable& table) {
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    SCOPED_TRACE("row " + std::to_string(row) + ", " + table.text(row, "kind"));
+    const RigidMotion motion =
+        RigidMotion::between(table.pose(row, "a"), table.pose(row, "e"), table.vector(row, "c"));
+    const Vec3 by = table.vector(row, "b");
+    const double size = size_of(motion, motion.pivot());
+    const double speed = std::max(table.number(row, "speed"), 1e-9);
+    const MotionFact fact{table.text(row, "answer"), table.number(row, "t_lo"),
+                          table.number(row, "t_hi"), 1e-13 * size / speed};
+    for (const Layout layout : kMotionLayouts) {
+      const Shape& mover = motion_shape(table.text(row, "meshA"), layout);
+      const Body fixed(motion_shape(table.text(row, "meshB"), layout),
+                       Pose::translation(by.x, by.y, by.z));
+      const FirstContact found = first_contact(mover, motion, fixed);
+      ASSERT_NO_FATAL_FAILURE(expect_fact(found, fact));
+      if (found.verdict == ContactVerdict::contact) {
+        ASSERT_TRUE(overlap(Body(mover, motion.pose_at(found.t.upper)), fixed).any);
+      }
+    }
+  }
+}
+
+Shape single_triangle(const MotionTable& table, std::size_t row, const std::string& name,
+                      Layout layout) {
+  Mesh mesh;
+  for (const char* corner : {"0", "1", "2"}) {
+    mesh.vertices.push_back(table.vector(row, name + corner));
+  }
+  mesh.triangles = {{0, 1, 2}};
+  return Shape(mesh, {.layout = layout});
+}
+
+/// Rows of one triangle that shifts: exact times, so no tolerance, and neighboring doubles.
+void run_shifts(const MotionTable& table) {
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    SCOPED_TRACE("row " + std::to_string(row) + ", " + table.text(row, "kind"));
+    const bool contact = table.text(row, "contact") == "1";
+    const bool start = contact && table.text(row, "free_until").empty();
+    const MotionFact fact{start     ? "start"
+                          : contact ? "contact"
+                                    : "free",
+                          table.number(row, "free_until"), table.number(row, "touching_by")};
+    const RigidMotion motion = RigidMotion::along(Pose(), table.vector(row, "d"));
+    const Layout layout = kMotionLayouts[row % 2];
+    const FirstContact found = first_contact(single_triangle(table, row, "b", layout), motion,
+                                             Body(single_triangle(table, row, "a", layout)));
+    ASSERT_NO_FATAL_FAILURE(expect_fact(found, fact));
+    if (contact && !start) {
+      ASSERT_LE(found.t.upper, std::nextafter(found.t.lower, 2));
+    }
+  }
+}
+
+TEST(FirstContactTruth, PathsHereHold) {
+  const MotionTable table(test::data("motion/motion_path.csv"));
+  ASSERT_EQ(table.size(), 107U);
+  run_paths(table);
+}
+
+TEST(FirstContactTruth, ShiftsHereHold) {
+  const MotionTable table(test::data("motion/translation.csv"));
+  ASSERT_GT(table.size(), 600U);
+  run_shifts(table);
+}
+
+TEST(FirstContactTruth, AllPathsHold) {
+  SOMS_NEEDS_OUTSIDE_DATA("107 motions along paths");
+  run_paths(MotionTable(*test::outside_data("when/motion_path.csv")));
+}
+
+TEST(FirstContactTruth, AllShiftsHold) {
+  SOMS_NEEDS_OUTSIDE_DATA("16,000 shifts of a triangle");
+  const MotionTable table(*test::outside_data("ccd/translation.csv"));
+  ASSERT_EQ(table.size(), 16000U);
+  run_shifts(table);
+}
+
+/// The part of a turn by `angle` at constant speed that is done where the law has done `t`.
+double part_of_turn(double t, double angle) {
+  return std::atan2(t * std::sin(angle / 2), 1 - t + t * std::cos(angle / 2)) / (angle / 2);
+}
+
+// Rows that only turn have the same way by both laws, at other times.
+TEST(FirstContactTruth, TurnsHold) {
+  SOMS_NEEDS_OUTSIDE_DATA("turns of the truth set of motions");
+  const MotionTable table(*test::outside_data("questions/motion.csv"));
+  int turns = 0;
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    const double angle = table.number(row, "angle");
+    const Vec3 center = table.vector(row, "c");
+    if (table.vector(row, "s") != Vec3{} || std::abs(angle) > 3) {
+      continue;
+    }
+    SCOPED_TRACE("row " + std::to_string(row) + ", " + table.text(row, "kind"));
+    ++turns;
+    const Pose start = table.pose(row, "a");
+    const RigidMotion motion =
+        RigidMotion::between(start, table.pose(row, "e"), start.inverse().apply(center));
+    const double size = size_of(motion, center);
+    const double speed = std::max(table.number(row, "speed"), 1e-9);
+    const MotionFact fact{table.text(row, "answer"), table.number(row, "t_lo"),
+                          table.number(row, "t_hi"), 1e-13 * size / speed + 1e-15};
+    FirstContact found = first_contact(
+        motion_shape(table.text(row, "meshA"), Layout::wide), motion,
+        Body(motion_shape(table.text(row, "meshB"), Layout::wide), table.pose(row, "b")));
+    if (found.verdict == ContactVerdict::contact) {
+      found.t = {part_of_turn(found.t.lower, angle), part_of_turn(found.t.upper, angle)};
+    }
+    ASSERT_NO_FATAL_FAILURE(expect_fact(found, fact));
+  }
+  EXPECT_GT(turns, 50);
+}
+
+}  // namespace
+}  // namespace soms
