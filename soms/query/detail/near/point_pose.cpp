@@ -15,37 +15,37 @@ namespace soms::detail {
 namespace {
 
 /// Points are far from this many times the body's radius on.
-constexpr double kFar = 16;
+constexpr double kFarPoint = 16;
 
 // Constants of the proof in point_pose.h.
 
-constexpr double kRounding = 96;
+constexpr double kPointRounding = 96;
 constexpr double kOfResidual = 12;
 constexpr double kPoseUnderflow = 0x1p-1064;
 constexpr double kRowOfInverse = 1.74;
 static_assert(4.01 * kRowOfInverse + (4.01 + 1.01 + 3.01) * kRowOfInverse + 32 + 2 * 3.5 + 10 <
-              kRounding);
+              kPointRounding);
 static_assert(10.5 < kOfResidual);
 
-constexpr double kSkewShare = 2;
-constexpr double kResidualShare = 4;
-constexpr double kStretchRounding = 32 * kRoundingUnit;
-static_assert(1.53 < kSkewShare && 3.1 < kResidualShare);
-static_assert((1.53 * 4 + 3.1 * 3.01) * kRoundingUnit < kStretchRounding);
+constexpr double kPointSkewShare = 2;
+constexpr double kPointResidualShare = 4;
+constexpr double kPointStretchRounding = 32 * kRoundingUnit;
+static_assert(1.53 < kPointSkewShare && 3.1 < kPointResidualShare);
+static_assert((1.53 * 4 + 3.1 * 3.01) * kRoundingUnit < kPointStretchRounding);
 
 static_assert(1.74 + 3.01 * 1.74 + 4 + 3 < 64);  // kPointMargin, in units of 2^-24
 static_assert(3 + 3.02 < 16);                    // kPointError
 
 /// Where rounding outweighs the body this many times, every box is near.
-constexpr double kMostSlack = 0x1p40;
+constexpr double kMostPointSlack = 0x1p40;
 
 }  // namespace
 
 PointFrame::PointFrame(const Body& body)
     : body_{&body.shape, &body.pose},
       reference_(body_.layout(), body.pose),
-      stretch_(kSkewShare * skew(rotation(body.pose)) + kResidualShare * reference_.residual +
-               kStretchRounding),
+      stretch_(kPointSkewShare * skew(rotation(body.pose)) +
+               kPointResidualShare * reference_.residual + kPointStretchRounding),
       radius_(length(body_.layout().bounds().extent() * 0.5)) {
 }
 
@@ -61,9 +61,10 @@ PointPose::PointPose(const PointFrame& frame, const Vec3& point) : frame_(&frame
   const double extent = reference.extent + largest(point);
   const double slack =
       2 *
-      ((kRounding * kRoundingUnit + kOfResidual * reference.residual) * extent + kPoseUnderflow) *
+      ((kPointRounding * kRoundingUnit + kOfResidual * reference.residual) * extent +
+       kPoseUnderflow) *
       tree.scale();
-  if (slack <= kMostSlack) {
+  if (slack <= kMostPointSlack) {
     numbers_.scale = tree.scale();
     numbers_.slack = rounded_up(slack);
   } else {
@@ -71,7 +72,7 @@ PointPose::PointPose(const PointFrame& frame, const Vec3& point) : frame_(&frame
     numbers_.slack = 0x1p100F;
   }
   const double apart = length(way);
-  if (numbers_.scale != 0 && apart > kFar * frame.radius()) {
+  if (numbers_.scale != 0 && apart > kFarPoint * frame.radius()) {
     far_ = true;
     base_ = apart;
     slack_ = (kFarRounding * extent + kPoseUnderflow) * numbers_.scale + 0x1p-100;
