@@ -21,6 +21,12 @@ METHODS = {
                       "@property\n    def upper(self) -> float: ...",
                       "@property\n    def signed(self) -> float: ..."],
     "SignedClosestBatch": ["@property\n    def signed(self) -> NDArray[np.float64]: ..."],
+    "StepReport": ["@property\n    def touching_movers(self) -> NDArray[np.uint32]: ...", "def hash(self) -> int: ..."],
+}
+# Structures that are tuples in Python.
+TUPLES = {
+    "struct SceneBody": "tuple[SceneBodyKind, int]",
+    "struct ContactSide": "tuple[SceneBodyKind, int, int | None]",
 }
 # Answers about many bodies are for C++ and Python.
 OF_WEB = ["Cost", "Overlap", "OverlapBatch", "Distance", "Within", "Solid", "Contains", "Closest", "NearTriangles",
@@ -57,12 +63,12 @@ def python_single(kind):
         return python_single(rest) + " | None"
     if first == "list":
         return python_array(rest)
-    if kind == "struct SceneBody":
-        return "tuple[SceneBodyKind, int]"
+    if kind in TUPLES:
+        return TUPLES[kind]
     if first in ("enum", "struct"):
         return rest.split()[0]
     return {"bool": "bool", "double": "float", "uint32": "int", "uint64": "int", "pair": "tuple[int, int]",
-            "point": "NDArray[np.float64]"}[kind]
+            "point": "NDArray[np.float64]", "box": "NDArray[np.float64]"}[kind]
 
 
 def python_array(kind):

@@ -29,6 +29,10 @@ namespace soms::python {
   return array_of(value);
 }
 
+[[nodiscard]] inline py::object to_python(const Box& value) {
+  return array_of(value);
+}
+
 [[nodiscard]] inline py::object to_python(const TrianglePair& value) {
   return py::make_tuple(value.a, value.b);
 }
@@ -41,9 +45,15 @@ namespace soms::python {
 template <class T>
 inline constexpr bool kIsTuple = false;
 
+/// How Python has a structure that is neither a class nor such a tuple: `make(value)` says it.
+template <class T>
+struct OwnForm;
+
 template <class T>
 [[nodiscard]] py::object to_python(const T& value) {
-  if constexpr (std::is_enum_v<T>) {
+  if constexpr (requires { OwnForm<T>::make(value); }) {
+    return OwnForm<T>::make(value);
+  } else if constexpr (std::is_enum_v<T>) {
     return member(value);
   } else if constexpr (detail::kIs<T, std::optional>) {
     return value ? to_python(*value) : py::none();

@@ -41,8 +41,11 @@ template <class T>
     return list + "integers of " + std::string(kWords<T>.type);
   } else if constexpr (Described<T>) {
     std::string names;
-    for_each_field<T>(
-        [&](const auto& field) { names += (names.empty() ? "" : ", ") + std::string(field.name); });
+    for_each_field<T>([&](const auto& field) {
+      using Value = typename std::remove_cvref_t<decltype(field)>::Type;
+      names += (names.empty() ? "" : ", ") +
+               std::string(std::is_same_v<Value, Bracket> ? "lower, upper" : field.name);
+    });
     return list + "with fields " + names;
   } else {
     // One of many fields: a number each, as what is missing has no type of its own.

@@ -23,6 +23,7 @@
 
 #include "soms/base/box.h"
 #include "soms/base/vector.h"
+#include "soms/describe/fields.h"
 #include "soms/geometry/mesh.h"
 #include "soms/query/answer.h"
 #include "soms/scene/scene_query.h"
@@ -33,6 +34,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 namespace soms {
@@ -47,6 +49,15 @@ struct ContactSide {
   std::uint32_t part = Part::kNoParent;
 
   [[nodiscard]] auto operator<=>(const ContactSide&) const = default;
+};
+
+template <>
+struct Fields<ContactSide> {
+  static constexpr const char* kName = "ContactSide";
+  static constexpr const char* kMeaning = "One side of a contact.";
+  static constexpr auto kList =
+      std::tuple(field("body", &ContactSide::body, "The body."),
+                 field("part", &ContactSide::part, "The part of its mesh, if it is divided."));
 };
 
 /// Two bodies touch in each step from `begin` to `end` that compared them.
@@ -66,6 +77,26 @@ struct ContactSpan {
   bool lasts = true;  ///< they touch in the last step that compared them
 
   [[nodiscard]] bool operator==(const ContactSpan&) const = default;
+};
+
+template <>
+struct Fields<ContactSpan> {
+  static constexpr const char* kName = "ContactSpan";
+  static constexpr const char* kMeaning = "Two bodies touch from step to step.";
+  static constexpr auto kList = std::tuple(
+      field("a", &ContactSpan::a,
+            "(kind, number, part) of a mover; part None where bodies are not divided."),
+      field("b", &ContactSpan::b, "(kind, number, part) of the other body."),
+      field("begin", &ContactSpan::begin, "The first step."),
+      field("end", &ContactSpan::end, "The last step in which they touch."),
+      field("steps", &ContactSpan::steps, "How many steps."),
+      field("most_pairs", &ContactSpan::most_pairs, "Pairs of triangles, in the step with most."),
+      field("most_step", &ContactSpan::most_step, "The first such step."),
+      field("pair", &ContactSpan::pair, "(triangle of a, triangle of b) that share place."),
+      field("place", &ContactSpan::place, "(3,): a point that the two share then, for drawing."),
+      field("box", &ContactSpan::box,
+            "(2, 3): least and greatest corner of a box around all that the two share then."),
+      field("lasts", &ContactSpan::lasts, "They touch in the last step that compared them."));
 };
 
 /// What spans are to know of the bodies that a step compared.

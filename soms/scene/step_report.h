@@ -161,4 +161,29 @@ struct StepReport {
   [[nodiscard]] std::uint64_t hash() const;
 };
 
+template <>
+struct Fields<StepReport> {
+  static constexpr const char* kName = "StepReport";
+  static constexpr const char* kMeaning =
+      "What a step of a scene found: sorted arrays with named fields.";
+  static constexpr auto kList = std::tuple(
+      list("environment", &StepReport::environment, "n", "Movers that touch the environment."),
+      list("movers", &StepReport::movers, "n", "Movers that touch each other, a < b."),
+      field("coverage", &StepReport::coverage, "How much of the question is decided."),
+      field("cost", &StepReport::cost, "Work done."),
+      field("queries", &StepReport::queries, "Pairs of bodies that were compared."),
+      field("box_pairs", &StepReport::box_pairs, "Pairs of bodies whose boxes meet."),
+      field("scope", &StepReport::scope, "What was requested."),
+      field("mover_mover", &StepReport::mover_mover, "Movers were compared with each other."),
+      field("shapes_set", &StepReport::shapes_set,
+            "Shapes that were set in the scene before this step, in all."),
+      field("clearance", &StepReport::clearance, "That was requested."),
+      list("environment_gaps", &StepReport::environment_gaps, "n",
+           "Movers within the clearance of the environment."),
+      list("mover_gaps", &StepReport::mover_gaps, "n",
+           "Movers within the clearance of each other, a < b."),
+      field("gap_queries", &StepReport::gap_queries,
+            "Pairs of bodies whose distance was computed; not in queries."));
+};
+
 }  // namespace soms

@@ -5,6 +5,7 @@
 #include "soms/kinematics/print.h"
 #include "soms/query/print.h"
 #include "soms/robot/print.h"
+#include "soms/scene/contact_spans.h"
 #include "soms/scene/print.h"
 #include "soms/tree/print.h"
 
@@ -40,6 +41,8 @@ std::string type_text() {
     return "bracket";
   } else if constexpr (std::is_same_v<T, Vec3>) {
     return "point";
+  } else if constexpr (std::is_same_v<T, Box>) {
+    return "box";
   } else if constexpr (std::is_same_v<T, TrianglePair>) {
     return "pair";
   } else if constexpr (Worded<T>) {
@@ -137,15 +140,15 @@ struct List {
   static void add_words_of(Lines& lines) { (::add_words_of<T>(lines), ...); }
 };
 
-using Answers =
-    List<Cost, Overlap, OverlapBatch, Distance, Within, Solid, Contains, ContainsParts,
-         ContainsPartsBatch, Closest, SignedClosest, NearTriangles, Winding, ClosestHit, AnyHit,
-         AllHits, BodyClosest, BodyHit, BodyAllHits, SceneClosest, SceneHit, SceneAllHits>;
+using Answers = List<Cost, Overlap, OverlapBatch, Distance, Within, Solid, Contains, ContainsParts,
+                     ContainsPartsBatch, Closest, SignedClosest, NearTriangles, Winding, ClosestHit,
+                     AnyHit, AllHits, BodyClosest, BodyHit, BodyAllHits, SceneClosest, SceneHit,
+                     SceneAllHits, StepReport, ContactSpan>;
 using Options = List<ClosestOptions, DistanceOptions, OverlapOptions, RayOptions, WindingOptions>;
 /// Enumerations that no answer and no options name.
 using Others =
     List<ClashKind, ContactChange, JointType, Layout, MeshFormat, Partition, RecordedMesh::Origin,
-         RecordingEnding, RobotVerdict, Rotation, Rule, StepScope, TreeCheck, UpAxis>;
+         RecordingEnding, RobotVerdict, Rotation, Rule, TreeCheck, UpAxis>;
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 #include "soms/scene/contact_tracker.h"
 #include "soms/scene/print.h"
 
+#include "python/src/described.h"
 #include "python/src/scene/scene.h"
 #include "python/src/scene/scene_columns.h"
 
@@ -13,6 +14,15 @@
 #include <optional>
 
 namespace soms::python {
+
+/// (kind, number, part), the part None where there is none.
+template <>
+struct OwnForm<ContactSide> {
+  static py::object make(const ContactSide& side) {
+    const auto part = side.part == Part::kNoParent ? std::optional<std::uint32_t>() : side.part;
+    return py::make_tuple(member(side.body.kind), side.body.id, part);
+  }
+};
 
 namespace {
 
@@ -52,30 +62,8 @@ class PartsOfScene {
   std::map<const MeshView*, PartsOf> parts_;
 };
 
-py::tuple side_of(const ContactSide& side) {
-  const auto part = side.part == Part::kNoParent ? std::optional<std::uint32_t>() : side.part;
-  return py::make_tuple(member(side.body.kind), side.body.id, part);
-}
-
 void bind_spans(py::module_& module) {
-  AnswerClass<ContactSpan> span(module, "ContactSpan", "Two bodies touch from step to step.");
-  span.derived(
-          "a", [](const ContactSpan& s) { return side_of(s.a); },
-          "(kind, number, part) of a mover; part None where bodies are not divided.")
-      .derived(
-          "b", [](const ContactSpan& s) { return side_of(s.b); },
-          "(kind, number, part) of the other body.")
-      .field("begin", &ContactSpan::begin, "The first step.")
-      .field("end", &ContactSpan::end, "The last step in which they touch.")
-      .field("steps", &ContactSpan::steps, "How many steps.")
-      .field("most_pairs", &ContactSpan::most_pairs, "Pairs of triangles, in the step with most.")
-      .field("most_step", &ContactSpan::most_step, "The first such step.")
-      .field("pair", &ContactSpan::pair, "(triangle of a, triangle of b) that share place.")
-      .derived(
-          "box", [](const ContactSpan& s) { return array_of(s.box); },
-          "(2, 3): least and greatest corner of a box around all that the two share then.")
-      .field("place", &ContactSpan::place, "(3,): a point that the two share then, for drawing.")
-      .field("lasts", &ContactSpan::lasts, "They touch in the last step that compared them.");
+  bind_answer<ContactSpan>(module);
   py::class_<ContactSpans> spans(module, "ContactSpans", R"(ContactSpans()
 
 Gathers the contacts of steps: one record for each pair of bodies and stretch of time.)");
