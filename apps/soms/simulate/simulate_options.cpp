@@ -46,7 +46,7 @@ std::vector<std::string> words_of_trees(const Parser& parser) {
 }  // namespace
 
 std::vector<OutputKind> simulate_files(SimulateOptions& options) {
-  return {{{".csv"}, &options.events, ".csv (who touches what, from when to when)", "--events"},
+  return {{{".csv"}, &options.events, ".csv (who touches what, when)", "--events"},
           {{".svg"}, &options.map, ".svg (a map)", "--map"},
           {{".html", ".htm"}, &options.report, ".html (a page)", "--report"},
           {{".png"}, &options.picture, ".png (a frame)", "--picture"},
