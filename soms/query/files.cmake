@@ -49,6 +49,7 @@ set(SOMS_SOURCES
   detail/motion/contact_normal.cpp
   detail/motion/contact_traversal.cpp
   detail/motion/exact_sweep.cpp
+  detail/motion/leaf_against_box.cpp
   detail/motion/motion_bounds.cpp
   detail/motion/motion_interval.cpp
   detail/motion/pair_advance.cpp
