@@ -128,8 +128,8 @@ void run_paths(const MotionTable& table) {
   }
 }
 
-Shape lone_triangle(const MotionTable& table, std::size_t row, const std::string& name,
-                    Layout layout) {
+Shape single_triangle(const MotionTable& table, std::size_t row, const std::string& name,
+                      Layout layout) {
   Mesh mesh;
   for (const char* corner : {"0", "1", "2"}) {
     mesh.vertices.push_back(table.vector(row, name + corner));
@@ -150,8 +150,8 @@ void run_shifts(const MotionTable& table) {
                           table.number(row, "free_until"), table.number(row, "touching_by")};
     const RigidMotion motion = RigidMotion::along(Pose(), table.vector(row, "d"));
     const Layout layout = kMotionLayouts[row % 2];
-    const FirstContact found = first_contact(lone_triangle(table, row, "b", layout), motion,
-                                             Body(lone_triangle(table, row, "a", layout)));
+    const FirstContact found = first_contact(single_triangle(table, row, "b", layout), motion,
+                                             Body(single_triangle(table, row, "a", layout)));
     ASSERT_NO_FATAL_FAILURE(expect_fact(found, fact));
     if (contact && !start) {
       ASSERT_LE(found.t.upper, std::nextafter(found.t.lower, 2));
