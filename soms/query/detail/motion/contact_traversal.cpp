@@ -145,6 +145,14 @@ void ContactTraversal<Source>::open(const Task& from) {
   if (halve(task, whole_x, 0, whole_y, 0)) {
     return;
   }
+  if (is_lane(task.y) && half_of(node_y, lane_of(task.y)) / tree_y.scale() > size_x) {
+    task.key = std::max(task.key, free_of_box(node_y.child[lane_of(task.y)], whole_x, interval));
+  } else if (is_lane(task.x) && half_of(node_x, lane_of(task.x)) / tree_x.scale() > size_y) {
+    task.key = std::max(task.key, free_of_box(whole_y, node_x.child[lane_of(task.x)], interval));
+  }
+  if (task.key > interval.to || task.key > goal_.limit()) {
+    return;
+  }
   const SweptBoxes x = only_y ? whole_x : swept_boxes(tree_x, node_x, bounds_, interval, false);
   const SweptBoxes y = only_x ? whole_y : resting_boxes(tree_y, node_y, fixed_.pose, false);
   LaneWindows windows;
