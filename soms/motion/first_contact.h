@@ -3,17 +3,15 @@
 /// samples of it.
 ///
 /// \code
-/// const soms::Body wall(soms::Body{soms::generate_sphere(320)}.shape,
-///                       soms::Pose::translation(0, 0, 5));
 /// const soms::Shape ball(soms::generate_sphere(320));  // of radius 1, about the origin
+/// const soms::Body other(ball, soms::Pose::translation(0, 0, 5));
 /// const soms::FirstContact answer = soms::first_contact(
-///     ball, soms::RigidMotion::along(soms::Pose::identity(), {0, 0, 6}), wall);
-/// std::cout << answer.verdict << " halfway: " << std::boolalpha
-///           << (std::abs(answer.t.upper - 0.5) < 1e-9) << '\n';
+///     ball, soms::RigidMotion::along(soms::Pose::identity(), {0, 0, 6}), other);
+/// std::cout << answer.verdict << " at " << answer.t.upper << " of the way\n";
 /// \endcode
 /// It prints:
 /// \verbatim
-/// contact halfway: true
+/// contact at 0.5 of the way
 /// \endverbatim
 #pragma once
 
@@ -65,19 +63,22 @@ struct Fields<FirstContactOptions> {
 /// Answer of `first_contact`. Times are parts of the way, from 0 to 1.
 struct FirstContact {
   ContactVerdict verdict = ContactVerdict::free;
-  /// Holds the time of the first contact. Up to `lower` there is none, neither of the body where
-  /// the law of the motion puts it in real numbers, nor at the pose that `pose_at` gives. At
-  /// `upper` the body at `pose_at(upper)` is in contact, as `within` decides it; infinity where
-  /// none is proved. [1, infinity] where all is free, [0, 0] where the motion starts in contact.
+  /// Holds the time of the first contact. Before `lower` there is none, neither of the body where
+  /// the law of the motion puts it in real numbers, nor at poses of `pose_at`. At `upper` the body
+  /// at `pose_at(upper)` is in contact, as `within` decides it; infinity where none is proved.
+  /// [1, infinity] where all is free, [0, 0] where the motion starts in contact.
+  ///
+  /// For straight motions without a clearance the law alone counts, and these are the doubles next
+  /// to the exact time.
   Bracket t = {};
-  /// A pair of triangles, of the mover and of the fixed body, that is in contact at `t.upper`;
-  /// where none is proved the pair next to one at `t.lower`; nothing where all is free.
+  /// A triangle of the mover and one of the fixed body that are in contact at `t.upper`. Where no
+  /// contact is proved, those that are next to one at `t.lower`. Nothing where all is free.
   std::optional<TrianglePair> triangles = std::nullopt;
-  /// In world: a common point of the pair at `t.upper` or, where there is none, the point of the
-  /// fixed triangle next to the other at that time, or else at `t.lower`.
+  /// In world: a common point of the pair at `t.upper`. Where there is none, it is the point of the
+  /// fixed triangle that is next to the other.
   Vec3 point = {};
-  /// Of length 1, from the fixed body to the mover, at `point`. Only where a corner meets a face,
-  /// or an edge an edge, inside of both: elsewhere a contact has no one normal. Nothing with a
+  /// From the fixed body to the mover at `point`, of length 1. Only where a corner meets a face, or
+  /// an edge an edge, inside of both: elsewhere a contact has no one normal. Nothing with a
   /// clearance, and at the start.
   std::optional<Vec3> normal = std::nullopt;
   Coverage coverage = Coverage::complete;
@@ -102,15 +103,18 @@ struct Fields<FirstContact> {
 
 /// The first contact of `mover` on its way with `fixed`, which rests. Surfaces only, as `overlap`.
 ///
-/// `free` is never wrong: it holds at every time, for the body in real numbers and at every pose
-/// of `pose_at`. `contact` is never wrong: the body at `pose_at(t.upper)` is in contact by the
-/// library's exact decision. Poses at both ends that are rotations to 1e-6 only are decided as
-/// they are. `grazing` is what remains. The two are then nearer than some 2^-44 of the largest
-/// coordinate, beyond `within`, from `t.lower` on, and no time was found with a contact.
+/// A straight motion (RigidMotion::along) without a clearance is decided exactly. Vertices are
+/// where the pose of the start moves them, and shifted from there in real numbers. The time is a
+/// quotient of whole numbers, the pair the least (i, j) of all that touch first. `pose_at` rounds
+/// shifts, so next to a contact `overlap` may say otherwise there.
 ///
-/// The bracket is as wide as that gap takes to close: about 2^-43 of the size over the speed. The
-/// pair named is the least of those with the earliest proof, not always the first one to touch
-/// where several do so within the bracket.
+/// For all others, `free` holds at every time, for the body in real numbers and at every pose of
+/// `pose_at`. `contact` says that the body at `pose_at(t.upper)` is in contact by the library's
+/// exact decision. Poses at both ends that are rotations to 1e-6 only are decided as they are.
+/// `grazing` is what remains: nearer than some 2^-44 of the largest coordinate, beyond `within`, at
+/// `t.lower`, and no time was found with a contact. The bracket is as wide as that gap takes to
+/// close. The pair named is the least of those with the earliest proof, not always the first one to
+/// touch where several do so within the bracket.
 ///
 /// \errors  ErrorKind::not_rigid, not_finite, out_of_range for a pose, or where the body may come
 ///          beyond 2^300 on its way; usage as `check(FirstContactOptions)`; cancelled.

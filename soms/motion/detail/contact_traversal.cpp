@@ -1,5 +1,6 @@
 #include "soms/motion/detail/contact_traversal.h"
 
+#include "soms/motion/detail/leaf_against_box.h"
 #include "soms/motion/detail/pair_advance.h"
 #include "soms/query/detail/engine/node_id.h"
 #include "soms/query/detail/moved_triangle.h"
@@ -24,6 +25,11 @@ constexpr double kBowShare = 0.1;
 /// Nor is one that is next to the rounding, nor is a stretch of the way halved that is this short.
 constexpr double kBowMargins = 8;
 constexpr double kShortest = 0x1p-20;
+
+/// Half the longest side of a lane's box, in units of the layout.
+double half_of(const WideNode& node, std::uint32_t lane) {
+  return std::max({node.half[0][lane], node.half[1][lane], node.half[2][lane]});
+}
 
 /// Lanes of a node that a task means: all, or that of a leaf.
 bool means_lane(std::uint32_t id, std::size_t lane) {
@@ -121,7 +127,8 @@ bool ContactTraversal<Source>::halve(const Task& task, const SweptBoxes& x, std:
 }
 
 template <class Source>
-void ContactTraversal<Source>::open(const Task& task) {
+void ContactTraversal<Source>::open(const Task& from) {
+  Task task = from;
   // Copies: sources may give up what they gave before.
   const WideNode node_x = x_.node(index_of(task.x));
   const WideNode node_y = y_.node(index_of(task.y));
@@ -136,6 +143,14 @@ void ContactTraversal<Source>::open(const Task& task) {
   const SweptBoxes whole_x = swept_boxes(tree_x, node_x, bounds_, interval, true);
   const SweptBoxes whole_y = resting_boxes(tree_y, node_y, fixed_.pose, true);
   if (halve(task, whole_x, 0, whole_y, 0)) {
+    return;
+  }
+  if (is_lane(task.y) && half_of(node_y, lane_of(task.y)) / tree_y.scale() > size_x) {
+    task.key = std::max(task.key, free_of_box(node_y.child[lane_of(task.y)], whole_x, interval));
+  } else if (is_lane(task.x) && half_of(node_x, lane_of(task.x)) / tree_x.scale() > size_y) {
+    task.key = std::max(task.key, free_of_box(whole_y, node_x.child[lane_of(task.x)], interval));
+  }
+  if (task.key > interval.to || task.key > goal_.limit()) {
     return;
   }
   const SweptBoxes x = only_y ? whole_x : swept_boxes(tree_x, node_x, bounds_, interval, false);
@@ -185,7 +200,8 @@ void ContactTraversal<Source>::look_at_leaves(const Task& task, Limit& limit) {
     for (bool more_y = true; more_y; token_y = y_.next(token_y)) {
       const TriangleBlock block_y = y_.block(token_y);
       more_y = block_y.following != 0;
-      look_at_blocks(block_x, block_y, interval, task.key);
+      look_at_blocks(block_x, block_y,
+                     {interval, boxes_x, lane_of(task.x), boxes_y, lane_of(task.y), task.key});
       if (limit.spend(256)) {
         return;
       }
@@ -195,23 +211,40 @@ void ContactTraversal<Source>::look_at_leaves(const Task& task, Limit& limit) {
 
 template <class Source>
 void ContactTraversal<Source>::look_at_blocks(const TriangleBlock& x, const TriangleBlock& y,
-                                              const MotionInterval& interval, double key) {
+                                              const LeafPair& leaves) {
+  const double margin = bounds_.box_margin();
   swept_.clear();
+  swept_ids_.clear();
   meetings_.clear();
-  for (std::uint32_t i = 0; i < x.count; ++i) {
-    swept_.push_back(swept_triangle(mover_.mesh().triangle(x.id[i]), bounds_, interval));
+  cost_.node_tests += x.count + y.count;
+  for (std::size_t i = 0; i < x.count; ++i) {
+    const SweptTriangle moving =
+        swept_triangle(mover_.mesh().triangle(x.id[i]), bounds_, leaves.interval);
+    if (!window_of(moving, leaves.y, leaves.lane_y, margin).empty()) {
+      swept_.push_back(moving);
+      swept_ids_.push_back(x.id[i]);
+    }
   }
-  for (std::size_t j = 0; j < y.count; ++j) {
+  for (std::size_t j = 0; j < y.count && !swept_.empty(); ++j) {
     const Corners resting = corners_of(moved_triangle(fixed_, y.id[j]));
-    for (std::uint32_t i = 0; i < x.count; ++i) {
-      const TimeWindow window = window_of(swept_[i], resting, bounds_.box_margin());
+    if (window_of(leaves.x, leaves.lane_x, resting, margin).empty()) {
+      continue;
+    }
+    for (std::uint32_t i = 0; i < swept_.size(); ++i) {
+      const TimeWindow window = window_of(swept_[i], resting, margin);
       ++cost_.triangle_tests;
-      const double from = std::max(key, interval.begin_of(window));
+      const double from = std::max(leaves.key, leaves.interval.begin_of(window));
       if (!window.empty() && from <= goal_.limit()) {
-        meetings_.push_back({from, std::max(from, interval.end_of(window)), i, x.id[i], y.id[j]});
+        meetings_.push_back(
+            {from, std::max(from, leaves.interval.end_of(window)), i, swept_ids_[i], y.id[j]});
       }
     }
   }
+  advance_meetings();
+}
+
+template <class Source>
+void ContactTraversal<Source>::advance_meetings() {
   std::sort(meetings_.begin(), meetings_.end(), [](const Meeting& a, const Meeting& b) {
     return a.from != b.from ? a.from < b.from
                             : std::pair(a.id_x, a.id_y) < std::pair(b.id_x, b.id_y);
@@ -221,6 +254,43 @@ void ContactTraversal<Source>::look_at_blocks(const TriangleBlock& x, const Tria
       PairAdvance(bounds_, {meeting.id_x, meeting.id_y}, swept_[meeting.x].body,
                   moved_triangle(fixed_, meeting.id_y), goal_, cost_)
           .run(meeting.from, meeting.until);
+    }
+  }
+}
+
+template <class Source>
+double ContactTraversal<Source>::free_of_box(std::uint32_t token, const SweptBoxes& x,
+                                             const MotionInterval& interval) {
+  double first = kNever;
+  for (;; token = y_.next(token)) {
+    const TriangleBlock& block = y_.block(token);
+    cost_.node_tests += block.count;
+    for (std::size_t j = 0; j < block.count; ++j) {
+      const Corners resting = corners_of(moved_triangle(fixed_, block.id[j]));
+      const TimeWindow window = window_of(x, 0, resting, bounds_.box_margin());
+      first = window.empty() ? first : std::min(first, interval.begin_of(window));
+    }
+    if (block.following == 0) {
+      return first;
+    }
+  }
+}
+
+template <class Source>
+double ContactTraversal<Source>::free_of_box(const SweptBoxes& y, std::uint32_t token,
+                                             const MotionInterval& interval) {
+  double first = kNever;
+  for (;; token = x_.next(token)) {
+    const TriangleBlock& block = x_.block(token);
+    cost_.node_tests += block.count;
+    for (std::size_t i = 0; i < block.count; ++i) {
+      const SweptTriangle moving =
+          swept_triangle(mover_.mesh().triangle(block.id[i]), bounds_, interval);
+      const TimeWindow window = window_of(moving, y, 0, bounds_.box_margin());
+      first = window.empty() ? first : std::min(first, interval.begin_of(window));
+    }
+    if (block.following == 0) {
+      return first;
     }
   }
 }

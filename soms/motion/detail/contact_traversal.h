@@ -60,6 +60,16 @@ class ContactTraversal {
     TriangleId id_y;
   };
 
+  /// Two leaves over a stretch of the way.
+  struct LeafPair {
+    const MotionInterval& interval;
+    const SweptBoxes& x;
+    std::size_t lane_x;
+    const SweptBoxes& y;
+    std::size_t lane_y;
+    double key;
+  };
+
   void push(const Task& task);
   void step(const Task& task, Limit& limit);
 
@@ -68,8 +78,14 @@ class ContactTraversal {
                            const SweptBoxes& y, std::size_t lane_y);
   void open(const Task& task);
   void look_at_leaves(const Task& task, Limit& limit);
-  void look_at_blocks(const TriangleBlock& x, const TriangleBlock& y,
-                      const MotionInterval& interval, double key);
+  void look_at_blocks(const TriangleBlock& x, const TriangleBlock& y, const LeafPair& leaves);
+  void advance_meetings();
+
+  /// The time before which a leaf is free of a box beside it; infinity if it always is.
+  [[nodiscard]] double free_of_box(std::uint32_t token, const SweptBoxes& x,
+                                   const MotionInterval& interval);
+  [[nodiscard]] double free_of_box(const SweptBoxes& y, std::uint32_t token,
+                                   const MotionInterval& interval);
   [[nodiscard]] std::uint32_t halves_of(std::uint32_t interval);
 
   const MotionBounds& bounds_;
@@ -81,6 +97,7 @@ class ContactTraversal {
   std::vector<MotionInterval> intervals_;
   std::vector<Task> heap_;
   std::vector<SweptTriangle> swept_;
+  std::vector<TriangleId> swept_ids_;
   std::vector<Meeting> meetings_;
   Cost cost_;
   double unfinished_;

@@ -22,7 +22,6 @@ using detail::Dyadic;
 using detail::DyadicVec;
 using soms::detail::Corners;
 using soms::detail::corners_of;
-using soms::detail::kInfinity;
 
 /// Times are halved as often as this, and as many stretches of one pair are looked at.
 constexpr int kDepth = 44;
@@ -214,7 +213,7 @@ class ContactScan {
 
   [[nodiscard]] FirstContact scan(const Limits& limits) {
     FirstContact answer;
-    answer.t = {1, kInfinity};
+    answer.t = {1, soms::detail::kInfinity};
     if (started(answer)) {
       return answer;
     }
@@ -232,7 +231,7 @@ class ContactScan {
     }
     if (answer.triangles) {
       answer.verdict = ContactVerdict::grazing;
-      answer.t = {until, kInfinity};
+      answer.t = {until, soms::detail::kInfinity};
       find_contact(answer);
     }
     return answer;

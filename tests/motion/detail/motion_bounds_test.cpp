@@ -1,6 +1,7 @@
 // What the proof of motion_bounds.h claims, on motions of all kinds: chords, curvature, windows.
 #include "soms/motion/detail/motion_bounds.h"
 
+#include "soms/motion/detail/leaf_against_box.h"
 #include "soms/motion/detail/motion_interval.h"
 #include "soms/motion/detail/swept_boxes.h"
 #include "soms/motion/detail/swept_triangle.h"
@@ -214,6 +215,47 @@ TEST(MotionBounds, WindowsOfTrianglesHoldTheTimeOfAMeeting) {
         window_of(swept_triangle(t, c.bounds, interval), resting, c.bounds.box_margin());
     ASSERT_LE(window.lower, s);
     ASSERT_GE(window.upper, s);
+  });
+}
+
+/// The box of a point, along any axes.
+SweptBoxes box_of_point(Rng& rng, const Vec3& point) {
+  SweptBoxes box;
+  box.count = 1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.axis[k] = Vec3{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)};
+    box.direction[k] = direction_of(box.axis[k]);
+  }
+  box.half[0] = {0, 0, 0};
+  box.center[0] = point;
+  box.change[0] = {};
+  box.give[0] = 0;
+  return box;
+}
+
+// A triangle of a leaf touches the corner of a box of no size: both ways around.
+TEST(MotionBounds, WindowsOfLeavesHoldTheTimeOfAMeetingWithABox) {
+  test::for_each_case("motion-bounds/leaves", 1000, [](Rng& rng) {
+    const MotionCase c = any_motion_case(rng);
+    const MotionInterval interval(c.bounds, 0.5, 0.5 + 0x1p-6);
+    const double s = rng.uniform(-1, 1);
+    const Pose pose = c.motion.law_at(interval.middle + s * interval.half);
+    const Triangle t = c.mover.mesh().triangle(static_cast<TriangleId>(rng.below(12)));
+    const double share = rng.unit();
+    const Vec3 touch = pose.apply(t.b * (1 - share) + t.c * share);
+    const TimeWindow triangle = window_of(swept_triangle(t, c.bounds, interval),
+                                          box_of_point(rng, touch), 0, c.bounds.box_margin());
+    ASSERT_LE(triangle.lower, s);
+    ASSERT_GE(triangle.upper, s);
+    SweptBoxes box = box_of_point(rng, mapped(interval.mean, t.a));
+    box.change[0] = mapped(interval.change, t.a);
+    box.give[0] = interval.bend * c.bounds.arm(t.a);
+    const Vec3 corner = pose.apply(t.a);
+    const Vec3 n{rng.uniform(-9, 9), rng.uniform(-9, 9), rng.uniform(-9, 9)};
+    const TimeWindow other = window_of(box, 0, {corner, corner + n, corner + cross(n, {3, 2, 1})},
+                                       c.bounds.box_margin());
+    ASSERT_LE(other.lower, s);
+    ASSERT_GE(other.upper, s);
   });
 }
 
