@@ -12,7 +12,7 @@ namespace {
 /// Part of the pen's width in the height of digits.
 constexpr double kPenOfHeight = 0.13;
 /// Radius of a halo in that of its mark.
-constexpr double kHaloOfMark = 1.5;
+constexpr double kHaloOfMark = 1.4;
 
 void blend(Picture& picture, int x, int y, Color color, double cover) {
   picture.put(x, y, mixed(picture.at(x, y), color, cover * color.a / 255));

@@ -175,16 +175,12 @@ std::string table_of(const World& world, const Outcome& outcome, const SimulateO
   }
   for (const auto& [name, path] :
        {Figure("map", options.map), Figure("report", options.report),
-        Figure("events", options.events), Figure("contacts in", options.contacts)}) {
+        Figure("events", options.events), Figure("contacts in", options.contacts),
+        Figure("answer", options.answer), Figure("recording", options.record),
+        Figure("picture", options.picture)}) {
     if (!path.empty()) {
       text += row(name, path);
     }
-  }
-  if (!options.record.empty()) {
-    text += row("recording", options.record);
-  }
-  if (!options.picture.empty()) {
-    text += row("picture", options.picture);
   }
   return text;
 }
