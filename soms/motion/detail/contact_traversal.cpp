@@ -230,8 +230,9 @@ void ContactTraversal<Source>::look_at_blocks(const TriangleBlock& x, const Tria
     if (window_of(leaves.x, leaves.lane_x, resting, margin).empty()) {
       continue;
     }
+    const TriangleSides sides = sides_of(resting);
     for (std::uint32_t i = 0; i < swept_.size(); ++i) {
-      const TimeWindow window = window_of(swept_[i], resting, margin);
+      const TimeWindow window = window_of(swept_[i], resting, sides, margin);
       ++cost_.triangle_tests;
       const double from = std::max(leaves.key, leaves.interval.begin_of(window));
       if (!window.empty() && from <= goal_.limit()) {

@@ -29,10 +29,6 @@ void narrow_along(const Seen& x, const Seen& y, double change, double reach, Tim
   window.narrow(y.middle - x.middle, change, x.radius + y.radius + reach);
 }
 
-Vec3 plane_normal(const Corners& c) {
-  return direction_of(cross(direction_of(c[1] - c[0]), direction_of(c[2] - c[0])));
-}
-
 }  // namespace
 
 TimeWindow window_of(const SweptBoxes& x, std::size_t lane, const Corners& y, double margin) {
@@ -42,7 +38,7 @@ TimeWindow window_of(const SweptBoxes& x, std::size_t lane, const Corners& y, do
                  window);
     return !window.empty();
   };
-  if (look_along(plane_normal(y))) {
+  if (look_along(sides_of(y).normal)) {
     static_cast<void>(look_along(x.direction[0]) && look_along(x.direction[1]) &&
                       look_along(x.direction[2]));
   }
@@ -55,7 +51,7 @@ TimeWindow window_of(const SweptTriangle& x, const SweptBoxes& y, std::size_t la
     narrow_along(Seen(n, x.corners), Seen(n, y, lane), dot(n, x.change), x.give + margin, window);
     return !window.empty();
   };
-  if (look_along(plane_normal(x.corners))) {
+  if (look_along(x.sides.normal)) {
     static_cast<void>(look_along(y.direction[0]) && look_along(y.direction[1]) &&
                       look_along(y.direction[2]));
   }

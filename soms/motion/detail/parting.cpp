@@ -1,7 +1,6 @@
 #include "soms/motion/detail/parting.h"
 
 #include "soms/geometry/detail/nearest_guess.h"
-#include "soms/motion/detail/motion_interval.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -13,14 +12,6 @@ namespace {
 /// Edges whose directions have a product shorter than this are taken for parallel.
 constexpr double kParallel = 0x1p-24;
 
-Vec3 edge_direction(const Corners& c, std::size_t i) {
-  return direction_of(c[(i + 1) % 3] - c[i]);
-}
-
-Vec3 normal_of(const Corners& c) {
-  return direction_of(cross(direction_of(c[1] - c[0]), direction_of(c[2] - c[0])));
-}
-
 /// The direction of an edge that a feature is.
 Vec3 direction_of_edge(const Corners& c, Feature edge) {
   return direction_of(c[last_corner(edge)] - c[first_corner(edge)]);
@@ -29,10 +20,10 @@ Vec3 direction_of_edge(const Corners& c, Feature edge) {
 /// The direction of a shortest segment between these features.
 Vec3 direction_between(const Corners& x, Feature f, const Corners& y, Feature g) {
   if (f == kFace) {
-    return normal_of(x);
+    return sides_of(x).normal;
   }
   if (g == kFace) {
-    return normal_of(y);
+    return sides_of(y).normal;
   }
   const bool edge_f = corner_count(f) == 2;
   const bool edge_g = corner_count(g) == 2;
@@ -64,16 +55,13 @@ Parting parted_along(const Vec3& n, const Corners& x, const Corners& y) {
   return other > gap ? Parting{-n, other} : Parting{n, gap};
 }
 
-std::array<Vec3, 11> separating_directions(const Corners& x, const Corners& y) {
-  std::array<Vec3, 11> found;
-  found[0] = normal_of(x);
-  found[1] = normal_of(y);
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      found[2 + 3 * i + j] = direction_of(cross(edge_direction(x, i), edge_direction(y, j)));
-    }
+TriangleSides sides_of(const Corners& c) {
+  TriangleSides sides;
+  for (std::size_t k = 0; k < 3; ++k) {
+    sides.edge[k] = direction_of(c[(k + 1) % 3] - c[k]);
   }
-  return found;
+  sides.normal = direction_of(cross(sides.edge[0], sides.edge[2]));
+  return sides;
 }
 
 Parting parting_of(const Corners& x, const Corners& y, double enough) {
@@ -82,10 +70,11 @@ Parting parting_of(const Corners& x, const Corners& y, double enough) {
   if (best.gap > enough) {
     return best;
   }
-  for (const Vec3& n : separating_directions(x, y)) {
+  for_separating_directions(sides_of(x), sides_of(y), [&](const Vec3& n) {
     const Parting next = parted_along(n, x, y);
     best = next.gap > best.gap ? next : best;
-  }
+    return true;
+  });
   return best;
 }
 

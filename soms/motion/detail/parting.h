@@ -3,6 +3,7 @@
 #pragma once
 
 #include "soms/base/vector.h"
+#include "soms/motion/detail/motion_interval.h"
 
 #include <array>
 
@@ -17,6 +18,14 @@ using Corners = std::array<Vec3, 3>;
 [[nodiscard]] inline Triangle triangle_of(const Corners& c) {
   return {c[0], c[1], c[2]};
 }
+
+/// Directions of a triangle's edges and normal, of length 1; zero where it has none.
+struct TriangleSides {
+  Vec3 normal;
+  std::array<Vec3, 3> edge;
+};
+
+[[nodiscard]] TriangleSides sides_of(const Corners& c);
 
 /// A direction of length 1, or zero, and how far x is beyond y along it: below 0 where they overlap
 /// in that view.
@@ -36,8 +45,20 @@ struct Parting {
 /// than `enough`, the best of all normals and products.
 [[nodiscard]] Parting parting_of(const Corners& x, const Corners& y, double enough);
 
-/// The directions that decide whether triangles overlap: both normals, then the products of the
-/// edges of x and y. Each is of length 1 or zero.
-[[nodiscard]] std::array<Vec3, 11> separating_directions(const Corners& x, const Corners& y);
+/// Calls `look(n)` for the directions that decide whether triangles overlap, until it is false:
+/// both normals, then the products of the edges. Each is of length 1 or zero.
+template <class Look>
+void for_separating_directions(const TriangleSides& x, const TriangleSides& y, const Look& look) {
+  if (!look(x.normal) || !look(y.normal)) {
+    return;
+  }
+  for (const Vec3& e : x.edge) {
+    for (const Vec3& f : y.edge) {
+      if (!look(direction_of(cross(e, f)))) {
+        return;
+      }
+    }
+  }
+}
 
 }  // namespace soms::detail

@@ -44,6 +44,7 @@ SweptTriangle swept_triangle(const Triangle& body, const MotionBounds& bounds,
     changes[k] = mapped(interval.change, corners[k]);
     arm = std::max(arm, bounds.arm(corners[k]));
   }
+  swept.sides = sides_of(swept.corners);
   swept.change = (changes[0] + changes[1] + changes[2]) * (1.0 / 3);
   for (const Vec3& change : changes) {
     swept.give = std::max(swept.give, length_of(change - swept.change));
@@ -52,7 +53,8 @@ SweptTriangle swept_triangle(const Triangle& body, const MotionBounds& bounds,
   return swept;
 }
 
-TimeWindow window_of(const SweptTriangle& x, const Corners& y, double margin) {
+TimeWindow window_of(const SweptTriangle& x, const Corners& y, const TriangleSides& sides,
+                     double margin) {
   TimeWindow window;
   const double reach = x.give + margin;
   for (const Vec3& n : kAxes) {
@@ -61,12 +63,10 @@ TimeWindow window_of(const SweptTriangle& x, const Corners& y, double margin) {
   if (window.empty()) {
     return window;
   }
-  for (const Vec3& n : separating_directions(x.corners, y)) {
+  for_separating_directions(x.sides, sides, [&](const Vec3& n) {
     narrow_along(n, x, y, reach, window);
-    if (window.empty()) {
-      break;
-    }
-  }
+    return !window.empty();
+  });
   return window;
 }
 

@@ -11,14 +11,17 @@ namespace soms::detail {
 struct SweptTriangle {
   Triangle body;    ///< in the coordinates of the body
   Corners corners;  ///< in world, in the middle of the stretch
-  Vec3 change;      ///< from there to its end
+  TriangleSides sides;
+  Vec3 change;  ///< from there to its end
   double give = 0;
 };
 
 [[nodiscard]] SweptTriangle swept_triangle(const Triangle& body, const MotionBounds& bounds,
                                            const MotionInterval& interval);
 
-/// When the triangles may be within the clearance. \param margin As MotionBounds::box_margin
-[[nodiscard]] TimeWindow window_of(const SweptTriangle& x, const Corners& y, double margin);
+/// When the triangles may be within the clearance. `sides` are those of `y`.
+/// \param margin As MotionBounds::box_margin
+[[nodiscard]] TimeWindow window_of(const SweptTriangle& x, const Corners& y,
+                                   const TriangleSides& sides, double margin);
 
 }  // namespace soms::detail

@@ -211,8 +211,8 @@ TEST(MotionBounds, WindowsOfTrianglesHoldTheTimeOfAMeeting) {
     const Vec3 touch = pose.apply(t.a * (1 - share) + t.b * share);
     const Vec3 n{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)};
     const Corners resting{touch, touch + n, touch + cross(n, {1, 2, 3})};
-    const TimeWindow window =
-        window_of(swept_triangle(t, c.bounds, interval), resting, c.bounds.box_margin());
+    const TimeWindow window = window_of(swept_triangle(t, c.bounds, interval), resting,
+                                        sides_of(resting), c.bounds.box_margin());
     ASSERT_LE(window.lower, s);
     ASSERT_GE(window.upper, s);
   });
