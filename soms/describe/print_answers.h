@@ -56,7 +56,9 @@ template <class T>
   if (field.of_triangle && !names_triangle(value)) {
     return true;
   }
-  return field.unless_default && field.of(value) == field.of(T{});
+  // Not a temporary: g++ 12 takes the empty optionals of one for uninitialized.
+  static const T standard{};
+  return field.unless_default && field.of(value) == field.of(standard);
 }
 
 template <Described T>
