@@ -45,6 +45,7 @@ ALLOWED = {
     "tests/query/signed_closest_test.cpp": (("clock",), "a moment long past"),
     "tests/query/ray_test.cpp": (("clock",), "the least moment there is"),
     "tests/query/distance_cut_test.cpp": (("clock",), "deadlines, each later than the one before, until the query is complete"),
+    "tests/motion/first_contact_batch_test.cpp": (("clock",), "the least moment there is"),
     "tests/motion/first_contact_cut_test.cpp": (("clock",), "deadlines, each later than the one before, until the query is complete"),
     "tests/query/winding_test.cpp": (("clock",), "the least moment there is"),
     "tests/query/distance_threads_test.cpp": (("clock",), "deadlines; what is claimed holds wherever they end a query"),
