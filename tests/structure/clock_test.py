@@ -56,6 +56,7 @@ ALLOWED = {
     "tests/scene/clearance_along_test.cpp": (("clock",), "the least moment there is"),
     "tests/python/answers_test.py": (("program timeout",), "a parameter of queries: 0, time was up before the start"),
     "tests/python/clash_test.py": (("program timeout",), "a parameter of queries: 0, time was up before the start"),
+    "tests/python/motion_test.py": (("program timeout",), "a parameter of queries: 0, time was up before the start"),
     "tests/python/errors_test.py": (("program timeout",), "a parameter of queries that is refused, or 0"),
     "tests/regressions/growth_regressions_test.cpp": (("clock",), "printed, not judged"),
     "tests/commands/output_test.cpp": (("pause",), "a bar shows itself after a second, or later"),
