@@ -81,7 +81,7 @@ class Motions(unittest.TestCase):
                                      [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]))
         found = soms.first_contact(spike, [0, 0.3, 0.4], None, self.wall, by=[8, 0, 0])
         self.assertAlmostEqual(found.upper, 5 / 8, delta=1e-15)
-        np.testing.assert_allclose(found.normal, [-1, 0, 0])
+        np.testing.assert_allclose(found.normal, [-1, 0, 0], atol=1e-12)
         np.testing.assert_allclose(found.point, [5, 0.3, 0.4])
         batch = soms.first_contact(spike, shifts([0, 0.3, 0.4], [-9, 0, 0]), None, self.wall, by=[8, 0, 0])
         np.testing.assert_array_equal(batch.normal[0], found.normal)
@@ -93,8 +93,9 @@ class Motions(unittest.TestCase):
         fixed = soms.Body(shape, turned(0.4))
         angles = np.linspace(0, 6, 40)
         starts = np.array([turned(a, 9 - a, a) for a in angles])
-        ends = np.array([turned(a + 1, -a, 2 - a) for a in angles])
-        moves = np.column_stack([-angles, angles, angles - 3])
+        # Every second one ends next to its start; shifts get longer, up to one that ends in the other.
+        ends = np.array([turned(a + 1, -a, 2 - a) if k % 2 else turned(a, 9.1 - a, a) for k, a in enumerate(angles)])
+        moves = np.linspace(0, 1, 40)[:, None] * np.column_stack([angles - 9, -angles, 0 * angles])
         for options in ({"end": ends, "pivot": [1, 0, 0]}, {"end": ends, "within": 0.5}, {"end": None, "by": moves}):
             end, by = options.pop("end"), options.pop("by", None)
             batch = soms.first_contact(shape, starts, end, fixed, by=by, **options)
