@@ -74,7 +74,7 @@ def python_single(kind):
 def python_array(kind):
     first, _, rest = kind.partition(" ")
     if first == "optional":
-        return "NDArray[np.int64]"
+        return python_array(rest) if rest == "point" else "NDArray[np.int64]"  # NaN, or -1, for none
     if first == "enum":
         return "NDArray[np.uint8]" if rest.endswith(" 1") else "NDArray[np.int32]"
     if first == "struct":

@@ -23,6 +23,16 @@ class ContactChange(_enum.IntEnum):
     end = 2
 
 
+class ContactVerdict(_enum.IntEnum):
+    """What is proved of a motion: no contact at all, a contact on the way, neither of the two,
+    or a contact at the start."""
+
+    free = 0
+    contact = 1
+    grazing = 2
+    started = 3
+
+
 class Coverage(_enum.IntEnum):
     """How much of the question an answer covers: everything, up to the first hit as requested,
     or what a limit or a deadline left."""

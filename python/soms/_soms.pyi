@@ -9,9 +9,9 @@ from numpy.typing import ArrayLike, NDArray
 
 # Enumerations, written by tools/fields.py.
 from soms._enums import (
-    ClashKind, Coverage, JointType, Layout, MeshFormat, OverlapMode, Partition, RecordedOrigin,
-    RecordingEnding, Relation, RobotVerdict, Rotation, Rule, SceneBodyKind, Side, StepScope,
-    TreeCheck, TriangleFeature, Undecided, UpAxis,
+    ClashKind, ContactVerdict, Coverage, JointType, Layout, MeshFormat, OverlapMode, Partition,
+    RecordedOrigin, RecordingEnding, Relation, RobotVerdict, Rotation, Rule, SceneBodyKind, Side,
+    StepScope, TreeCheck, TriangleFeature, Undecided, UpAxis,
 )
 # End of enumerations.
 from soms._error import Error
@@ -35,6 +35,8 @@ Poses = Sequence[Pose] | ArrayLike
 # One point is a list or tuple of three numbers to a type checker, an array is rows of them.
 Point = Sequence[float]
 Points = NDArray[Any] | Sequence[Sequence[float]]
+# One pose is a Pose to a type checker, an array is rows of them.
+ManyPoses = Sequence[Pose] | NDArray[Any]
 Progress = Callable[[float], object] | None
 
 __version__: str
@@ -680,6 +682,46 @@ class ContactSpan:
     def box(self) -> NDArray[np.float64]: ...
     @property
     def lasts(self) -> bool: ...
+
+class FirstContact:
+    @property
+    def verdict(self) -> ContactVerdict: ...
+    @property
+    def lower(self) -> float: ...
+    @property
+    def upper(self) -> float: ...
+    @property
+    def triangles(self) -> tuple[int, int] | None: ...
+    @property
+    def point(self) -> NDArray[np.float64]: ...
+    @property
+    def normal(self) -> NDArray[np.float64] | None: ...
+    @property
+    def coverage(self) -> Coverage: ...
+    @property
+    def cost(self) -> Cost: ...
+
+class FirstContactBatch:
+    @property
+    def verdict(self) -> NDArray[np.uint8]: ...
+    @property
+    def lower(self) -> NDArray[np.float64]: ...
+    @property
+    def upper(self) -> NDArray[np.float64]: ...
+    @property
+    def triangles(self) -> NDArray[np.int64]: ...
+    @property
+    def point(self) -> NDArray[np.float64]: ...
+    @property
+    def normal(self) -> NDArray[np.float64]: ...
+    @property
+    def coverage(self) -> NDArray[np.int32]: ...
+    @property
+    def costs(self) -> NDArray[np.void]: ...
+    @property
+    def cost(self) -> Cost: ...
+    def __len__(self) -> int: ...
+    def at(self, entry: int) -> FirstContact: ...
 
 # End of answers.
 
@@ -1458,6 +1500,54 @@ def within(
     a: BodyLike, b: BodyLike | TileSet, clearance: float, poses: Poses, *, timeout: float | None = None,
     threads: int = 1, progress: Progress = None,
 ) -> WithinBatch: ...
+@overload
+def first_contact(
+    shape: BodyLike, start: Pose, end: Pose | None, body: BodyLike, *,
+    pivot: Point | NDArray[Any] | None = None, by: Point | None = None, within: float = 0.0,
+    timeout: float | None = None, threads: int = 1, progress: Progress = None,
+) -> FirstContact: ...
+@overload
+def first_contact(
+    shape: BodyLike, start: Pose, end: ManyPoses, body: BodyLike, *,
+    pivot: Point | NDArray[Any] | None = None, by: None = None, within: float = 0.0,
+    timeout: float | None = None, threads: int = 1, progress: Progress = None,
+) -> FirstContactBatch: ...
+@overload
+def first_contact(
+    shape: BodyLike, start: Pose, end: None, body: BodyLike, *,
+    pivot: Point | NDArray[Any] | None = None, by: Points, within: float = 0.0,
+    timeout: float | None = None, threads: int = 1, progress: Progress = None,
+) -> FirstContactBatch: ...
+@overload
+def first_contact(
+    shape: BodyLike, start: ManyPoses, end: ManyPoses | Pose | None, body: BodyLike, *,
+    pivot: Point | NDArray[Any] | None = None, by: Points | Point | None = None, within: float = 0.0,
+    timeout: float | None = None, threads: int = 1, progress: Progress = None,
+) -> FirstContactBatch: ...
+@overload
+def free(
+    shape: BodyLike, starts: Pose, ends: Pose | None, body: BodyLike, *,
+    pivot: Point | NDArray[Any] | None = None, by: Point | None = None, within: float = 0.0,
+    timeout: float | None = None, threads: int = 1, progress: Progress = None,
+) -> bool: ...
+@overload
+def free(
+    shape: BodyLike, starts: Pose, ends: ManyPoses, body: BodyLike, *,
+    pivot: Point | NDArray[Any] | None = None, by: None = None, within: float = 0.0,
+    timeout: float | None = None, threads: int = 1, progress: Progress = None,
+) -> NDArray[np.bool_]: ...
+@overload
+def free(
+    shape: BodyLike, starts: Pose, ends: None, body: BodyLike, *,
+    pivot: Point | NDArray[Any] | None = None, by: Points, within: float = 0.0,
+    timeout: float | None = None, threads: int = 1, progress: Progress = None,
+) -> NDArray[np.bool_]: ...
+@overload
+def free(
+    shape: BodyLike, starts: ManyPoses, ends: ManyPoses | Pose | None, body: BodyLike, *,
+    pivot: Point | NDArray[Any] | None = None, by: Points | Point | None = None, within: float = 0.0,
+    timeout: float | None = None, threads: int = 1, progress: Progress = None,
+) -> NDArray[np.bool_]: ...
 @overload
 def solid(
     a: ClosedBody | BodyLike, b: ClosedBody | BodyLike, poses: None = None, *,

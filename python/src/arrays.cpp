@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -253,6 +255,19 @@ py::array column_of(const std::vector<std::optional<TrianglePair>>& values, py::
   for (const auto& value : values) {
     *to++ = value ? std::int64_t{value->a} : -1;
     *to++ = value ? std::int64_t{value->b} : -1;
+  }
+  return array;
+}
+
+py::array column_of(const std::vector<std::optional<Vec3>>& values, py::handle) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  py::array_t<double> array({rows(values.size()), py::ssize_t{3}});
+  double* to = array.mutable_data();
+  for (const auto& value : values) {
+    const Vec3 v = value.value_or(Vec3{kNone, kNone, kNone});
+    *to++ = v.x;
+    *to++ = v.y;
+    *to++ = v.z;
   }
   return array;
 }

@@ -118,6 +118,8 @@ struct Field {
 /// \shape (n, 2), a copy; -1, -1 for none.
 [[nodiscard]] py::array column_of(const std::vector<std::optional<TrianglePair>>& values,
                                   py::handle owner);
+/// \shape (n, 3), a copy; NaN for none.
+[[nodiscard]] py::array column_of(const std::vector<std::optional<Vec3>>& values, py::handle owner);
 /// Flags, as bool. \shape (n,).
 [[nodiscard]] py::array column_of(const std::vector<std::uint8_t>& values, py::handle owner);
 /// \shape (n, 3).

@@ -33,6 +33,8 @@ template <class T>
     return list + "int64, -1 for none";
   } else if constexpr (std::is_same_v<T, std::optional<TrianglePair>>) {
     return "(" + rows + ", 2) int64, -1 for none";
+  } else if constexpr (std::is_same_v<T, std::optional<Vec3>>) {
+    return "(" + rows + ", 3) float64, NaN for none";
   } else if constexpr (std::is_same_v<T, TrianglePair>) {
     return "(" + rows + ", 2) uint32";
   } else if constexpr (std::is_same_v<T, Vec3>) {

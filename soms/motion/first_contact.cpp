@@ -2,6 +2,9 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/double_limits.h"
+#include "soms/base/error.h"
+#include "soms/base/parallel.h"
+#include "soms/describe/columns.h"
 #include "soms/geometry/triangle_distance.h"
 #include "soms/motion/detail/contact_normal.h"
 #include "soms/motion/detail/contact_traversal.h"
@@ -12,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace soms {
 
@@ -140,20 +144,83 @@ class ContactQuery {
   FirstContact answer_;
 };
 
+/// Motions that a thread takes at a time.
+constexpr std::size_t kMotionsOfChunk = 8;
+
+bool one_is_empty(const Shape& mover, const Body& fixed) {
+  return detail::is_empty(mover) || detail::is_empty(fixed.shape);
+}
+
+/// \errors Those of a motion.
+void check_motion(const Shape& mover, const RigidMotion& motion) {
+  detail::check_pose(motion.start(), mover);
+  detail::check_pose(motion.end(), mover);
+}
+
+/// The same for many, with the number of the first one at fault, and where it may lead too far.
+void check_motions(const Shape& mover, std::span<const RigidMotion> motions, const Body& fixed,
+                   double clearance) {
+  const bool empty = one_is_empty(mover, fixed);
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    try {
+      check_motion(mover, motions[i]);
+      if (!empty) {
+        static_cast<void>(MotionBounds(mover, motions[i], fixed, clearance));
+      }
+    } catch (const Error& error) {
+      throw Error(error.kind(), "motion " + std::to_string(i) + ": " + error.place(),
+                  error.remedy());
+    }
+  }
+}
+
+FirstContact answer_of(const Shape& mover, const RigidMotion& motion, const Body& fixed,
+                       const FirstContactOptions& options, const Limits& limits) {
+  if (one_is_empty(mover, fixed)) {
+    return {.t = {1, kInfinity}};
+  }
+  return ContactQuery(mover, motion, fixed, options, limits).ask();
+}
+
+void check_within(const FirstContactOptions& options) {
+  detail::check_length(options.within, "first contact options: within");
+}
+
 }  // namespace
 
 FirstContact first_contact(const Shape& mover, const RigidMotion& motion, const Body& fixed,
                            const FirstContactOptions& options, const Limits& limits) {
   const PlainArithmetic plain;
-  detail::check_length(options.within, "first contact options: within");
-  detail::check_pose(motion.start(), mover);
-  detail::check_pose(motion.end(), mover);
+  check_within(options);
+  check_motion(mover, motion);
   detail::check_pose(fixed.pose, fixed.shape);
   check_stop(limits);
-  if (detail::is_empty(mover) || detail::is_empty(fixed.shape)) {
-    return {.t = {1, detail::kInfinity}};
-  }
-  return ContactQuery(mover, motion, fixed, options, limits).ask();
+  return answer_of(mover, motion, fixed, options, limits);
+}
+
+FirstContact FirstContactBatch::at(std::size_t motion) const {
+  return row_of<FirstContact>(*this, motion);
+}
+
+FirstContactBatch first_contact(const Shape& mover, std::span<const RigidMotion> motions,
+                                const Body& fixed, const FirstContactOptions& options,
+                                const Limits& limits) {
+  const PlainArithmetic plain;
+  check_within(options);
+  detail::check_pose(fixed.pose, fixed.shape);
+  check_motions(mover, motions, fixed, options.within);
+  check_stop(limits);
+  FirstContactBatch batch;
+  resize_columns<FirstContact>(batch, motions.size());
+  const Limits alone = limits.alone();
+  for_each_chunk(motions.size(), kMotionsOfChunk, limits.without_deadline(),
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t i = begin; i < end; ++i) {
+                     put_columns(answer_of(mover, motions[i], fixed, options, alone), i, batch);
+                   }
+                 });
+  sum_costs<FirstContact>(batch);
+  return batch;
 }
 
 }  // namespace soms

@@ -8,10 +8,16 @@
 /// const soms::FirstContact answer = soms::first_contact(
 ///     ball, soms::RigidMotion::along(soms::Pose::identity(), {0, 0, 6}), other);
 /// std::cout << answer.verdict << " at " << answer.t.upper << " of the way\n";
+///
+/// const std::vector<soms::RigidMotion> motions{
+///     soms::RigidMotion::along(soms::Pose::identity(), {0, 0, 6}),
+///     soms::RigidMotion::along(soms::Pose::identity(), {6, 0, 0})};
+/// std::cout << soms::first_contact(ball, motions, other).verdict[1] << '\n';
 /// \endcode
 /// It prints:
 /// \verbatim
 /// contact at 0.5 of the way
+/// free
 /// \endverbatim
 #pragma once
 
@@ -24,8 +30,12 @@
 #include "soms/query/answer.h"
 #include "soms/query/body.h"
 
+#include <array>
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <tuple>
+#include <vector>
 
 namespace soms {
 
@@ -87,18 +97,47 @@ struct FirstContact {
   [[nodiscard]] bool operator==(const FirstContact&) const = default;
 };
 
+/// Answers for a batch of motions: columns, one entry a motion, as those of `FirstContact`.
+struct FirstContactBatch {
+  std::vector<ContactVerdict> verdict;                 ///< n
+  std::vector<double> lower;                           ///< n, of `t`
+  std::vector<double> upper;                           ///< n
+  std::vector<std::optional<TrianglePair>> triangles;  ///< n
+  std::vector<Vec3> point;                             ///< n
+  std::vector<std::optional<Vec3>> normal;             ///< n
+  std::vector<Coverage> coverage;                      ///< n
+  std::vector<Cost> costs;                             ///< n
+  Cost cost;                                           ///< of all motions together
+
+  [[nodiscard]] bool operator==(const FirstContactBatch&) const = default;
+
+  [[nodiscard]] std::size_t size() const { return verdict.size(); }
+
+  /// The answer for a motion.
+  [[nodiscard]] FirstContact at(std::size_t motion) const;
+};
+
 template <>
 struct Fields<FirstContact> {
   static constexpr const char* kName = "FirstContact";
   static constexpr const char* kMeaning = "Answer of first_contact.";
+  static constexpr const char* kBatchName = "FirstContactBatch";
+  static constexpr const char* kBatchMeaning = "Answers of first_contact for n motions.";
+  static constexpr const char* kRows = "motions";
+  using Batch = FirstContactBatch;
+  static constexpr std::array kCounted{Counted<FirstContact>{
+      [](const FirstContact& answer) { return answer.verdict == ContactVerdict::free; }, "free"}};
   static constexpr auto kList = std::tuple(
-      field("verdict", &FirstContact::verdict, "What is proved."),
-      field("t", &FirstContact::t, "The time of the first contact, a part of the way."),
-      field("triangles", &FirstContact::triangles, "A pair that is in contact then."),
-      field("point", &FirstContact::point, "Where it is, in world.").where_named(),
-      field("normal", &FirstContact::normal, "From the fixed body to the mover, of length 1."),
-      field("coverage", &FirstContact::coverage, "How much of the question is decided."),
-      field("cost", &FirstContact::cost, "Work done."));
+      field("verdict", &FirstContact::verdict, &Batch::verdict, "What is proved."),
+      field("t", &FirstContact::t, BracketColumns<Batch>{&Batch::lower, &Batch::upper},
+            "The part of the way at the first contact"),
+      field("triangles", &FirstContact::triangles, &Batch::triangles,
+            "A pair that is in contact then."),
+      field("point", &FirstContact::point, &Batch::point, "Where it is, in world.").where_named(),
+      field("normal", &FirstContact::normal, &Batch::normal,
+            "From the fixed body to the mover, of length 1."),
+      coverage_field(&FirstContact::coverage, &Batch::coverage),
+      cost_field(&FirstContact::cost, &Batch::costs));
 };
 
 /// The first contact of `mover` on its way with `fixed`, which rests. Surfaces only, as `overlap`.
@@ -127,5 +166,17 @@ struct Fields<FirstContact> {
 [[nodiscard]] FirstContact first_contact(const Shape& mover, const RigidMotion& motion,
                                          const Body& fixed, const FirstContactOptions& options = {},
                                          const Limits& limits = {});
+
+/// `first_contact` of `mover` on each of `motions`: the answers of single queries. What
+/// a deadline leaves is `cut`.
+///
+/// \shape   `motions`: n.
+/// \errors  As `first_contact`; a motion at fault is named by its index, before any is answered.
+/// \threads Motions are shared by as many threads as `limits` says.
+[[nodiscard]] FirstContactBatch first_contact(const Shape& mover,
+                                              std::span<const RigidMotion> motions,
+                                              const Body& fixed,
+                                              const FirstContactOptions& options = {},
+                                              const Limits& limits = {});
 
 }  // namespace soms

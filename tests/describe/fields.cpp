@@ -3,6 +3,7 @@
 #include "soms/clash/print.h"
 #include "soms/io/print.h"
 #include "soms/kinematics/print.h"
+#include "soms/motion/print_motion.h"
 #include "soms/query/print.h"
 #include "soms/robot/print.h"
 #include "soms/scene/contact_spans.h"
@@ -143,8 +144,9 @@ struct List {
 using Answers = List<Cost, Overlap, OverlapBatch, Distance, Within, Solid, Contains, ContainsParts,
                      ContainsPartsBatch, Closest, SignedClosest, NearTriangles, Winding, ClosestHit,
                      AnyHit, AllHits, BodyClosest, BodyHit, BodyAllHits, SceneClosest, SceneHit,
-                     SceneAllHits, StepReport, ContactSpan>;
-using Options = List<ClosestOptions, DistanceOptions, OverlapOptions, RayOptions, WindingOptions>;
+                     SceneAllHits, StepReport, ContactSpan, FirstContact>;
+using Options = List<ClosestOptions, DistanceOptions, FirstContactOptions, OverlapOptions,
+                     RayOptions, WindingOptions>;
 /// Enumerations that no answer and no options name.
 using Others =
     List<ClashKind, ContactChange, JointType, Layout, MeshFormat, Partition, RecordedMesh::Origin,

@@ -252,21 +252,23 @@ TEST(FirstContact, RefusesWhatIsNoQuestion) {
   const Body fixed(box_body({3, 0, 0}, {4, 1, 1}));
   Pose bad;
   bad.m[0] = 3;
-  EXPECT_EQ(kind_of([&] { return first_contact(mover, {}, Body(mover, bad)); }),
+  EXPECT_EQ(kind_of([&] { return first_contact(mover, RigidMotion(), Body(mover, bad)); }),
             ErrorKind::not_rigid);
-  EXPECT_EQ(kind_of([&] { return first_contact(mover, {}, fixed, {.within = -1}); }),
+  EXPECT_EQ(kind_of([&] { return first_contact(mover, RigidMotion(), fixed, {.within = -1}); }),
             ErrorKind::usage);
-  EXPECT_EQ(kind_of([&] { return first_contact(mover, {}, fixed, {.within = std::nan("")}); }),
-            ErrorKind::usage);
+  EXPECT_EQ(
+      kind_of([&] { return first_contact(mover, RigidMotion(), fixed, {.within = std::nan("")}); }),
+      ErrorKind::usage);
   EXPECT_EQ(kind_of([&] {
               return first_contact(mover, RigidMotion::along(Pose(), {0x1p301, 0, 0}), fixed);
             }),
             ErrorKind::out_of_range);
   StopSource stop;
   stop.request_stop();
-  EXPECT_EQ(
-      kind_of([&] { return first_contact(mover, {}, fixed, {}, {.stop = stop.get_token()}); }),
-      ErrorKind::cancelled);
+  EXPECT_EQ(kind_of([&] {
+              return first_contact(mover, RigidMotion(), fixed, {}, {.stop = stop.get_token()});
+            }),
+            ErrorKind::cancelled);
 }
 
 TEST(FirstContact, IsPrinted) {

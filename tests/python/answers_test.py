@@ -39,6 +39,8 @@ def answers_of_bodies():
                     soms.solid(one, b))
     yield from (soms.overlap(a, b, poses), soms.distance(a, b, poses), soms.within(a, b, 1, poses),
                 soms.solid(a, b, poses), soms.overlap(a, b).cost)
+    yield from (soms.first_contact(a, poses[0], poses[1], b), soms.first_contact(a, poses[1], None, b, by=[0, 0, -9]),
+                soms.first_contact(a, poses[1], None, b, by=[[0.1, 0.2, -9], [0, 0, 9]]))
     parted = soms.DividedBody(b)
     yield from parted.parts
     for points in (POINTS, POINTS[0]):

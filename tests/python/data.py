@@ -29,8 +29,9 @@ def _files():
             found[name] = DATA / "truth" / file
         elif MODELS:
             found[name] = pathlib.Path(MODELS) / file[len("../"):]
-    for path in (DATA / "questions/meshes").glob("*.ply"):
-        found.setdefault(path.stem, path)
+    for folder in ("questions", "motion"):
+        for path in (DATA / folder / "meshes").glob("*.ply"):
+            found.setdefault(path.stem, path)
     return found
 
 

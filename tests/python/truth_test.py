@@ -222,5 +222,46 @@ class Rays(unittest.TestCase):
                                      sorted(int(hit["triangle"]) for hit in listed))
 
 
+class Motions(unittest.TestCase):
+    """The tables of tests/data/motion, whose README says how far times are known."""
+
+    WORDS = {"free": "free", "contact": "contact", "start": "started"}
+
+    def holds(self, row, found, answer, lower, upper, tolerance):
+        with self.subTest(**{name: row[name] for name in ("meshA", "meshB", "kind") if name in row}):
+            self.assertEqual(found.coverage, soms.Coverage.complete)
+            self.assertEqual(found.verdict.name, self.WORDS[answer])
+            if answer == "contact":
+                self.assertLessEqual(found.lower, upper + tolerance)
+                self.assertGreaterEqual(found.upper, lower - tolerance)
+                self.assertLessEqual(found.upper - found.lower, 100 * tolerance + 1e-9)
+
+    def test_paths_single_and_batch_by_one_thread_and_two(self):
+        rows = list(data.rows("motion/motion_path"))
+        self.assertEqual(len(rows), 107)
+        for row in rows:
+            shape, fixed = data.shape(row["meshA"]), soms.Body(data.shape(row["meshB"]), data.point(row, "b"))
+            start, end, pivot = data.pose(row, "a"), data.pose(row, "e"), data.point(row, "c")
+            found = soms.first_contact(shape, start, end, fixed, pivot=pivot)
+            size = 8 + max(abs(start[:, 3]).max(), abs(end[:, 3]).max(), abs(pivot).max())
+            self.holds(row, found, row["answer"], float(row["t_lo"] or 0), float(row["t_hi"] or 0),
+                       1e-13 * size / max(float(row["speed"] or 0), 1e-9))
+            batch = soms.first_contact(shape, np.array([start] * 9), end, fixed, pivot=pivot, threads=2)
+            self.assertEqual([batch.at(k) for k in range(9)], [found] * 9)
+            self.assertEqual(soms.free(shape, start, end, fixed, pivot=pivot), row["answer"] == "free")
+
+    def test_shifts_are_exact(self):
+        rows = list(data.rows("motion/translation"))
+        self.assertGreater(len(rows), 600)
+        for row in rows:
+            moving, resting = ([data.point(row, f"{body}{corner}") for corner in "012"] for body in "ba")
+            found = soms.first_contact(soms.Mesh(moving, [[0, 1, 2]]), soms.Pose(), None,
+                                       soms.Mesh(resting, [[0, 1, 2]]), by=data.point(row, "d"))
+            answer = "free" if row["contact"] != "1" else "contact" if row["free_until"] else "start"
+            self.holds(row, found, answer, float(row["free_until"] or 0), float(row["touching_by"] or 0), 0)
+            if answer == "contact":
+                self.assertLessEqual(found.upper, np.nextafter(found.lower, 2))
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -28,6 +28,11 @@ def main() -> None:
     depths: NDArray[np.float64] = clashes.depth[clashes.kind == soms.ClashKind.crossing]
     robot = soms.read_robot(b"<robot name='r'><link name='a'/></robot>", name="r.urdf")
     names: list[str] = soms.RobotModel(robot, city).link_names
+    start = soms.Pose.translation(0, 0, 9)
+    met: soms.FirstContact = soms.first_contact(car, start, None, city, by=[0.0, 0.0, -9.0], within=0.1)
+    edges: NDArray[np.bool_] = soms.free(car, [start, start], soms.Pose(), city, threads=2)
+    verdicts: NDArray[np.uint8] = soms.first_contact(car, start, [start, soms.Pose()], city).verdict
+    print(met.verdict is soms.ContactVerdict.contact, met.normal, edges, verdicts)
     print(len(depths), [clash.gap for clash in clashes], names)
     print(single.any, gap, side, sides, hit, scene.step(clearance=1.0).queries)
     try:
