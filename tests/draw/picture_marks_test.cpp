@@ -27,7 +27,7 @@ TEST(PictureMarks, AMarkHasAHalo) {
   draw_mark(picture, {20.5, 20.5}, 6, kBlack, kWhite);
   EXPECT_EQ(picture.at(20, 20), kBlack);
   EXPECT_EQ(picture.at(24, 20), kBlack);
-  EXPECT_EQ(picture.at(28, 20), kWhite);
+  EXPECT_EQ(picture.at(27, 20), kWhite);
   EXPECT_EQ(picture.at(31, 20), (Color{90, 90, 90, 255}));
 }
 
