@@ -66,7 +66,7 @@ class Parts(unittest.TestCase):
         rest = self.run_words(verb, *("rest.obj" if w == "STREET" else w for w in words))
         return street.stdout, rest.stdout.replace("rest.obj", "street.obj")
 
-    def same_rows(self, verb, *words, rename, options=("--ignore", "road")):
+    def same_rows(self, verb, *words, rename, options=("--ignore", "road"), verified=True):
         street, rest = (lines(text) for text in self.both(verb, *words, "--json", options=options))
         for row in rest:
             rename(row)
@@ -74,7 +74,8 @@ class Parts(unittest.TestCase):
             row.pop("hash", None)  # of other numbers
             row.pop("cost", None)
         self.assertEqual(street, rest)
-        self.assertTrue(any(row.get("verified") for row in street))
+        self.assertEqual(any(row.get("verified") for row in street), verified)
+        return street
 
     def test_pairs_have_the_numbers_of_the_file(self):
         def pairs(row):
@@ -86,6 +87,9 @@ class Parts(unittest.TestCase):
                 row["triangles"][1] = in_file(row["triangles"][1])
         self.same_rows("distance", "van.obj", "STREET", "--pose", "poses.csv", "--verify", rename=near)
         self.same_rows("within", "van.obj", "STREET", "--pose", "poses.csv", "--clearance", "0.75", "--verify", rename=near)
+        rows = self.same_rows("motion", "van.obj", "STREET", "--from", "poses.csv", "--by", "0,0,9", rename=near, verified=False)
+        rows += self.same_rows("motion", "van.obj", "STREET", "--path", "poses.csv", rename=near, verified=False)
+        self.assertTrue(any(row.get("triangles") for row in rows))
         self.same_rows("overlap", "van.obj", "STREET", "--pose", "poses.csv", "--by", "part", "--verify", rename=self.rename_parts)
 
     def rename_parts(self, row):

@@ -118,7 +118,8 @@ template <Described T>
     const std::string name = field.name;
     if constexpr (std::is_same_v<Value, Bracket>) {
       add("lower,upper");
-    } else if constexpr (std::is_same_v<Value, Vec3>) {
+    } else if constexpr (std::is_same_v<Value, Vec3> ||
+                         std::is_same_v<Value, std::optional<Vec3>>) {
       add(name + "_x," + name + "_y," + name + "_z");
     } else if constexpr (std::is_same_v<Value, std::optional<TriangleId>>) {
       add("triangle,part,name");
@@ -152,6 +153,8 @@ void add_field_cells(const T& answer, const OfTriangle& of_triangle, std::string
       text += std::is_same_v<Value, Vec3> ? ",," : "";
     } else if constexpr (std::is_same_v<Value, Vec3>) {
       fmt::format_to(to, "{},{},{}", value.x, value.y, value.z);
+    } else if constexpr (std::is_same_v<Value, std::optional<Vec3>>) {
+      text += value ? fmt::format("{},{},{}", value->x, value->y, value->z) : ",,";
     } else if constexpr (Worded<Value>) {
       text += name(value);
     } else {
@@ -177,7 +180,8 @@ class FieldColumns {
         columns_.push_back(&file.column(field.name, Kind::number));
       } else if constexpr (std::is_same_v<Value, bool>) {
         columns_.push_back(&file.column(field.name, Kind::flag));
-      } else if constexpr (std::is_same_v<Value, Vec3>) {
+      } else if constexpr (std::is_same_v<Value, Vec3> ||
+                           std::is_same_v<Value, std::optional<Vec3>>) {
         columns_.push_back(&file.column(field.name, Kind::number, {3}));
       } else if constexpr (std::is_same_v<Value, std::optional<TriangleId>>) {
         columns_.push_back(&file.column(field.name, Kind::count));
@@ -223,6 +227,8 @@ class FieldColumns {
       const auto& value = column[k];
       if constexpr (std::is_same_v<Value, Vec3>) {
         array.add(says_something(k) ? value : Vec3{kNone, kNone, kNone});
+      } else if constexpr (std::is_same_v<Value, std::optional<Vec3>>) {
+        array.add(value.value_or(Vec3{kNone, kNone, kNone}));
       } else if constexpr (std::is_same_v<Value, std::optional<TriangleId>>) {
         array.add(value ? std::int64_t{*value} : -1);
       } else if constexpr (std::is_same_v<Value, std::optional<TrianglePair>>) {

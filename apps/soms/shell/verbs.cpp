@@ -6,6 +6,7 @@
 #include "apps/soms/models/generate.h"
 #include "apps/soms/models/info.h"
 #include "apps/soms/pairs/distance.h"
+#include "apps/soms/pairs/motion.h"
 #include "apps/soms/pairs/overlap.h"
 #include "apps/soms/pairs/within.h"
 #include "apps/soms/probes/closest.h"
@@ -50,6 +51,8 @@ const std::array kVerbs{
     Verb{"join", "put the answers of all shards together, as one run would have written them",
          add_join},
     Verb{"man", "print the man page of the command or of a verb", add_man},
+    Verb{"motion", "find when a model on its way from one pose to another first touches a second",
+         add_motion},
     Verb{"overlap", "find the triangles of two models that touch or intersect", add_overlap},
     Verb{"ray", "find what rays, or segments between two points, hit in a model", add_ray},
     Verb{"render", "draw a city, its movers and contacts to a PNG file, without a screen", nullptr,

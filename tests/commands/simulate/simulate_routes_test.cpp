@@ -79,7 +79,7 @@ TEST(WorldOptions, RepeatableOptionsTakeOneValueAtATime) {
     EXPECT_EQ(option->results(), (std::vector<std::string>{"a", "b"})) << name;
     EXPECT_EQ(options.cities, (std::vector<std::string>{"city.obj", "town.ply"})) << name;
   }
-  EXPECT_EQ(repeatable, 2);
+  EXPECT_EQ(repeatable, 4);  // and --only, --ignore
 }
 
 TEST_F(SimulateRoutes, TakeOneFileEachWhereverTheCityStands) {

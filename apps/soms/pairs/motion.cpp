@@ -1,0 +1,304 @@
+#include "apps/soms/pairs/motion.h"
+
+#include "soms/base/error.h"
+#include "soms/base/text.h"
+#include "soms/geometry/parts_of.h"
+#include "soms/motion/first_contact.h"
+
+#include "apps/cli/console.h"
+#include "apps/cli/parse.h"
+#include "apps/cli/text.h"
+#include "apps/model/georeference.h"
+#include "apps/rows/sinks.h"
+#include "apps/soms/answers/batch_question.h"
+#include "apps/soms/pairs/motion_rows.h"
+#include "apps/world/part_names.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace soms::command {
+
+namespace {
+
+constexpr const char kMotionForm[] = "{:>6}  {:<22}  {:<20}  {}";
+
+/// When does A first touch B?
+class MotionQuestion : public BatchQuestion<FirstContact> {
+ public:
+  MotionQuestion(const MotionRows& rows, const FirstContactOptions& options, const Console& console)
+      : BatchQuestion("motion", "motion"),
+        rows_(rows),
+        options_(options),
+        console_(console),
+        georeference_(rows.pair().georeference),
+        parts_a_(rows.pair().a),
+        parts_b_(rows.pair().b) {}
+
+  std::uint64_t answer(const ShowProgress& show) override;
+
+  [[nodiscard]] std::optional<std::string> difference(std::size_t /*k*/) override {
+    return std::nullopt;  // the verb has no --verify
+  }
+
+  void count(const AnsweredRow& row) override;
+
+  [[nodiscard]] std::string sentence(std::size_t k) const override {
+    const FirstContact answer = shown(k);
+    return in_words(answer) + pair_text(answer) + "\n";
+  }
+
+  [[nodiscard]] std::string text_head() const override {
+    return table_line(
+        fmt::format(kMotionForm, "motion", "first contact", "triangle of A", "triangle of B"));
+  }
+
+  [[nodiscard]] std::string text(const AnsweredRow& row) const override;
+  [[nodiscard]] std::string totals(const RowTotals& totals) const override;
+
+  void begin_columns(NpzFile& file) override {
+    BatchQuestion::begin_columns(file);
+    add_georeference(file, rows_.pair().georeference);
+  }
+
+ private:
+  /// What may be a contact is one.
+  [[nodiscard]] bool found(const FirstContact& answer) const override {
+    return answer.verdict != ContactVerdict::free && !undecided(answer);
+  }
+
+  [[nodiscard]] bool undecided(const FirstContact& answer) const override {
+    return answer.coverage == Coverage::cut && answer.verdict == ContactVerdict::grazing;
+  }
+
+  [[nodiscard]] const FileNumbers& numbers(int side) const override {
+    return (side == 0 ? rows_.pair().left_a : rows_.pair().left_b).numbers;
+  }
+
+  [[nodiscard]] std::string row_keys(const AnsweredRow& row) const override {
+    return report_keys(rows_.pair(), row.number, row.right);
+  }
+
+  [[nodiscard]] std::string more_head() const override { return std::string(georeference_.head()); }
+
+  [[nodiscard]] std::string more_cells(std::size_t /*k*/) const override {
+    return std::string(georeference_.field());
+  }
+
+  [[nodiscard]] std::string triangle_cells(int side,
+                                           std::optional<TriangleId> triangle) const override {
+    return side == 0 ? triangle_csv_fields(rows_.pair().a, parts_a_, triangle)
+                     : triangle_csv_fields(rows_.pair().b, parts_b_, triangle);
+  }
+
+  /// "contact", or "within 0.5".
+  [[nodiscard]] std::string event() const {
+    return options_.within == 0 ? "contact" : "place within " + readable(options_.within);
+  }
+
+  [[nodiscard]] std::string in_words(const FirstContact& answer) const;
+  [[nodiscard]] std::string pair_text(const FirstContact& answer) const;
+  [[nodiscard]] std::string cell(const FirstContact& answer) const;
+
+  const MotionRows& rows_;
+  FirstContactOptions options_;
+  const Console& console_;
+  GeoreferenceColumn georeference_;
+  PartsOf parts_a_;
+  PartsOf parts_b_;
+  std::optional<std::uint64_t> first_;  ///< motion that is not free
+  std::string first_cell_;
+};
+
+std::uint64_t MotionQuestion::answer(const ShowProgress& show) {
+  const std::vector<RigidMotion>& motions = rows_.block();
+  reserve(motions.size());
+  Limits limits = console_.limits();
+  limits.progress = show;
+  try {
+    put(0, first_contact(rows_.mover(), motions, rows_.fixed(), options_, limits));
+  } catch (const Error& error) {
+    if (rows_.before() == 0 || error.kind() == ErrorKind::cancelled) {
+      throw;
+    }
+    throw Error(error.kind(),
+                fmt::format("of the motions from {} on, {}", rows_.before(), error.place()),
+                error.remedy());
+  }
+  return 0;
+}
+
+void MotionQuestion::count(const AnsweredRow& row) {
+  const FirstContact answer = at(row.k);
+  if (!first_ && found(answer)) {
+    first_ = row.number;
+    first_cell_ = cell(answer);
+  }
+}
+
+std::string MotionQuestion::in_words(const FirstContact& answer) const {
+  if (undecided(answer)) {
+    return fmt::format("undecided, out of time: no {} until t = {}", event(),
+                       readable(answer.t.lower));
+  }
+  switch (answer.verdict) {
+    case ContactVerdict::free:
+      return fmt::format("free: no {} on the way", event());
+    case ContactVerdict::contact:
+      return fmt::format("first {} at t = {}", event(), readable(answer.t.upper));
+    case ContactVerdict::started:
+      return options_.within == 0
+                 ? "in contact at the start"
+                 : fmt::format("within {} at the start", readable(options_.within));
+    case ContactVerdict::grazing:
+      break;
+  }
+  return fmt::format("grazing: no {} until t = {}, and then nearer to one than rounding can tell",
+                     event(), readable(answer.t.lower));
+}
+
+std::string MotionQuestion::pair_text(const FirstContact& answer) const {
+  if (!answer.triangles) {
+    return "";
+  }
+  const PairReport& pair = rows_.pair();
+  return fmt::format(": triangle {} of {} and triangle {} of {} at {}",
+                     triangle_label(pair.a, answer.triangles->a), printable(pair.a.source),
+                     triangle_label(pair.b, answer.triangles->b), printable(pair.b.source),
+                     point_in_text(answer.point));
+}
+
+std::string MotionQuestion::cell(const FirstContact& answer) const {
+  if (undecided(answer)) {
+    return "undecided";
+  }
+  switch (answer.verdict) {
+    case ContactVerdict::free:
+      return "free";
+    case ContactVerdict::contact:
+      return "t = " + readable(answer.t.upper);
+    case ContactVerdict::started:
+      return "at the start";
+    case ContactVerdict::grazing:
+      break;
+  }
+  return "grazing, t = " + readable(answer.t.lower);
+}
+
+std::string MotionQuestion::text(const AnsweredRow& row) const {
+  const FirstContact answer = shown(row.k);
+  const auto label = [&](const MeshView& mesh, TriangleId TrianglePair::*side) {
+    return answer.triangles ? triangle_label(mesh, (*answer.triangles).*side) : std::string();
+  };
+  return table_line(fmt::format(kMotionForm, row.number, cell(answer),
+                                label(rows_.pair().a, &TrianglePair::a),
+                                label(rows_.pair().b, &TrianglePair::b)));
+}
+
+std::string MotionQuestion::totals(const RowTotals& totals) const {
+  return fmt::format(
+      "{}: {} free, {} with {}{}{}\n", counted(totals.rows, "motion"),
+      with_commas(totals.rows - totals.found - totals.undecided), with_commas(totals.found),
+      options_.within == 0 ? "contact" : "a " + event(),
+      first_ ? fmt::format(" (the first in motion {}, {})", *first_, first_cell_) : "",
+      totals.undecided == 0 ? "" : fmt::format(", {} undecided", with_commas(totals.undecided)));
+}
+
+void check_motion_options(const MotionVerbOptions& options) {
+  const int given = (options.to ? 1 : 0) + (options.by ? 1 : 0) + (options.path ? 1 : 0);
+  if (given != 1) {
+    throw Error(ErrorKind::usage,
+                given == 0 ? "neither --to, --by nor --path is given"
+                           : "--to, --by and --path exclude each other",
+                "give one of them");
+  }
+  if (options.path && options.from) {
+    throw Error(ErrorKind::usage, "--path and --from exclude each other",
+                "begin the path with the first pose");
+  }
+  if (options.by && options.pivot) {
+    throw Error(ErrorKind::usage, "--pivot has no effect with --by, which turns nothing",
+                "leave it out, or give --to");
+  }
+  const std::array<std::optional<std::string>, 6> inputs{options.a,    options.b,  options.pose_b,
+                                                         options.from, options.to, options.path};
+  if (std::count(inputs.begin(), inputs.end(), "-") > 1) {
+    throw Error(ErrorKind::usage, "standard input is given twice", "give one of them as a file");
+  }
+  check_answer_outputs({{"A", options.a},
+                        {"B", options.b},
+                        {"--from", options.from.value_or("")},
+                        {"--to", options.to.value_or("")},
+                        {"--path", options.path.value_or("")},
+                        {"--pose-b", options.pose_b.value_or("")}},
+                       options.outputs);
+}
+
+void add_vector(Parser& parser, const char* name, std::optional<Vec3>& target,
+                const std::string& meaning) {
+  parser
+      .add_option_function(
+          name, [name, &target](const std::string& text) { target = parse_point(name, text); },
+          meaning)
+      ->option_text("X,Y,Z")
+      ->group(kQuestionGroup);
+}
+
+void add_motion_poses(Parser& parser, MotionVerbOptions& options) {
+  const auto pose = [&](const char* name, std::optional<std::string>& target,
+                        const std::string& meaning, const char* form) {
+    parser.add_option(name, target, meaning)->option_text(form)->group(kQuestionGroup);
+  };
+  pose("--from", options.from, "pose of A at the start: \"x y z [qw qx qy qz]\", or rows of a file",
+       "POSE");
+  pose("--to", options.to, "pose of A at the end, in the same form", "POSE");
+  add_vector(parser, "--by", options.by, "a straight shift from --from on, in place of --to");
+  pose("--path", options.path, "poses of A, row per pose: a motion from each to the next", "FILE");
+  add_vector(parser, "--pivot", options.pivot,
+             "the point of A that goes straight; else its origin");
+  pose("--pose-b", options.pose_b, "the pose at which B rests", "POSE");
+}
+
+}  // namespace
+
+Action add_motion(Parser& parser, Shared&) {
+  const auto options = std::make_shared<MotionVerbOptions>();
+  parser.add_option("A", options->a, "model that moves; - is standard input")->required();
+  parser.add_option("B", options->b, "model that rests")->required();
+  add_motion_poses(parser, *options);
+  add_length(parser, "--clearance", options->clearance, "being this near is a contact")
+      ->group(kQuestionGroup);
+  add_choice<bool>(parser, "--fail-if", options->fail_if_contact, {{"contact", true}},
+                   "exit with status 1 unless all is free")
+      ->group(kQuestionGroup);
+  add_answer_outputs(parser, options->outputs,
+                     {AnswerFile::csv, AnswerFile::npz, AnswerFile::json, AnswerFile::lines},
+                     kQuestionGroup);
+  add_model_reading(parser, *options);
+  parser.footer(
+      "The first contact of the surfaces, proved for all times t of the way, from 0 to 1. A turns\n"
+      "about the pivot while that goes straight. Straight shifts are decided exactly." +
+      example_of_pair("motion knot.ply ball.off --from \"9 0 0\" --by \"-9 0 0\""));
+  return [options, &parser](Console& console) {
+    settle(parser, *options);
+    check_motion_options(*options);
+    return run_motion(*options, console);
+  };
+}
+
+int run_motion(const MotionVerbOptions& options, Console& console) {
+  Sinks sinks(options.outputs, console);
+  MotionRows rows(options, console);
+  MotionQuestion question(rows, {.within = options.clearance}, console);
+  return RowRun({.verb = "motion", .noun = "motion", .fail_if_found = options.fail_if_contact},
+                rows, question, sinks, console)
+      .run();
+}
+
+}  // namespace soms::command

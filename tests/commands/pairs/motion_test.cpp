@@ -1,0 +1,107 @@
+#include "tests/commands/near.h"
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace soms::test {
+namespace {
+
+/// `soms motion` of a cube of edge 2 about the origin past one that stays there.
+RunResult motion(std::vector<std::string> words) {
+  words.insert(words.begin(), {"motion", box(), box()});
+  return soms_run(words);
+}
+
+std::vector<Json> answers_of_motion(std::vector<std::string> words) {
+  words.emplace_back("--json");
+  const RunResult result = motion(std::move(words));
+  EXPECT_EQ(result.status, 0) << result.err;
+  return json_lines(result.out);
+}
+
+TEST(MotionVerb, AnswersInTheSchema) {
+  const Json found = answers_of_motion({"--from", "6 0 0", "--by", "-8,0,0"}).at(0);
+  EXPECT_EQ(found.at("schema"), "soms.motion/2");
+  EXPECT_EQ(found.at("motion"), 0);
+  EXPECT_EQ(found.at("verdict"), "contact");
+  EXPECT_EQ(found.at("lower"), 0.5);
+  EXPECT_EQ(found.at("upper"), 0.5);
+  EXPECT_EQ(found.at("triangles").size(), 2U);
+  EXPECT_EQ(found.at("point").at(0), 1);
+  EXPECT_EQ(found.at("coverage"), "complete");
+  EXPECT_TRUE(found.at("cost").contains("node_tests"));
+  const Json free = answers_of_motion({"--from", "6 5 0", "--to", "-6 5 0"}).at(0);
+  EXPECT_EQ(free.at("verdict"), "free");
+  EXPECT_EQ(free.at("lower"), 1);
+  EXPECT_TRUE(free.at("upper").is_null());
+  EXPECT_FALSE(free.contains("triangles"));
+  EXPECT_FALSE(free.contains("point"));
+  EXPECT_FALSE(free.contains("normal"));
+}
+
+TEST(MotionVerb, SaysPlainlyWhatIsFound) {
+  EXPECT_EQ(motion({"--from", "6 5 0", "--to", "-6 5 0"}).out, "free: no contact on the way\n");
+  EXPECT_TRUE(motion({"--from", "6 0 0", "--by", "-8,0,0"})
+                  .out.starts_with("first contact at t = 0.5: triangle "));
+  EXPECT_TRUE(motion({"--to", "9 0 0"}).out.starts_with("in contact at the start: triangle "));
+  EXPECT_EQ(motion({"--from", "6 5 0", "--to", "-6 5 0", "--clearance", "2.5"}).out,
+            "free: no place within 2.5 on the way\n");
+  EXPECT_TRUE(motion({"--from", "6 5 0", "--to", "-6 5 0", "--clearance", "3.5"})
+                  .out.starts_with("first place within 3.5 at t = "));
+}
+
+TEST(MotionVerb, APathHasAMotionLessThanPoses) {
+  const TemporaryFolder folder;
+  const std::string path = file_of(folder, "path.csv", "x,y,z\n9,0,0\n6,0,0\n-2,0,0\n-9,0,0\n");
+  const std::vector<Json> answers = answers_of_motion({"--path", path});
+  ASSERT_EQ(answers.size(), 3U);
+  EXPECT_EQ(answers[0].at("verdict"), "free");
+  EXPECT_EQ(answers[1].at("verdict"), "contact");
+  EXPECT_NEAR(answers[1].at("upper").get<double>(), 0.5, 1e-9);
+  EXPECT_EQ(answers[2].at("verdict"), "started");
+  const std::string text = motion({"--path", path}).out;
+  EXPECT_NE(text.find("3 motions: 1 free, 2 with contact (the first in motion 1, t = 0.5)\n"),
+            std::string::npos)
+      << text;
+}
+
+TEST(MotionVerb, RowsOfFilesAreMotions) {
+  const TemporaryFolder folder;
+  const std::string starts = file_of(folder, "starts.csv", "x,y,z\n6,0,0\n6,5,0\n");
+  const std::string csv = (folder.path() / "motion.csv").string();
+  const std::vector<Json> answers = answers_of_motion({"--from", starts, "--by", "-8,0,0"});
+  ASSERT_EQ(answers.size(), 2U);
+  EXPECT_EQ(answers[0].at("verdict"), "contact");
+  EXPECT_EQ(answers[1].at("verdict"), "free");
+  ASSERT_EQ(motion({"--from", starts, "--to", "-6 0 0", "-o", csv}).status, 0);
+  EXPECT_EQ(read_text(csv).substr(0, 24), "motion,verdict,lower,upp");
+}
+
+TEST(MotionVerb, FailsUnlessAllIsFree) {
+  EXPECT_EQ(motion({"--from", "6 0 0", "--by", "-8,0,0", "--fail-if", "contact"}).status, 1);
+  EXPECT_EQ(motion({"--to", "9 0 0", "--fail-if", "contact"}).status, 1);
+  EXPECT_EQ(motion({"--from", "6 5 0", "--by", "-8,0,0", "--fail-if", "contact"}).status, 0);
+}
+
+TEST(MotionVerb, RefusesWhatIsNoQuestion) {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+      {{"--from", "6 0 0"}, "neither --to, --by nor --path is given"},
+      {{"--to", "1 0 0", "--by", "1,0,0"}, "--to, --by and --path exclude each other"},
+      {{"--path", "p.csv", "--from", "1 0 0"}, "--path and --from exclude each other"},
+      {{"--by", "1,0,0", "--pivot", "0,0,0"}, "--pivot has no effect with --by"},
+      {{"--by", "1,0"}, "--by 1,0"},
+      {{"--to", "1 0"}, "--to"},
+      {{"--to", "1 0 0", "--clearance", "-1"}, "--clearance -1; give a length of 0 or more"},
+      {{"--to", "1 0 0", "--fail-if", "overlap"}, "--fail-if"}};
+  for (const auto& [words, message] : cases) {
+    const RunResult result = motion(words);
+    EXPECT_EQ(result.status, 2) << message;
+    EXPECT_NE(result.err.find(message), std::string::npos) << result.err;
+    EXPECT_EQ(result.out, "");
+  }
+}
+
+}  // namespace
+}  // namespace soms::test
