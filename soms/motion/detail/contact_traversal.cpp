@@ -117,6 +117,13 @@ bool ContactTraversal<Source>::halve(const Task& task, const SweptBoxes& x, std:
       give <= kBowMargins * bounds_.box_margin() || interval.to - interval.from <= kShortest) {
     return false;
   }
+  // Time is not cut where even the whole of it leaves the boxes apart.
+  LaneWindows windows;
+  find_windows(x, y, bounds_.box_margin(), windows);
+  cost_.node_tests += x.count * y.count;
+  if (windows[4 * lane_x + lane_y].empty()) {
+    return true;
+  }
   const std::uint32_t first = halves_of(task.interval);
   for (std::uint32_t half = first; half < first + 2; ++half) {
     if (task.key <= intervals_[half].to) {

@@ -1,6 +1,7 @@
 #include "soms/motion/detail/motion_bounds.h"
 
 #include "soms/base/error.h"
+#include "soms/motion/detail/motion_interval.h"
 #include "soms/query/detail/relative_pose.h"
 
 #include <algorithm>
@@ -42,6 +43,7 @@ MotionBounds::MotionBounds(const Shape& mover, const RigidMotion& motion, const 
     const double sine = length_of(axis);
     if (sine > 0) {
       axis_ = {axis.x / sine, axis.y / sine, axis.z / sine};
+      axis_in_world_ = turned(motion.law_at(0), axis_);
     }
     sine_ = sine * kMotionUp + kSineMargin;
     for (std::size_t k = 0; k < 4; ++k) {
@@ -75,6 +77,15 @@ double MotionBounds::curvature(double ta, double tb) const {
   const double speed = 2 * sine_ / least;
   const double growth = speed * (change + kSineMargin) / least;
   return (speed * speed + growth) * kMotionUp;
+}
+
+double MotionBounds::across(const Vec3& n) const {
+  const double sine = sine_ - kSineMargin;
+  if (!(sine > kSineMargin)) {
+    return 1;
+  }
+  return std::min(1.0,
+                  length_of(cross(axis_in_world_, n)) * kMotionUp + (kTurnMargin + 0x1p-46 / sine));
 }
 
 double MotionBounds::arm(const Vec3& point) const {

@@ -96,7 +96,7 @@ double PairAdvance::reach(const Place& place, const Parting& parting) const {
   }
   const double top =
       std::max({0.0, dot(n, resting_[1] - resting_[0]), dot(n, resting_[2] - resting_[0])});
-  const double a = arm_ * curvature_ / 2;
+  const double a = arm_ * curvature_ * bounds_.across(n) / 2;
   double least = std::numeric_limits<double>::infinity();
   for (const Vec3& x : place.corners) {
     const double gap =
@@ -116,6 +116,7 @@ double PairAdvance::reach(const Place& place, const Parting& parting) const {
 }
 
 bool PairAdvance::step(Place& place, const Parting& parting, double until) const {
+  const double arm = arm_ * bounds_.across(parting.direction);
   double length = reach(place, parting) * (curvature_ > 0 ? 1 - kLeft : 1 - 0x1p-40);
   for (int k = 0; k < kHalvings; ++k, length /= 2) {
     const double t = std::min(until, place.t + length);
@@ -124,7 +125,7 @@ bool PairAdvance::step(Place& place, const Parting& parting, double until) const
     }
     Place next = at(t);
     const double gap = std::min(parting.gap, gap_along(parting.direction, next.corners, resting_));
-    const double bow = arm_ * MotionBounds::bow(curvature_, t - place.t) * kMotionUp;
+    const double bow = arm * MotionBounds::bow(curvature_, t - place.t) * kMotionUp;
     if (gap - bow > bounds_.pair_margin()) {
       place = next;
       return true;

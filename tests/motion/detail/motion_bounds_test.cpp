@@ -120,6 +120,34 @@ TEST(MotionBounds, PointsAreNearTheChord) {
   EXPECT_GT(greatest_share, 0.5);
 }
 
+// A floor is not neared by what turns above it: what counts is the part of a direction across the
+// axis. Directions are next to the axis, and any.
+TEST(MotionBounds, PointsLeaveTheChordAcrossTheAxis) {
+  double greatest_share = 0;
+  test::for_each_case("motion-bounds/across", 1000, [&](Rng& rng) {
+    const MotionCase c = any_motion_case(rng);
+    if (c.motion.straight()) {
+      return;
+    }
+    const MotionInterval interval(c.bounds, 0.25, rng.uniform(0.3, 1));
+    const Vec3 axis = turned(c.motion.law_at(0.5), axis_between(c.motion.from(), c.motion.to()));
+    const Vec3 aside{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)};
+    const Vec3 n = direction_of(direction_of(axis) + aside * std::pow(10, -rng.uniform(0, 12)));
+    for (const Vec3& v : c.mover.mesh().vertices) {
+      const double bound =
+          interval.bend * c.bounds.arm(v) * c.bounds.across(n) + 2 * c.bounds.slack();
+      const double s = rng.uniform(-1, 1);
+      const Vec3 chord = mapped(interval.mean, v) + mapped(interval.change, v) * s;
+      const Far3 place = place_by_law(c.motion, v, interval.middle + s * interval.half);
+      const long double off =
+          n.x * (place[0] - chord.x) + n.y * (place[1] - chord.y) + n.z * (place[2] - chord.z);
+      ASSERT_LE(std::abs(static_cast<double>(off)), bound);
+      greatest_share = std::max(greatest_share, std::abs(static_cast<double>(off)) / bound);
+    }
+  });
+  EXPECT_GT(greatest_share, 0.3);
+}
+
 // The law turns faster in the middle: its acceleration has a part along the way, too.
 TEST(MotionBounds, CurvatureKnowsHowTheSpeedGrows) {
   test::for_each_case("motion-bounds/curvature", 500, [](Rng& rng) {

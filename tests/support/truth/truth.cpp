@@ -44,8 +44,8 @@ const std::map<int, std::vector<TrianglePair>>& truth_lists() {
   static const std::map<int, std::vector<TrianglePair>> lists = [] {
     std::map<int, std::vector<TrianglePair>> table;
     for (const TruthRow& row : rows("lists.csv", 3)) {
-      table[truth_number<int>(row[0])].emplace_back(truth_number<TriangleId>(row[1]),
-                                                    truth_number<TriangleId>(row[2]));
+      table[truth_number<int>(row[0])].push_back(
+          {truth_number<TriangleId>(row[1]), truth_number<TriangleId>(row[2])});
     }
     return table;
   }();
