@@ -134,7 +134,7 @@ std::string fault_of_scene(const Body& a, const Body& b, const Overlap& truth) {
   const StepReport report = scene.step();
   std::vector<TrianglePair> pairs;
   for (const EnvironmentContact& contact : report.environment) {
-    pairs.emplace_back(contact.i, contact.j);
+    pairs.push_back({contact.i, contact.j});
   }
   return pairs == truth.pairs ? "" : "a scene: other contacts than overlaps";
 }

@@ -27,16 +27,16 @@ the way, not for samples. Surfaces only, as for overlap.
 
 shape: Body, Shape or Mesh; the pose of a Body is not used. body: the same, where it stands. start,
 end: a pose as for overlap, or n of them; one goes with n others. The pivot goes straight at constant
-speed, and shape turns about it the shorter way. pivot: (3,), a point of shape; else its origin.
-by: (3,) or (n, 3), in world: a straight shift in place of end, which is None then. Without a
-clearance its time is exact. within: being this near is a contact, from 0 on. timeout: seconds after
-which the call ends, with coverage 'cut'. threads: 0 for all processors. progress: called with the
-share done.
+speed, and shape turns about it the shorter way (a half turn: either way). pivot: (3,), a point of
+shape; else its origin. by: (3,) or (n, 3), in world: a straight shift in place of end, which is None
+then. Without a clearance its time is exact; that of two poses with one rotation has a bracket.
+within: being this near is a contact, from 0 on. timeout: seconds after which the call ends, with
+coverage 'cut'. threads: 0 for all processors. progress: called with the share done.
 
 Returns FirstContact, or for n motions FirstContactBatch, the answers of single calls. verdict 'free':
 no contact at any time. 'contact': free until lower, in contact at upper, which are parts of the way.
-'started': in contact at the start. 'grazing': neither is proved. Raises Error of kind not_rigid,
-not_finite, out_of_range (motions, named by index), usage.
+'started': in contact at the start. 'grazing': neither is proved, so treat it as a contact. Raises
+Error of kind not_rigid, not_finite, out_of_range (motions, named by index), usage.
 Cost: typically a few times that of distance for each motion.)";
 
 constexpr const char* kFreeDoc =
