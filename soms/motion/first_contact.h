@@ -151,10 +151,10 @@ struct Fields<FirstContact> {
 /// `pose_at`. `contact` says that the body at `pose_at(t.upper)` is in contact by the library's
 /// exact decision. Poses at both ends that are rotations to 1e-6 only are decided as they are.
 /// `grazing` is what remains: nearer than some 2^-44 of the largest coordinate, beyond `within`, at
-/// `t.lower`, and no time was found with a contact; or two triangles glide along each other for
-/// over 2,000 steps. The bracket is as wide as that gap takes to close. The pair named is the least
-/// of those with the earliest proof, not always the first one to touch where several do so within
-/// the bracket.
+/// `t.lower`, and no time was found with a contact. It is also said where two triangles glide along
+/// each other for over 2,000 steps. The bracket is as wide as that gap takes to close. The pair
+/// named is the least of those with the earliest proof, not always the first one to touch where
+/// several do so within the bracket.
 ///
 /// \errors  ErrorKind::not_rigid, not_finite, out_of_range for a pose, or where the body may come
 ///          beyond 2^300 on its way; usage for a `within` that is negative or not a number;
