@@ -1,4 +1,5 @@
 """What tests of clusters share: a job, the bytes that one machine answers, and tasks that die on purpose."""
+import json
 import os
 import pathlib
 import resource
@@ -86,6 +87,14 @@ def wait_until(happened, child=None):
             return happened()
         time.sleep(0.01)
     return True
+
+
+def written(file):
+    """The file of a scheduler holds its address. It is there, empty, before it is written."""
+    try:
+        return "address" in json.loads(pathlib.Path(file).read_bytes())
+    except (OSError, ValueError):
+        return False
 
 
 def start(files, folder, *more):

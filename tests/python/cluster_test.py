@@ -20,7 +20,7 @@ import numpy as np
 import soms
 import soms.dask
 from cluster_models import (POISON, ROWS, bytes_of_one_machine, dying, job_in, make_files, modules, poisoned, receipts, start,
-                            wait_until, without_disk)
+                            wait_until, without_disk, written)
 from soms import cluster
 
 KILLS = 20
@@ -170,7 +170,7 @@ class Faults(Clusters):
         quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL, "start_new_session": True}
         scheduler = subprocess.Popen([sys.executable, "-m", "distributed.cli.dask_scheduler", "--host", "127.0.0.1", "--port",
                                       str(port), "--no-dashboard", "--scheduler-file", file], **quiet)
-        wait_until(lambda: pathlib.Path(file).exists(), scheduler)
+        self.assertTrue(wait_until(lambda: written(file), scheduler))
         worker = subprocess.Popen([sys.executable, "-m", "distributed.cli.dask_worker", "--scheduler-file", file, "--nthreads", "1",
                                    "--no-dashboard"], **quiet)
         return scheduler, worker
