@@ -169,6 +169,17 @@ struct Fields<FirstContact> {
                                          const Body& fixed, const FirstContactOptions& options = {},
                                          const Limits& limits = {});
 
+/// The same for two bodies that move at the same time, `other` on a way of its own. The answer is
+/// that of a motion with a turn, also for two shifts: nothing is decided in whole numbers. `point`
+/// and `normal` are in world at `t.upper`. Slacks and brackets grow with the coordinates of both.
+///
+/// \errors  As above, for both.
+/// \cost    As above; where both turn, more of the way is halved.
+[[nodiscard]] FirstContact first_contact(const Shape& mover, const RigidMotion& motion,
+                                         const Shape& other, const RigidMotion& motion_of_other,
+                                         const FirstContactOptions& options = {},
+                                         const Limits& limits = {});
+
 /// `first_contact` of `mover` on each of `motions`: the answers of single queries. What
 /// a deadline leaves is `cut`.
 ///

@@ -40,13 +40,13 @@ bool means_lane(std::uint32_t id, std::size_t lane) {
 
 template <class Source>
 ContactTraversal<Source>::ContactTraversal(const MotionBounds& bounds, const Shape& mover,
-                                           const Body& fixed, ContactGoal& goal)
+                                           const Shape& other, ContactGoal& goal)
     : bounds_(bounds),
       mover_(mover),
-      fixed_(fixed),
+      resting_(other, bounds.law().resting_pose()),
       goal_(goal),
       x_(mover),
-      y_(fixed.shape),
+      y_(other),
       unfinished_(kNever) {
   intervals_.emplace_back(bounds, 0.0, 1.0);
   push({0, kRootId, kRootId, 0, 0});
@@ -140,7 +140,7 @@ void ContactTraversal<Source>::open(const Task& from) {
   const WideNode node_x = x_.node(index_of(task.x));
   const WideNode node_y = y_.node(index_of(task.y));
   const WideTree& tree_x = mover_.layout();
-  const WideTree& tree_y = fixed_.shape.layout();
+  const WideTree& tree_y = resting_.shape.layout();
   const MotionInterval interval = intervals_[task.interval];
   const double size_x = node_x.l1_radius / tree_x.scale();
   const double size_y = node_y.l1_radius / tree_y.scale();
@@ -148,7 +148,7 @@ void ContactTraversal<Source>::open(const Task& from) {
   const bool only_x = !any_leaf && size_x > kSimilarSwept * size_y;
   const bool only_y = !any_leaf && size_y > kSimilarSwept * size_x;
   const SweptBoxes whole_x = swept_boxes(tree_x, node_x, bounds_, interval, true);
-  const SweptBoxes whole_y = resting_boxes(tree_y, node_y, fixed_.pose, true);
+  const SweptBoxes whole_y = resting_boxes(tree_y, node_y, resting_.pose, true);
   if (halve(task, whole_x, 0, whole_y, 0)) {
     return;
   }
@@ -161,7 +161,7 @@ void ContactTraversal<Source>::open(const Task& from) {
     return;
   }
   const SweptBoxes x = only_y ? whole_x : swept_boxes(tree_x, node_x, bounds_, interval, false);
-  const SweptBoxes y = only_x ? whole_y : resting_boxes(tree_y, node_y, fixed_.pose, false);
+  const SweptBoxes y = only_x ? whole_y : resting_boxes(tree_y, node_y, resting_.pose, false);
   LaneWindows windows;
   find_windows(x, y, bounds_.box_margin(), windows);
   cost_.node_tests += x.count * y.count;
@@ -194,7 +194,7 @@ void ContactTraversal<Source>::look_at_leaves(const Task& task, Limit& limit) {
   const WideNode node_y = y_.node(index_of(task.y));
   const MotionInterval interval = intervals_[task.interval];
   const SweptBoxes boxes_x = swept_boxes(mover_.layout(), node_x, bounds_, interval, false);
-  const SweptBoxes boxes_y = resting_boxes(fixed_.shape.layout(), node_y, fixed_.pose, false);
+  const SweptBoxes boxes_y = resting_boxes(resting_.shape.layout(), node_y, resting_.pose, false);
   if (halve(task, boxes_x, lane_of(task.x), boxes_y, lane_of(task.y))) {
     static_cast<void>(limit.spend(16));
     return;
@@ -233,7 +233,7 @@ void ContactTraversal<Source>::look_at_blocks(const TriangleBlock& x, const Tria
     }
   }
   for (std::size_t j = 0; j < y.count && !swept_.empty(); ++j) {
-    const Corners resting = corners_of(moved_triangle(fixed_, y.id[j]));
+    const Corners resting = corners_of(moved_triangle(resting_, y.id[j]));
     if (window_of(leaves.x, leaves.lane_x, resting, margin).empty()) {
       continue;
     }
@@ -259,8 +259,7 @@ void ContactTraversal<Source>::advance_meetings() {
   });
   for (const Meeting& meeting : meetings_) {
     if (meeting.from <= goal_.limit()) {
-      PairAdvance(bounds_, {meeting.id_x, meeting.id_y}, swept_[meeting.x].body,
-                  moved_triangle(fixed_, meeting.id_y), goal_, cost_)
+      PairAdvance(bounds_, mover_, resting_, {meeting.id_x, meeting.id_y}, goal_, cost_)
           .run(meeting.from, meeting.until);
     }
   }
@@ -274,7 +273,7 @@ double ContactTraversal<Source>::free_of_box(std::uint32_t token, const SweptBox
     const TriangleBlock& block = y_.block(token);
     cost_.node_tests += block.count;
     for (std::size_t j = 0; j < block.count; ++j) {
-      const Corners resting = corners_of(moved_triangle(fixed_, block.id[j]));
+      const Corners resting = corners_of(moved_triangle(resting_, block.id[j]));
       const TimeWindow window = window_of(x, 0, resting, bounds_.box_margin());
       first = window.empty() ? first : std::min(first, interval.begin_of(window));
     }

@@ -16,7 +16,7 @@
 
 namespace soms::detail {
 
-/// Pairs of nodes of the mover, x, and the fixed body, y, each over a stretch of the way. A pair
+/// Pairs of nodes of the mover, x, and the other body, y, each over a stretch of the way. A pair
 /// whose windows leave no time is done. Of the others, nodes are descended, the larger one alone
 /// where they differ much; the time is halved only where the bow of the way is large beside the
 /// nodes, so never for a straight motion. A heap holds them by the time before which they are free.
@@ -24,7 +24,7 @@ template <class Source>
 class ContactTraversal {
  public:
   /// \pre No mesh is empty. Refers to what it is given.
-  ContactTraversal(const MotionBounds& bounds, const Shape& mover, const Body& fixed,
+  ContactTraversal(const MotionBounds& bounds, const Shape& mover, const Shape& other,
                    ContactGoal& goal);
 
   /// Runs to the end, or until the limit is spent. True if it came to the end.
@@ -90,7 +90,7 @@ class ContactTraversal {
 
   const MotionBounds& bounds_;
   const Shape& mover_;
-  const Body& fixed_;
+  Body resting_;  ///< the other body in the frame of the law
   ContactGoal& goal_;
   Source x_;
   Source y_;

@@ -30,10 +30,10 @@ struct MotionInterval {
   double to;
   double middle;
   double half;
-  Pose mean;    ///< half the sum of the poses at both ends: a map, not a pose
-  Pose change;  ///< half their difference
-  double turn;  ///< no vector changes by more of its length
-  double bend;  ///< no point leaves the chord by more of its distance from the axis
+  Pose mean;                     ///< half the sum of the poses at both ends: a map, not a pose
+  Pose change;                   ///< half their difference
+  double turn;                   ///< no vector changes by more of its length
+  Curvature bow;                 ///< no point leaves the chord by more than this of its arm
   std::uint32_t halves = kNone;  ///< the first half; the second follows
 };
 

@@ -44,64 +44,45 @@ double simplest(double from, double to) {
 
 }  // namespace
 
-PairAdvance::PairAdvance(const MotionBounds& bounds, const TrianglePair& ids,
-                         const Triangle& moving, const Triangle& resting, ContactGoal& goal,
-                         Cost& cost)
+PairAdvance::PairAdvance(const MotionBounds& bounds, const Shape& mover, const Body& resting,
+                         const TrianglePair& ids, ContactGoal& goal, Cost& cost)
     : bounds_(bounds),
-      motion_(bounds.motion()),
+      law_(bounds.law()),
       ids_(ids),
-      moving_(corners_of(moving)),
-      resting_(corners_of(resting)),
+      moving_(corners_of(mover.mesh().triangle(ids.a))),
+      other_(corners_of(resting.shape.mesh().triangle(ids.b))),
+      resting_(placed(other_, resting.pose)),
       goal_(goal),
       cost_(cost) {
   for (const Vec3& corner : moving_) {
-    arm_ = std::max(arm_, bounds.arm(corner));
+    arm_ = std::max(arm_, law_.arm(corner));
   }
 }
 
 PairAdvance::Place PairAdvance::at(double t) const {
-  Place place{t, motion_.law_at(t), {}};
-  for (std::size_t k = 0; k < 3; ++k) {
-    place.corners[k] = place.pose.apply(moving_[k]);
-  }
-  return place;
+  return {t, placed(moving_, law_.at(t))};
 }
 
 bool PairAdvance::touches(double t) {
-  const Pose pose = motion_.pose_at(t);
-  Corners placed;
-  for (std::size_t k = 0; k < 3; ++k) {
-    placed[k] = pose.apply(moving_[k]);
-  }
+  const Triangle x = triangle_of(placed(moving_, law_.mover_at(t)));
+  const Triangle y = triangle_of(placed(other_, law_.other_at(t)));
   if (bounds_.clearance() > 0) {
-    return triangles_within(triangle_of(placed), triangle_of(resting_), bounds_.clearance());
+    return triangles_within(x, y, bounds_.clearance());
   }
-  return triangles_overlap(triangle_of(placed), triangle_of(resting_), &cost_.exact_tests);
+  return triangles_overlap(x, y, &cost_.exact_tests);
 }
 
 double PairAdvance::reach(const Place& place, const Parting& parting) const {
   const Vec3& n = parting.direction;
-  Vec3 drift = motion_.by();
-  Vec3 spin;
-  Vec3 pivot;
-  if (!motion_.straight()) {
-    drift = motion_.pivot_to() - motion_.pivot_from();
-    pivot = motion_.pivot_from() + drift * place.t;
-    double squared = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const double q = motion_.from()[k] + place.t * (motion_.to()[k] - motion_.from()[k]);
-      squared += q * q;
-    }
-    spin = turned(place.pose, axis_between(motion_.from(), motion_.to())) * (2 / squared);
-  }
+  const Twist twist = law_.twist_at(place.t);
   const double top =
       std::max({0.0, dot(n, resting_[1] - resting_[0]), dot(n, resting_[2] - resting_[0])});
-  const double a = arm_ * curvature_ * bounds_.across(n) / 2;
+  const double a = curvature_ * law_.across(n) / 2;
   double least = std::numeric_limits<double>::infinity();
   for (const Vec3& x : place.corners) {
     const double gap =
         dot(n, x - resting_[0]) - top - bounds_.pair_margin() - bounds_.rounding() * 0x1p-4;
-    const double speed = dot(n, drift + cross(spin, x - pivot));
+    const double speed = dot(n, twist.drift + cross(twist.spin, x - twist.pivot));
     // Where gap + speed s - a s^2 is spent.
     double s = std::numeric_limits<double>::infinity();
     if (a > 0) {
@@ -116,7 +97,7 @@ double PairAdvance::reach(const Place& place, const Parting& parting) const {
 }
 
 bool PairAdvance::step(Place& place, const Parting& parting, double until) const {
-  const double arm = arm_ * bounds_.across(parting.direction);
+  const double bend = curvature_ * law_.across(parting.direction) * kMotionUp;
   double length = reach(place, parting) * (curvature_ > 0 ? 1 - kLeft : 1 - 0x1p-40);
   for (int k = 0; k < kHalvings; ++k, length /= 2) {
     const double t = std::min(until, place.t + length);
@@ -125,7 +106,7 @@ bool PairAdvance::step(Place& place, const Parting& parting, double until) const
     }
     Place next = at(t);
     const double gap = std::min(parting.gap, gap_along(parting.direction, next.corners, resting_));
-    const double bow = arm * MotionBounds::bow(curvature_, t - place.t) * kMotionUp;
+    const double bow = MotionBounds::bow(bend, t - place.t);
     if (gap - bow > bounds_.pair_margin()) {
       place = next;
       return true;
@@ -146,11 +127,10 @@ double PairAdvance::earliest(double without, double with) {
 }
 
 void PairAdvance::decide() {
-  const Pose& start = motion_.start();
-  const Triangle starting{start.apply(moving_[0]), start.apply(moving_[1]),
-                          start.apply(moving_[2])};
+  const RigidMotion& motion = *law_.alone();
+  const Triangle starting = triangle_of(placed(moving_, motion.start()));
   ++cost_.exact_tests;
-  if (auto time = exact_sweep(starting, triangle_of(resting_), motion_.by())) {
+  if (auto time = exact_sweep(starting, triangle_of(resting_), motion.by())) {
     goal_.add_exact(ids_, std::move(*time));
   }
 }
@@ -190,7 +170,7 @@ bool PairAdvance::pass(Place& place, double until) {
 }
 
 void PairAdvance::run(double from, double until) {
-  curvature_ = bounds_.curvature(from, until);
+  curvature_ = law_.curvature(from, until).of(arm_);
   const double enough = bounds_.pair_margin() + kNextToNone * bounds_.rounding();
   Place place = at(from);
   for (int k = 0; k < kMostSteps; ++k) {

@@ -16,9 +16,9 @@ namespace soms::detail {
 /// motion_bounds.h: the gaps at both ends, less what the curve may leave the chord by.
 class PairAdvance {
  public:
-  /// `moving` in the coordinates of its body, `resting` in world.
-  PairAdvance(const MotionBounds& bounds, const TrianglePair& ids, const Triangle& moving,
-              const Triangle& resting, ContactGoal& goal, Cost& cost);
+  /// `resting` is in the frame of the law.
+  PairAdvance(const MotionBounds& bounds, const Shape& mover, const Body& resting,
+              const TrianglePair& ids, ContactGoal& goal, Cost& cost);
 
   /// Adds to the goal what is not free in [from, until]. \pre 0 <= from <= until <= 1
   void run(double from, double until);
@@ -27,13 +27,12 @@ class PairAdvance {
   /// The triangle at a time.
   struct Place {
     double t = 0;
-    Pose pose;
     Corners corners;
   };
 
   [[nodiscard]] Place at(double t) const;
 
-  /// At 0 and 1 the poses as the caller gave them.
+  /// By the poses that are decided.
   [[nodiscard]] bool touches(double t);
 
   /// About how far to go from `place` until the gap along a direction is spent.
@@ -53,12 +52,13 @@ class PairAdvance {
   [[nodiscard]] double earliest(double without, double with);
 
   const MotionBounds& bounds_;
-  const RigidMotion& motion_;
+  const MotionLaw& law_;
   TrianglePair ids_;
-  Corners moving_;
+  Corners moving_;  ///< in the coordinates of its body
+  Corners other_;   ///< likewise
   Corners resting_;
   double arm_ = 0;
-  double curvature_ = 0;  ///< over what is left
+  double curvature_ = 0;  ///< of all corners, over what is left
   ContactGoal& goal_;
   Cost& cost_;
 };

@@ -19,6 +19,10 @@ using Corners = std::array<Vec3, 3>;
   return {c[0], c[1], c[2]};
 }
 
+[[nodiscard]] inline Corners placed(const Corners& c, const Pose& pose) {
+  return {pose.apply(c[0]), pose.apply(c[1]), pose.apply(c[2])};
+}
+
 /// Directions of a triangle's edges and normal, of length 1; zero where it has none.
 struct TriangleSides {
   Vec3 normal;

@@ -108,7 +108,7 @@ SweptBoxes swept_boxes(const WideTree& tree, const WideNode& node, const MotionB
     boxes.change[lane] = mapped(interval.change, center);
     const double radius = length_of_half(boxes.half[lane]) * (1 + kAxesShare);
     boxes.give[lane] =
-        (interval.bend * (bounds.arm(center) + radius) + interval.turn * radius) * kMotionUp;
+        (interval.bow.of(bounds.law().arm(center) + radius) + interval.turn * radius) * kMotionUp;
   }
   return boxes;
 }

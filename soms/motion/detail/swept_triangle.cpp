@@ -42,14 +42,14 @@ SweptTriangle swept_triangle(const Triangle& body, const MotionBounds& bounds,
   for (std::size_t k = 0; k < 3; ++k) {
     swept.corners[k] = mapped(interval.mean, corners[k]);
     changes[k] = mapped(interval.change, corners[k]);
-    arm = std::max(arm, bounds.arm(corners[k]));
+    arm = std::max(arm, bounds.law().arm(corners[k]));
   }
   swept.sides = sides_of(swept.corners);
   swept.change = (changes[0] + changes[1] + changes[2]) * (1.0 / 3);
   for (const Vec3& change : changes) {
     swept.give = std::max(swept.give, length_of(change - swept.change));
   }
-  swept.give = (swept.give + interval.bend * arm) * kMotionUp;
+  swept.give = (swept.give + interval.bow.of(arm)) * kMotionUp;
   return swept;
 }
 

@@ -6,6 +6,7 @@
 #include "soms/motion/detail/swept_boxes.h"
 #include "soms/motion/detail/swept_triangle.h"
 
+#include "tests/motion/place_by_law.h"
 #include "tests/support/bodies.h"
 #include "tests/support/support.h"
 
@@ -17,18 +18,23 @@
 namespace soms::detail {
 namespace {
 
+using test::Far3;
+using test::place_by_law;
+
 /// A motion, and a body of some size somewhere.
 struct MotionCase {
   Shape mover;
   RigidMotion motion;
   Body fixed;
+  RigidLaw law;
   MotionBounds bounds;
 
   MotionCase(const Mesh& mesh, RigidMotion m)
       : mover(mesh),
         motion(m),
         fixed(test::box_body({-1, -1, -1}, {1, 1, 1})),
-        bounds(mover, motion, fixed, 0) {}
+        law(mover, motion, fixed),
+        bounds(law, fixed.shape, 0) {}
 };
 
 MotionCase any_motion_case(Rng& rng) {
@@ -50,38 +56,6 @@ MotionCase any_motion_case(Rng& rng) {
   return {mesh, RigidMotion::between(start, turn * start, any(far + 1))};
 }
 
-using Far3 = std::array<long double, 3>;
-
-/// Where the law puts a point, by long doubles.
-Far3 place_by_law(const RigidMotion& motion, const Vec3& v, long double t) {
-  if (motion.straight()) {
-    const Vec3 start = motion.start().apply(v);
-    return {start.x + t * motion.by().x, start.y + t * motion.by().y, start.z + t * motion.by().z};
-  }
-  std::array<long double, 4> q{};
-  long double squared = 0;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const long double from = motion.from()[k];
-    q[k] = from + t * (motion.to()[k] - from);
-    squared += q[k] * q[k];
-  }
-  const auto [w, x, y, z] = q;
-  const std::array<Far3, 3> rotation{
-      {{w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)},
-       {2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)},
-       {2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z}}};
-  Far3 place{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const long double from = motion.pivot_from()[i];
-    place[i] = from + t * (motion.pivot_to()[i] - from);
-    for (std::size_t j = 0; j < 3; ++j) {
-      place[i] += rotation[i][j] / squared *
-                  (static_cast<long double>(v[j]) - static_cast<long double>(motion.pivot()[j]));
-    }
-  }
-  return place;
-}
-
 double distance_from(const Far3& a, const Vec3& b) {
   return static_cast<double>(std::hypot(a[0] - b.x, a[1] - b.y, a[2] - b.z));
 }
@@ -92,7 +66,7 @@ TEST(MotionBounds, PosesAreWithinTheSlackOfTheLaw) {
     const double t = rng.unit();
     for (const Vec3& v : c.mover.mesh().vertices) {
       ASSERT_LE(distance_from(place_by_law(c.motion, v, t), c.motion.law_at(t).apply(v)),
-                c.bounds.slack());
+                c.law.slack());
     }
   });
 }
@@ -107,7 +81,7 @@ TEST(MotionBounds, PointsAreNearTheChord) {
     const double to = rng.below(2) == 0 ? 1 : rng.uniform(from, 1);
     const MotionInterval interval(c.bounds, from, to);
     for (const Vec3& v : c.mover.mesh().vertices) {
-      const double bound = interval.bend * c.bounds.arm(v) + 2 * c.bounds.slack();
+      const double bound = interval.bow.of(c.law.arm(v)) + 2 * c.law.slack();
       for (const double s : {-0.9, -0.5, 0.0, 0.3, rng.uniform(-1, 1)}) {
         const Vec3 chord = mapped(interval.mean, v) + mapped(interval.change, v) * s;
         const double off =
@@ -134,8 +108,7 @@ TEST(MotionBounds, PointsLeaveTheChordAcrossTheAxis) {
     const Vec3 aside{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)};
     const Vec3 n = direction_of(direction_of(axis) + aside * std::pow(10, -rng.uniform(0, 12)));
     for (const Vec3& v : c.mover.mesh().vertices) {
-      const double bound =
-          interval.bend * c.bounds.arm(v) * c.bounds.across(n) + 2 * c.bounds.slack();
+      const double bound = interval.bow.of(c.law.arm(v)) * c.law.across(n) + 2 * c.law.slack();
       const double s = rng.uniform(-1, 1);
       const Vec3 chord = mapped(interval.mean, v) + mapped(interval.change, v) * s;
       const Far3 place = place_by_law(c.motion, v, interval.middle + s * interval.half);
@@ -157,7 +130,7 @@ TEST(MotionBounds, CurvatureKnowsHowTheSpeedGrows) {
     }
     constexpr long double kStep = 1e-4L;
     const double t = rng.below(3) == 0 ? 1e-4 : rng.uniform(1e-3, 0.999);
-    const double curvature = c.bounds.curvature(t - 1e-4, t + 1e-4);
+    const Curvature curvature = c.law.curvature(t - 1e-4, t + 1e-4);
     for (const Vec3& v : c.mover.mesh().vertices) {
       const Far3 before = place_by_law(c.motion, v, t - kStep);
       const Far3 here = place_by_law(c.motion, v, t);
@@ -166,8 +139,8 @@ TEST(MotionBounds, CurvatureKnowsHowTheSpeedGrows) {
       for (std::size_t k = 0; k < 3; ++k) {
         bend[k] = (before[k] + after[k] - 2 * here[k]) / (kStep * kStep);
       }
-      const double arm = c.bounds.arm(v);
-      ASSERT_LE(distance_from(bend, {}), arm * curvature * (1 + 1e-5) + arm * 1e-9);
+      const double arm = c.law.arm(v);
+      ASSERT_LE(distance_from(bend, {}), curvature.of(arm) * (1 + 1e-5) + arm * 1e-9);
     }
   });
 }
@@ -216,7 +189,7 @@ TEST(MotionBounds, WindowsHoldTheTimeOfAMeeting) {
     x.half[0] = y.half[0] = {0, 0, 0};
     x.center[0] = mapped(interval.mean, v);
     x.change[0] = mapped(interval.change, v);
-    x.give[0] = interval.bend * c.bounds.arm(v);
+    x.give[0] = interval.bow.of(c.law.arm(v));
     y.center[0] = c.motion.law_at(interval.middle + s * interval.half).apply(v);
     y.change[0] = {};
     y.give[0] = 0;
@@ -277,7 +250,7 @@ TEST(MotionBounds, WindowsOfLeavesHoldTheTimeOfAMeetingWithABox) {
     ASSERT_GE(triangle.upper, s);
     SweptBoxes box = box_of_point(rng, mapped(interval.mean, t.a));
     box.change[0] = mapped(interval.change, t.a);
-    box.give[0] = interval.bend * c.bounds.arm(t.a);
+    box.give[0] = interval.bow.of(c.law.arm(t.a));
     const Vec3 corner = pose.apply(t.a);
     const Vec3 n{rng.uniform(-9, 9), rng.uniform(-9, 9), rng.uniform(-9, 9)};
     const TimeWindow other = window_of(box, 0, {corner, corner + n, corner + cross(n, {3, 2, 1})},

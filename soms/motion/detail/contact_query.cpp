@@ -1,0 +1,138 @@
+#include "soms/motion/detail/contact_query.h"
+
+#include "soms/base/double_limits.h"
+#include "soms/geometry/triangle_distance.h"
+#include "soms/motion/detail/contact_normal.h"
+#include "soms/motion/detail/contact_traversal.h"
+#include "soms/query/detail/engine/pair_frame.h"
+#include "soms/query/within.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace soms::detail {
+
+namespace {
+
+/// Triangles in contact at the end of the bracket are this many margins deep in each other at most,
+/// or no normal is named.
+constexpr double kDepth = 16;
+
+/// One question and its answer.
+class ContactQuery {
+ public:
+  ContactQuery(const MotionLaw& law, const Shape& mover, const Shape& other,
+               const FirstContactOptions& options, const Limits& limits)
+      : law_(law),
+        mover_(mover),
+        other_(other),
+        clearance_(options.within),
+        limits_(limits),
+        bounds_(law, other, options.within) {}
+
+  [[nodiscard]] FirstContact ask() {
+    if (in_contact_at(0)) {
+      answer_.verdict = ContactVerdict::started;
+      answer_.t = {0, 0};
+      name(0);
+      return answer_;
+    }
+    if (answer_.coverage == Coverage::cut) {
+      leave_open(0);
+      return answer_;
+    }
+    ContactGoal goal;
+    const double proved = traverse(goal);
+    finish(goal, proved);
+    return answer_;
+  }
+
+ private:
+  /// Decides poses of the caller, at 0 and 1, as they are.
+  [[nodiscard]] bool in_contact_at(double t) {
+    const Within found =
+        within(Body(mover_, law_.mover_at(t)), Body(other_, law_.other_at(t)), clearance_, limits_);
+    answer_.cost += found.cost;
+    answer_.coverage = found.within ? Coverage::complete : found.coverage;
+    if (found.within) {
+      answer_.triangles = found.triangles;
+    }
+    return found.within;
+  }
+
+  /// All before what it returns is free but for what the goal knows; infinity if all is.
+  [[nodiscard]] double traverse(ContactGoal& goal) {
+    return any_compact(mover_, other_) ? traverse_by<CompactSource>(goal)
+                                       : traverse_by<WideSource>(goal);
+  }
+
+  template <class Source>
+  [[nodiscard]] double traverse_by(ContactGoal& goal) {
+    Limit limit(limits_);
+    ContactTraversal<Source> traversal(bounds_, mover_, other_, goal);
+    const bool complete = traversal.run(limit);
+    answer_.cost += traversal.cost();
+    answer_.coverage = complete ? Coverage::complete : Coverage::cut;
+    return complete ? kInfinity : traversal.free_until();
+  }
+
+  void finish(const ContactGoal& goal, double proved) {
+    const double free_until = std::min(goal.free_until(), proved);
+    if (goal.proved()) {
+      answer_.verdict = ContactVerdict::contact;
+      answer_.t = {std::min(free_until, goal.limit()), goal.limit()};
+      answer_.triangles = goal.triangles();
+      name(goal.limit());
+    } else if (answer_.coverage == Coverage::cut) {
+      answer_.triangles = goal.triangles();
+      leave_open(free_until);
+    } else if (!bounds_.exact() && in_contact_at(1)) {
+      answer_.verdict = ContactVerdict::contact;
+      answer_.t = {std::min(free_until, std::nextafter(1.0, 0.0)), 1};
+      name(1);
+    } else if (answer_.coverage == Coverage::cut || goal.triangles()) {
+      answer_.triangles = goal.triangles();
+      leave_open(free_until);
+    } else {
+      answer_.t = {1, kInfinity};
+    }
+  }
+
+  void leave_open(double free_until) {
+    answer_.verdict = ContactVerdict::grazing;
+    answer_.t = {std::min(free_until, 1.0), kInfinity};
+    if (answer_.triangles) {
+      name(answer_.t.lower);
+    }
+  }
+
+  /// Says where the pair of triangles meets at `t`.
+  void name(double t) {
+    const Corners moving = corners_of(mover_.mesh().triangle(answer_.triangles->a));
+    const Corners x = placed(moving, law_.mover_at(t));
+    const Corners y =
+        placed(corners_of(other_.mesh().triangle(answer_.triangles->b)), law_.other_at(t));
+    answer_.point = triangle_distance(triangle_of(x), triangle_of(y)).point_b;
+    if (clearance_ == 0 && answer_.verdict == ContactVerdict::contact) {
+      const Corners before = placed(placed(moving, law_.at(answer_.t.lower)), law_.frame_at(t));
+      answer_.normal = contact_normal(x, y, kDepth * bounds_.rounding(), before);
+    }
+  }
+
+  const MotionLaw& law_;
+  const Shape& mover_;
+  const Shape& other_;
+  double clearance_;
+  const Limits& limits_;
+  MotionBounds bounds_;
+  FirstContact answer_;
+};
+
+}  // namespace
+
+FirstContact first_contact_by(const MotionLaw& law, const Shape& mover, const Shape& other,
+                              const FirstContactOptions& options, const Limits& limits) {
+  return ContactQuery(law, mover, other, options, limits).ask();
+}
+
+}  // namespace soms::detail

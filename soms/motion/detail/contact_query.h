@@ -1,0 +1,17 @@
+/// \file
+/// The first contact of a body that follows a law with another: the answer for one motion.
+#pragma once
+
+#include "soms/base/limits.h"
+#include "soms/motion/detail/motion_law.h"
+#include "soms/motion/first_contact.h"
+
+namespace soms::detail {
+
+/// \pre The poses passed their checks, and `options` too; no mesh is empty.
+/// \errors As `first_contact`.
+[[nodiscard]] FirstContact first_contact_by(const MotionLaw& law, const Shape& mover,
+                                            const Shape& other, const FirstContactOptions& options,
+                                            const Limits& limits);
+
+}  // namespace soms::detail
