@@ -30,9 +30,9 @@ TUPLES = {
 }
 # Answers about many bodies are for C++ and Python.
 OF_WEB = ["Cost", "Overlap", "OverlapBatch", "Distance", "Within", "Solid", "Contains", "Closest", "NearTriangles",
-          "Winding", "ClosestHit", "AnyHit", "AllHits"]
+          "Winding", "ClosestHit", "AnyHit", "AllHits", "FirstContact"]
 # Enumerations that the npm package names; the words of others stand where they are used.
-WEB_ENUMS = ("Coverage", "Relation", "Side", "TriangleFeature")
+WEB_ENUMS = ("Coverage", "Relation", "Side", "TriangleFeature", "ContactVerdict")
 # Functions of the npm package that a worker has no name for.
 NOT_OF_WORKER = {"load"}
 
@@ -140,7 +140,7 @@ def web_kind(kind):
     """How a single value is taken out of a column."""
     first, _, rest = kind.partition(" ")
     if first == "optional":
-        return {"uint32": "triangle", "pair": "pair"}[rest]
+        return {"uint32": "triangle", "pair": "pair", "point": "vector"}[rest]
     return {"bool": "flag", "double": "number", "point": "point", "enum": "name", "uint64": "number"}[first]
 
 
@@ -185,14 +185,17 @@ def web_single(kind, enums):
 
 def web_array(kind):
     first = kind.partition(" ")[0]
+    if kind == "optional point":
+        return "Float64Array"
     return {"bool": "Uint8Array", "flag": "Uint8Array", "enum": "Uint8Array", "optional": "Int32Array",
             "double": "Float64Array", "point": "Float64Array", "uint32": "Uint32Array", "uint64": "Uint32Array",
             "pair": "Uint32Array"}[first]
 
 
 def web_shape(kind, rows):
-    wide = {"point": " x 3", "pair": " x 2", "optional pair": " x 2"}.get(kind, "")
-    return f"{rows}{wide}{'; -1 for none' if kind.startswith('optional') else ''}"
+    wide = {"point": " x 3", "pair": " x 2", "optional pair": " x 2", "optional point": " x 3"}.get(kind, "")
+    none = {"optional point": "; NaN for none"}.get(kind, "; -1 for none" if kind.startswith("optional") else "")
+    return f"{rows}{wide}{none}"
 
 
 def web_interface(name, rows):

@@ -1,4 +1,4 @@
-"""What `npm pack` makes of the package: the files that belong into it, and no more than 425 kB.
+"""What `npm pack` makes of the package: the files that belong into it, and no more than 460 kB.
 
 Then the package is unpacked into the node_modules of a project, which loads it by its name: pack_test.py PACKAGE.
 """
@@ -9,10 +9,10 @@ import subprocess
 import sys
 import tempfile
 
-MOST_BYTES = 425_000
+MOST_BYTES = 460_000
 EXPECTED = {"LICENSE", "README.md", "package.json", "soms.wasm", "soms.js", "soms.d.ts", "worker.js", "worker.d.ts",
             "worker_names.js", "worker_thread.js", "module.js", "host.js", "node_thread.js", "errors.js", "answers.js", "arrays.js", "fields.js",
-            "meshes.js", "pairs.js", "points.js", "rays.js"}
+            "meshes.js", "motions.js", "pairs.js", "points.js", "rays.js"}
 USER = """
 import * as soms from "soms";
 import { start } from "soms/worker";

@@ -64,6 +64,41 @@ test('single answers', () => {
   }
 });
 
+test('first contacts', () => {
+  const [a, b] = [new soms.Shape(box(1)), new soms.Shape(box(1))];
+  const away = new soms.Body(b, shifted(5));
+  const shift = { by: [6, 0, 0] };
+  const found = soms.firstContact(a, shift, away);
+  assert.deepEqual([found.verdict, found.lower, found.upper, found.coverage], ['contact', 0.5, 0.5, 'complete']);
+  assert.equal(found.point[0], 4);
+  assert.equal(found.normal, null);  // faces on faces
+  assert.deepEqual([...soms.poseAt(shift, 0.25)], [...shifted(1.5)]);
+  const motions = [
+    shift, { by: { x: 0, y: 6, z: 0 } }, { start: matrix(3.5) , by: [0, 0, 1] }, { start: shifted(1), end: matrix(7) },
+    { end: shifted(2), pivot: [1, 0, 0] }, { axis: [0, 0, 1], angle: 3 }, { start: shifted(-9), center: [0, 0, 0],
+      axis: [0, 0, 1], angle: 3.1 }, { start: shifted(-9), center: [-2.1, 0, 0], axis: [0, 1, 0], angle: -3.1 },
+  ];
+  const batch = soms.firstContactBatch(a, motions, away, { within: 0.25 });
+  const expected = ['contact', 'free', 'started', 'contact', 'free', 'free', 'free', 'contact'];
+  assert.deepEqual([...batch.verdict].map((code) => soms.NAMES.verdict[code]), expected);
+  motions.forEach((motion, k) => {
+    const single = soms.firstContact(a, motion, away, { within: 0.25 });
+    assert.deepEqual([single.verdict, single.lower, single.upper], [expected[k], batch.lower[k], batch.upper[k]]);
+  });
+  const corner = new soms.Shape({ vertices: [0, 0, 0, 1, 0.125, 2, -1, 0.25, 2] });
+  const floor = new soms.Shape({ vertices: [-9, -9, -1, 9, -9, -1, 0, 9, -1] });
+  assert.ok(Math.abs(soms.firstContact(corner, { by: [0.25, 0.125, -2] }, floor).normal[2] - 1) < 1e-12);
+  fails('usage', () => soms.firstContact(a, {}, b));
+  fails('usage', () => soms.firstContact(a, shift, b, { within: -1 }));
+  fails('usage', () => soms.firstContact(a, { axis: [0, 0, 1], angle: 4 }, b));
+  fails('usage', () => soms.firstContactBatch(a, shift, b));
+  fails('usage', () => soms.poseAt(shift, 1.5));
+  fails('not_rigid', () => soms.firstContact(a, { end: new Float64Array(12) }, b));
+  for (const handle of [a, b, corner, floor]) {
+    handle.free();
+  }
+});
+
 test('batches are the single answers', () => {
   const [a, b] = [new soms.Shape(box(1)), new soms.Shape(box(2), { layout: 'compact' })];
   const places = [0, 0.5, 1, 1.5, 2.9, 3, 3.1, 7];

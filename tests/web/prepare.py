@@ -1,6 +1,6 @@
 """Unpacks the truth sets into a folder that node and a browser read: prepare.py ROOT OUT.
 
-OUT gets truth/, distance/ and questions/ with their tables, meshes/ with all meshes of the sets, and meshes.csv with
+OUT gets truth/, distance/, questions/ and motion/ with their tables, meshes/ with all meshes of the sets, and meshes.csv with
 their names; formats/ and bad/ have files of each format, good and broken.
 """
 import lzma
@@ -8,7 +8,7 @@ import pathlib
 import shutil
 import sys
 
-SETS = ("truth", "distance", "questions")
+SETS = ("truth", "distance", "questions", "motion")
 
 
 def prepare(root, out):

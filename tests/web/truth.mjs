@@ -176,13 +176,57 @@ class Truth {
       this.expect(all.triangle.length, Number(row.hits), `${what}, all`);
     }
   }
+
+  /** Triangles that shift, by exact times: brackets are neighboring doubles. */
+  async shifts() {
+    const { Body, Shape, firstContact, firstContactBatch } = this.soms;
+    const corners = (row, name) => ({ vertices: Float64Array.from(numbers(row, [0, 1, 2].flatMap(
+        (k) => ['x', 'y', 'z'].map((axis) => `${name}${k}${axis}`)))) });
+    for (const row of spread(rowsOf(await this.read('motion/translation.csv')), this.most)) {
+      const [moving, resting] = [new Shape(corners(row, 'b')), new Shape(corners(row, 'a'))];
+      const motion = { by: numbers(row, ['dx', 'dy', 'dz']) };
+      const found = firstContact(moving, motion, new Body(resting));
+      const what = `shift ${row.number}`;
+      const verdict = row.contact !== '1' ? 'free' : row.free_until === '' ? 'started' : 'contact';
+      this.expect(found.verdict, verdict, what);
+      if (verdict === 'contact') {
+        const [after, by] = numbers(row, ['free_until', 'touching_by']);
+        this.expect([found.lower <= by, found.upper >= after, found.upper - found.lower < 1e-15, found.triangles],
+                    [true, true, true, [0, 0]], `${what}, time`);
+      }
+      const batch = firstContactBatch(moving, [motion, motion], resting);
+      this.expect([batch.verdict[1], batch.lower[0], batch.upper[1]],
+                  [this.soms.NAMES.verdict.indexOf(verdict), found.lower, found.upper], `${what}, batch`);
+      moving.free();
+      resting.free();
+    }
+  }
+
+  /** Meshes that turn and shift. */
+  async paths() {
+    const { Body, firstContact, overlap, poseAt } = this.soms;
+    const verdicts = { free: 'free', contact: 'contact', start: 'started' };
+    for (const row of spread(rowsOf(await this.read('motion/motion_path.csv')), this.most)) {
+      const shift = Float64Array.of(1, 0, 0, real(row.bx), 0, 1, 0, real(row.by), 0, 0, 1, real(row.bz));
+      const [mover, fixed] = [await this.shape(row.meshA), new Body(await this.shape(row.meshB), shift)];
+      const motion = { start: poseOf(row, 'a'), end: poseOf(row, 'e'), pivot: numbers(row, ['cx', 'cy', 'cz']) };
+      const found = firstContact(mover, motion, fixed);
+      const what = `path ${row.number}`;
+      this.expect(found.verdict, verdicts[row.answer], what);
+      if (found.verdict === 'contact') {
+        const [after, by] = numbers(row, ['t_lo', 't_hi']);
+        this.expect([found.lower <= by + 1e-6, found.upper >= after - 1e-6], [true, true], `${what}, time`);
+        this.expect(overlap(new Body(mover, poseAt(motion, found.upper)), fixed).any, true, `${what}, then`);
+      }
+    }
+  }
 }
 
 /** Checks up to `most` rows of each set; `read(path)` gives the bytes of a prepared file (prepare.py). */
 export async function checkTruth(soms, read, most) {
   const truth = new Truth(soms, read, most);
   const sets = {};
-  for (const set of ['overlaps', 'solids', 'distances', 'nearestPoints', 'sides', 'rays']) {
+  for (const set of ['overlaps', 'solids', 'distances', 'nearestPoints', 'sides', 'rays', 'shifts', 'paths']) {
     const before = truth.checks;
     await truth[set]();
     sets[set] = truth.checks - before;

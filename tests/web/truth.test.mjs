@@ -20,5 +20,6 @@ test('answers are those of the truth sets', async () => {
   const { checks, sets, faults } = await checkTruth(soms, (path) => readFile(join(process.env.WEB_DATA, path)), CASES);
   assert.deepEqual(faults, []);
   assert.ok(sets.overlaps >= 4 * CASES, `only ${sets.overlaps} checks of overlaps`);
+  assert.ok(sets.shifts >= 2 * CASES && sets.paths > 200, `only ${sets.shifts} checks of shifts, ${sets.paths} of paths`);
   console.log(`${checks} checks: ${JSON.stringify(sets)}`);
 });

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <type_traits>
@@ -77,6 +78,16 @@ class Answer {
       numbers[2 * i + 1] = rows[i] ? static_cast<std::int32_t>(rows[i]->b) : -1;
     }
     hold(std::move(numbers), 1, Numbers::i32);
+  }
+
+  /// Vectors, NaN for none.
+  void add(const std::vector<std::optional<Vec3>>& rows) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    std::vector<Vec3> vectors(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      vectors[i] = rows[i].value_or(Vec3{kNone, kNone, kNone});
+    }
+    add(std::move(vectors));
   }
 
   /// Node tests, triangle tests, exact tests.

@@ -11,6 +11,7 @@ const SINGLE = {
   number: ([value]) => value,
   name: ([code], field) => NAMES[field][code],
   point: (numbers) => numbers.slice(0, 3),
+  vector: (numbers) => (Number.isNaN(numbers[0]) ? null : numbers.slice(0, 3)),
   triangle: ([triangle]) => (triangle < 0 ? null : triangle),
   pair: ([a, b]) => (a < 0 ? null : [a, b]),
 };

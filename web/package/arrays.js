@@ -1,5 +1,5 @@
 // Arguments of any shape that callers have, as flat typed arrays.
-import { SomsError, usage } from './errors.js';
+import { SomsError, number, usage } from './errors.js';
 
 const SharedBuffer = globalThis.SharedArrayBuffer ?? ArrayBuffer;  // pages without isolation have none
 const MOST_BYTES = 2 ** 31 - 8;  // of a file: its copy and what is made of it share 4 GB
@@ -104,6 +104,32 @@ export function poses(value) {
   }
   const all = new Float64Array(12 * value.length);
   value.forEach((each, i) => all.set(pose(each), 12 * i));
+  return all;
+}
+
+/** 28 numbers of a motion: along, between, turn; its start; what is left. */
+function motion(value, what) {
+  const start = pose(value?.start);
+  if (value?.by !== undefined) {
+    return [0, ...start, ...ofVector(value.by, `${what}: by`)];
+  }
+  if (value?.axis !== undefined) {
+    return [2, ...start, ...ofVector(value.center ?? [0, 0, 0], `${what}: its center`),
+            ...ofVector(value.axis, `${what}: its axis`), number(value.angle, `${what}: its angle`)];
+  }
+  if (value?.end === undefined) {
+    throw usage(`${what} has no end`, 'give {start, end}, {start, by}, or {start, center, axis, angle}');
+  }
+  return [1, ...start, ...pose(value.end), ...ofVector(value.pivot ?? [0, 0, 0], `${what}: its pivot`)];
+}
+
+/** Motions, 28 numbers each. */
+export function motions(value) {
+  if (!Array.isArray(value)) {
+    throw usage('motions are missing', 'give an array of motions');
+  }
+  const all = new Float64Array(28 * value.length);
+  value.forEach((each, i) => all.set(motion(each, `motion ${i}`), 28 * i));
   return all;
 }
 

@@ -7,6 +7,7 @@ export const NAMES = Object.freeze({
   side: Object.freeze(['outside', 'inside', 'on', 'undecided']),
   feature: Object.freeze(['vertex', 'edge', 'face']),
   kind: Object.freeze(['enter', 'leave', 'graze']),
+  verdict: Object.freeze(['free', 'contact', 'grazing', 'started']),
 });
 
 /** Columns of answers in order, each with what it is in a single answer; their cost is last. */
@@ -23,4 +24,5 @@ export const FIELDS = Object.freeze({
   ClosestHit: 'lower:number upper:number triangle:triangle point:point front:flag coverage:name',
   AnyHit: 'hit:flag coverage:name',
   AllHits: 'offsets lower upper kind triangleOffsets triangle coverage',
+  FirstContact: 'verdict:name lower:number upper:number triangles:pair point:point normal:vector coverage:name',
 });

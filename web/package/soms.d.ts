@@ -145,6 +145,8 @@ export type Relation = 'clear' | 'touching' | 'crossing' | 'a_in_b' | 'b_in_a' |
 export type Side = 'outside' | 'inside' | 'on' | 'undecided';
 /** Where on a triangle a point lies. */
 export type TriangleFeature = 'vertex' | 'edge' | 'face';
+/** What is proved of a motion: no contact at all, a contact on the way, neither of the two, or a contact at the start. */
+export type ContactVerdict = 'free' | 'contact' | 'grazing' | 'started';
 /** Work done, the same on every machine. */
 export interface Cost {
   /** Boxes, or pairs of boxes, tested. */
@@ -384,6 +386,37 @@ export interface AllHits {
   coverage: Uint8Array;
   cost: Cost;
 }
+/** Answer of first_contact. */
+export interface FirstContact {
+  /** What is proved. */
+  verdict: ContactVerdict;
+  /** The part of the way at the first contact is at least this. */
+  lower: number;
+  /** The part of the way at the first contact is at most this. */
+  upper: number;
+  /** A pair that is in contact then. */
+  triangles: [number, number] | null;
+  /** Where it is, in world. 0 without a triangle. */
+  point: Float64Array;
+  /** From the fixed body to the mover, of length 1. */
+  normal: Float64Array | null;
+  coverage: Coverage;
+  cost: Cost;
+}
+/** Columns of FirstContact. */
+export interface FirstContactBatch {
+  verdict: Uint8Array;
+  lower: Float64Array;
+  upper: Float64Array;
+  /** n x 2; -1 for none. */
+  triangles: Int32Array;
+  /** n x 3. */
+  point: Float64Array;
+  /** n x 3; NaN for none. */
+  normal: Float64Array;
+  coverage: Uint8Array;
+  cost: Cost;
+}
 // End of answers.
 /** @deprecated */
 export type TriangleRows = NearTriangles;
@@ -397,6 +430,7 @@ export const NAMES: {
   readonly why: readonly ('none' | 'deadline' | 'open')[];
   readonly side: readonly Side[];
   readonly feature: readonly TriangleFeature[];
+  readonly verdict: readonly ContactVerdict[];
   readonly kind: readonly ('enter' | 'leave' | 'graze')[];
 };
 
@@ -434,6 +468,25 @@ export interface DistanceOptions extends TimeOptions {
 /** The least distance of two surfaces. */
 export function distance(a: Placed, b: Placed, options?: DistanceOptions): Distance;
 export function distanceBatch(mover: Shape, poses: PosesLike, fixed: Placed, options?: DistanceOptions): DistanceBatch;
+
+/**
+ * A way from one pose to another, at parts t from 0 to 1: a straight shift; to another pose, where the pivot, a point of
+ * the body, goes straight while the body turns the shorter way; or a turn about an axis by less than a half turn.
+ * Without `start` it begins at the identity.
+ */
+export type MotionLike =
+    { start?: PoseLike; by: PointLike } | { start?: PoseLike; end: PoseLike; pivot?: PointLike }
+    | { start?: PoseLike; center?: PointLike; axis: PointLike; angle: number };
+export interface FirstContactOptions extends TimeOptions {
+  /** Being this near is a contact; 0 for a common point. */
+  within?: number;
+}
+/** When a moving body first touches another that rests: proved for all times of the way, not for samples of it. */
+export function firstContact(mover: Shape, motion: MotionLike, fixed: Placed, options?: FirstContactOptions): FirstContact;
+export function firstContactBatch(mover: Shape, motions: readonly MotionLike[], fixed: Placed,
+                                  options?: FirstContactOptions): FirstContactBatch;
+/** The pose at a part t of the way: 12 numbers, the rows of [R | t]. */
+export function poseAt(motion: MotionLike, t: number): Float64Array;
 
 /** Whether the distance is at most `clearance`, decided exactly. */
 export function within(a: Placed, b: Placed, clearance: number, options?: TimeOptions): Within;

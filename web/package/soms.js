@@ -5,6 +5,7 @@ export { NAMES } from './fields.js';
 export { SomsError } from './errors.js';
 export { Body, Mesh, Shape, openShape, readMesh } from './meshes.js';
 export { load, memoryInUse, memorySize } from './module.js';
+export { firstContact, firstContactBatch, poseAt } from './motions.js';
 export { crossings, distance, distanceBatch, overlap, overlapBatch, solid, solidBatch, within, withinBatch } from './pairs.js';
 export {
   WindingIndex, closest, closestBatch, contains, containsBatch, nearTriangles, nearestTriangles, signedClosest,

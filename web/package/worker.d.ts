@@ -32,9 +32,10 @@ type Promised<Query> = Query extends (...values: infer Values) => infer Answer
 // Written by tools/fields.py of the functions in soms.d.ts.
 type QueryName =
     'allHits' | 'anyHit' | 'anyHitBatch' | 'closest' | 'closestBatch' | 'closestHit' | 'closestHitBatch'
-    | 'contains' | 'containsBatch' | 'crossings' | 'distance' | 'distanceBatch' | 'instructionSet' | 'memoryInUse'
-    | 'memorySize' | 'nearTriangles' | 'nearestTriangles' | 'overlap' | 'overlapBatch' | 'signedClosest'
-    | 'signedClosestBatch' | 'solid' | 'solidBatch' | 'winding' | 'windingBatch' | 'within' | 'withinBatch';
+    | 'contains' | 'containsBatch' | 'crossings' | 'distance' | 'distanceBatch' | 'firstContact' | 'firstContactBatch'
+    | 'instructionSet' | 'memoryInUse' | 'memorySize' | 'nearTriangles' | 'nearestTriangles' | 'overlap'
+    | 'overlapBatch' | 'poseAt' | 'signedClosest' | 'signedClosestBatch' | 'solid' | 'solidBatch' | 'winding'
+    | 'windingBatch' | 'within' | 'withinBatch';
 
 export type RemoteSoms = { [Name in QueryName]: Promised<(typeof soms)[Name]> } & {
   mesh(value: soms.MeshLike): Promise<RemoteMesh>;

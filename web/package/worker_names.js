@@ -1,9 +1,9 @@
 // What a worker offers by the same names as soms.js. QUERIES is written by tools/fields.py of the functions in soms.d.ts.
 export const QUERIES = Object.freeze([
   'allHits', 'anyHit', 'anyHitBatch', 'closest', 'closestBatch', 'closestHit', 'closestHitBatch', 'contains',
-  'containsBatch', 'crossings', 'distance', 'distanceBatch', 'instructionSet', 'memoryInUse', 'memorySize',
-  'nearTriangles', 'nearestTriangles', 'overlap', 'overlapBatch', 'signedClosest', 'signedClosestBatch', 'solid',
-  'solidBatch', 'winding', 'windingBatch', 'within', 'withinBatch',
+  'containsBatch', 'crossings', 'distance', 'distanceBatch', 'firstContact', 'firstContactBatch', 'instructionSet',
+  'memoryInUse', 'memorySize', 'nearTriangles', 'nearestTriangles', 'overlap', 'overlapBatch', 'poseAt',
+  'signedClosest', 'signedClosestBatch', 'solid', 'solidBatch', 'winding', 'windingBatch', 'within', 'withinBatch',
 ]);
 
 /** What makes a handle: the method of the worker, and what it returns. */

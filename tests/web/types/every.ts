@@ -42,6 +42,12 @@ const triangles: [number, number] | null = gap.triangles;
 const gaps: soms.DistanceBatch = soms.distanceBatch(car, poses, city);
 const near: soms.Within = soms.within(body, city, 0.1);
 const nears: soms.WithinBatch = soms.withinBatch(car, poses, city, 0.1, { timeout: 1 });
+const way: soms.MotionLike = { start: new Matrix4(), end: poses, pivot: new Vector3(0, 0, 1) };
+const touch: soms.FirstContact = soms.firstContact(car, way, city, { within: 0.1, timeout: 5 });
+const normal: Float64Array | null = touch.normal;
+const touches: soms.FirstContactBatch = soms.firstContactBatch(car, [way, { by: [1, 0, 0] }, { axis: [0, 0, 1], angle: 1 }], city);
+const stops: soms.ContactVerdict | undefined = soms.NAMES.verdict[touches.verdict[0] ?? 0];
+const halfway: Float64Array = soms.poseAt(way, 0.5);
 const relation: soms.Relation = soms.solid(body, city).relation;
 const relations: soms.SolidBatch = soms.solidBatch(car, poses, city);
 const named: soms.Relation | undefined = soms.NAMES.relation[relations.relation[0] ?? 0];
@@ -108,6 +114,6 @@ await remote.overlap(car, far);
 // @ts-expect-error: an answer's side is no number
 const wrong: number = soms.contains(city, [0, 0, 0]).side;
 
-console.log(size, set, part, lower, upper, bytes, common, row, triangles, gaps, near, nears, relation, named, nearest, nearests, side,
+console.log(size, set, part, lower, upper, bytes, common, row, triangles, gaps, near, nears, normal, stops, halfway, relation, named, nearest, nearests, side,
             sides, drawn, remoteDrawn, rows, within, inside, insides, turns, turnings, hit, first, seen, sights, crossed, remoteSide,
             box, remoteCommon, wrong);
