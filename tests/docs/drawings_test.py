@@ -17,18 +17,19 @@ def off(triangles):
     return "\n".join(["OFF", f"{len(corners)} {len(faces)} 0", *corners, *faces, ""])
 
 
-def answer(command, folder, verb, a, b):
+def answer(command, folder, verb, a, b, *options):
     """What a verb of soms says of two lists of triangles."""
     for name, triangles in (("a.off", a), ("b.off", b)):
         (folder / name).write_text(off(triangles), encoding="utf-8")
     return json.loads(subprocess.run(
-        [command, verb, folder / "a.off", folder / "b.off", "--json", "--verify"],
+        [command, verb, folder / "a.off", folder / "b.off", "--json", *(options or ["--verify"])],
         check=True, capture_output=True, text=True).stdout)
 
 
 def faults(root, command, folder):
     sys.dont_write_bytecode = True
     sys.path.insert(0, str(root / "tools"))
+    import draw_motion
     import draw_terms
     pages = "".join(page.read_text(encoding="utf-8") for page in sorted((root / "docs").glob("*.md")))
     committed = root / "docs/pictures/terms"
@@ -47,6 +48,9 @@ def faults(root, command, folder):
                 yield f"{name}, {title}: drawn as {overlaps}, soms says {said}"
             if said["hash"] != draw_terms.fnv(draw_terms.bytes_of(said["pairs"])):
                 yield f"{name}, {title}: soms hashes otherwise: {said}"
+    said = answer(command, folder, "motion", *draw_motion.scene(), "--from", "0 0 0", "--to", draw_motion.MOTION["end"])
+    if said["verdict"] != "contact" or abs(said["lower"] - draw_motion.MOTION["t"]) > draw_motion.MOTION["digits"]:
+        yield f"motion: drawn with {draw_motion.MOTION}, soms says {said}"
     for title, a, b, distance, ends in draw_terms.NEAREST:
         said = answer(command, folder, "distance", a, b)
         if [said["lower"], said["upper"]] != [distance, distance] or not said["verified"]:
