@@ -31,10 +31,18 @@ class Column(NamedTuple):
 
 
 def job_of(verb: str, a: Any, b: Any, poses: Any, folder: Any, question: Any) -> Job:
-    """A job of these files. Makes the folder."""
+    """A job of these files. Makes the folder. An error names what is not there, or cannot be written."""
     paths = {key: os.path.abspath(os.fspath(value)) for key, value in
              {"a": a, "b": b, "poses": poses, "folder": folder}.items()}
-    os.makedirs(paths["folder"], exist_ok=True)
+    for key in ("a", "b", "poses"):
+        try:
+            os.stat(paths[key])
+        except OSError as error:
+            raise soms.Error("cannot_open", f"{paths[key]}: {error.strerror}", "check the path") from None
+    try:
+        os.makedirs(paths["folder"], exist_ok=True)
+    except OSError as error:
+        raise soms.Error("cannot_write", f"{paths['folder']}: {error.strerror}", "name a folder for the answer") from None
     return {"verb": verb, "question": question, **paths}
 
 

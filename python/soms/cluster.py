@@ -36,7 +36,10 @@ class Driver:
         self.folder = pathlib.Path(job["folder"])
         self.identity = _shards.identity(job)
         self.rows: int = self.identity["of"]
-        self.client = connect()
+        try:
+            self.client = connect()
+        except OSError as error:
+            raise soms.Error("cannot_open", f"no scheduler answers: {error}", "check its address") from None
         self.running: Dict[Any, Range] = {}
         self.queue: List[Range] = []
         self.alone: List[Range] = []  # rows that workers died of, to run while nothing else does

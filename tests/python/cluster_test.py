@@ -10,6 +10,7 @@ import tempfile
 import unittest
 
 try:
+    import dask
     import distributed  # noqa: F401  (what is missing is said below)
 except ImportError as error:
     print(f"skipped: {error}; apt install python3-distributed")
@@ -21,7 +22,7 @@ import soms
 import soms.dask
 from cluster_models import (POISON, ROWS, bytes_of_one_machine, dying, job_in, make_files, modules, poisoned, receipts, start,
                             wait_until, without_disk, written)
-from soms import cluster
+from soms import _shards, cluster
 
 KILLS = 20
 SHARD = 50  # rows
@@ -102,6 +103,30 @@ class Answers(Clusters):
         self.assertIn("its question differs", str(caught.exception))
 
 
+    def test_what_is_not_there_is_named(self):
+        """By the command, too: a line, and no traceback."""
+        files, gone = self.files, "/nonexistent/there"
+        for change, kind, named in (({"a": gone}, "cannot_open", gone), ({"b": f"{gone}/"}, "cannot_open", gone),
+                                    ({"poses": gone}, "cannot_open", gone),
+                                    ({"folder": files / "car.ply"}, "cannot_write", "car.ply")):
+            given = {"a": files / "car.ply", "b": files / "city.ply", "poses": files / "poses.npy", "folder": self.folder,
+                     **change}
+            with self.assertRaises(soms.Error) as caught:
+                _shards.job_of("overlap", given["a"], given["b"], given["poses"], given["folder"], {})
+            self.assertEqual(caught.exception.kind, kind)
+            self.assertIn(named, caught.exception.place)
+            command = subprocess.run([sys.executable, "-m", "soms.cluster", "overlap", given["a"], given["b"], "--pose",
+                                      given["poses"], "-o", given["folder"]], capture_output=True, text=True)
+            self.assertEqual((command.returncode, command.stderr.count("\n")), (3, 1), command.stderr)
+            self.assertIn(named, command.stderr)
+
+    def test_a_scheduler_that_does_not_answer_is_named(self):
+        with dask.config.set({"distributed.comm.timeouts.connect": "1s"}), self.assertRaises(soms.Error) as caught:
+            cluster.run(job_in(self.files, self.folder), scheduler="tcp://127.0.0.1:1")
+        self.assertEqual(caught.exception.kind, "cannot_open")
+        self.assertIn("127.0.0.1:1", caught.exception.place)
+
+
 class Faults(Clusters):
     def test_killed_workers(self):
         self.folder.mkdir()
@@ -163,8 +188,7 @@ class Faults(Clusters):
             self.assertEqual(driver.returncode, 0, errors)
             self.check(out.strip())
 
-    @staticmethod
-    def cluster_of_processes(file, port):
+    def cluster_of_processes(self, file, port):
         """A scheduler and a worker, as a cluster has them on several machines."""
         pathlib.Path(file).unlink(missing_ok=True)
         quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL, "start_new_session": True}
