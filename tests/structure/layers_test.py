@@ -50,6 +50,7 @@ LENT = {
     ("query", "soms/tree/layout/detail/wide_tree.h"): "queries traverse the layout, which is made for them",
     ("motion", "soms/geometry/detail/exact/exact_distance.h"): "straight motions are decided in whole numbers",
     ("motion", "soms/geometry/detail/exact/exact_ray.h"): "so they are by rays",
+    ("motion", "soms/geometry/detail/exact/grid.h"): "places of all of them are on one grid",
     ("motion", "soms/geometry/detail/exact/integer.h"): "the brute-force twin decides in whole numbers alone",
     ("motion", "soms/geometry/detail/parts/odd.h"): "which are made of doubles",
     ("motion", "soms/geometry/detail/nearest_guess.h"): "where two triangles may be parted is a guess",

@@ -1,12 +1,10 @@
 #include "soms/motion/detail/exact_sweep.h"
 
 #include "soms/geometry/detail/exact/exact_distance.h"
-#include "soms/geometry/detail/parts/odd.h"
+#include "soms/geometry/detail/exact/grid.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 namespace soms::detail {
@@ -19,16 +17,10 @@ struct GridVec {
   int unit = 0;
 
   explicit GridVec(const Vec3& v) {
-    const std::array<Odd, 3> odds{Odd(v.x), Odd(v.y), Odd(v.z)};
-    unit = std::numeric_limits<int>::max();
-    for (const Odd& odd : odds) {
-      unit = odd.number == 0 ? unit : std::min(unit, odd.exponent);
-    }
-    const auto on_grid = [this](const Odd& odd) {
-      return odd.number == 0 ? Integer()
-                             : Integer(odd.number, static_cast<std::size_t>(odd.exponent - unit));
-    };
-    numbers = {on_grid(odds[0]), on_grid(odds[1]), on_grid(odds[2])};
+    std::array<Odd, 3> odds;
+    put_odds(v, odds.data());
+    unit = unit_of(odds);
+    numbers = on_grid(odds.data(), unit);
   }
 };
 

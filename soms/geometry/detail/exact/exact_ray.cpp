@@ -1,12 +1,10 @@
 #include "soms/geometry/detail/exact/exact_ray.h"
 
 #include "soms/geometry/detail/exact/exact_point.h"
+#include "soms/geometry/detail/exact/grid.h"
 #include "soms/geometry/detail/exact/leading_part.h"
-#include "soms/geometry/detail/parts/odd.h"
 
-#include <algorithm>
 #include <cmath>
-#include <span>
 #include <utility>
 
 namespace soms::detail {
@@ -14,30 +12,6 @@ namespace soms::detail {
 namespace {
 
 constexpr double kEndlessRay = std::numeric_limits<double>::infinity();
-
-/// The exponent of a grid that holds all numbers.
-int unit_of(std::span<const Odd> numbers) {
-  int unit = std::numeric_limits<int>::max();
-  for (const Odd& odd : numbers) {
-    unit = odd.number == 0 ? unit : std::min(unit, odd.exponent);
-  }
-  return unit == std::numeric_limits<int>::max() ? 0 : unit;
-}
-
-Integer on_grid(const Odd& odd, int unit) {
-  return odd.number == 0 ? Integer()
-                         : Integer(odd.number, static_cast<std::size_t>(odd.exponent - unit));
-}
-
-IntegerVec on_grid(const Odd* odds, int unit) {
-  return {on_grid(odds[0], unit), on_grid(odds[1], unit), on_grid(odds[2], unit)};
-}
-
-void put(const Vec3& v, Odd* odds) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    odds[axis] = Odd(v[axis]);
-  }
-}
 
 /// log2 of a number above 0, off by less than 1 either way.
 long magnitude(const RayTime& t) {
@@ -99,14 +73,14 @@ Bracket bracket(const RayTime& time) {
 ExactRay::ExactRay(const RayLine& line, const Triangle& triangle) {
   std::array<Odd, 15> places;  // corners, the origin, a segment's end
   std::array<Odd, 3> directions;
-  put(triangle.a, places.data());
-  put(triangle.b, &places[3]);
-  put(triangle.c, &places[6]);
-  put(line.origin, &places[9]);
+  put_odds(triangle.a, places.data());
+  put_odds(triangle.b, &places[3]);
+  put_odds(triangle.c, &places[6]);
+  put_odds(line.origin, &places[9]);
   if (line.segment) {
-    put(line.ahead, &places[12]);
+    put_odds(line.ahead, &places[12]);
   } else {
-    put(line.ahead, directions.data());
+    put_odds(line.ahead, directions.data());
   }
   place_unit_ = unit_of(places);
   origin_ = on_grid(&places[9], place_unit_);
