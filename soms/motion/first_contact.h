@@ -43,7 +43,7 @@ namespace soms {
 enum class ContactVerdict : unsigned char {
   free,     ///< no contact at any time
   contact,  ///< free until `t.lower`, in contact at `t.upper`
-  grazing,  ///< neither: next to rounding, a glide of too many steps, or out of time
+  grazing,  ///< neither: out of time, or next to rounding where the law is not decided
   started,  ///< in contact at the start
 };
 
@@ -73,13 +73,14 @@ struct Fields<FirstContactOptions> {
 /// Answer of `first_contact`. Times are parts of the way, from 0 to 1.
 struct FirstContact {
   ContactVerdict verdict = ContactVerdict::free;
-  /// Holds the time of the first contact. Before `lower` there is none, neither of the body where
-  /// the law of the motion puts it in real numbers, nor at poses of `pose_at`. At `upper` the body
-  /// at `pose_at(upper)` is in contact, as `within` decides it; infinity where none is proved.
-  /// [1, infinity] where all is free, [0, 0] where the motion starts in contact.
+  /// Holds the time of the first contact. Before `lower` there is none of the body where the law of
+  /// the motion puts it in real numbers, nor at poses of `pose_at` but for their rounding. By
+  /// `upper` there is one: of the body at `pose_at(upper)`, as `within` decides it, or by the law.
+  /// Infinity where none is proved. [1, infinity] where all is free, [0, 0] where the motion starts
+  /// in contact.
   ///
-  /// For straight motions without a clearance the law alone counts, and these are the doubles next
-  /// to the exact time.
+  /// Where the law decides, as always for straight motions without a clearance, these are the
+  /// doubles next to the exact time.
   Bracket t = {};
   /// A triangle of the mover and one of the fixed body that are in contact at `t.upper`. Where no
   /// contact is proved, those that are next to one at `t.lower`. Nothing where all is free.
@@ -147,14 +148,18 @@ struct Fields<FirstContact> {
 /// quotient of whole numbers, the pair the least (i, j) of all that touch first. `pose_at` rounds
 /// shifts, so next to a contact `overlap` may say otherwise there.
 ///
-/// For all others, `free` holds at every time, for the body in real numbers and at every pose of
-/// `pose_at`. `contact` says that the body at `pose_at(t.upper)` is in contact by the library's
-/// exact decision. Poses at both ends that are rotations to 1e-6 only are decided as they are.
-/// `grazing` is what remains: nearer than some 2^-44 of the largest coordinate, beyond `within`, at
-/// `t.lower`, and no time was found with a contact. It is also said where two triangles glide along
-/// each other for over 2,000 steps. The bracket is as wide as that gap takes to close. The pair
-/// named is the least of those with the earliest proof, not always the first one to touch where
-/// several do so within the bracket.
+/// For all others, `free` holds at every time for the body in real numbers. It holds at poses of
+/// `pose_at`, too, but where the bodies are nearer than some 2^-44 of the largest coordinate: there
+/// poses are rounded by more than the gap. `contact` has one of two proofs. The body at
+/// `pose_at(t.upper)` is in contact by the library's exact decision, and the bracket is as wide as
+/// the rounding takes to cross. Or they come nearer than rounding at no pose that is in contact,
+/// and the law decides in whole numbers. Then t is the doubles next to the exact time, which is a
+/// root of a polynomial. Poses at both ends that are rotations to 1e-6 only are decided as they
+/// are.
+///
+/// `grazing` remains with a clearance: nearer to it than rounding at `t.lower`, and no time was
+/// found with a contact, or a glide of over 2,000 steps. The pair named is the least of those with
+/// the earliest proof, not always the first one to touch where several do so within the bracket.
 ///
 /// \errors  ErrorKind::not_rigid, not_finite, out_of_range for a pose, or where the body may come
 ///          beyond 2^300 on its way; usage for a `within` that is negative or not a number;
@@ -170,7 +175,8 @@ struct Fields<FirstContact> {
                                          const Limits& limits = {});
 
 /// The same for two bodies that move at the same time, `other` on a way of its own. The answer is
-/// that of a motion with a turn, also for two shifts: nothing is decided in whole numbers. `point`
+/// that of a motion with a turn, also for two shifts: nothing is decided in whole numbers, and what
+/// is next to rounding is `grazing`. `point`
 /// and `normal` are in world at `t.upper`. Slacks and brackets grow with the coordinates of both.
 ///
 /// \errors  As above, for both.

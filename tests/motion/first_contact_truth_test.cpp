@@ -3,7 +3,8 @@
 #include "soms/motion/first_contact.h"
 #include "soms/query/overlap.h"
 
-#include "tests/motion/motion_table.h"
+#include "tests/motion/known_motion.h"
+#include "tests/support/bodies.h"
 #include "tests/support/support.h"
 #include "tests/support/truth/truth.h"
 
@@ -132,6 +133,30 @@ TEST(FirstContactTruth, ShiftsHereHold) {
   const MotionTable table(test::data("motion/translation.csv"));
   ASSERT_GT(table.size(), 600U);
   run_shifts(table);
+}
+
+// A kiss lasts no time, so no pose that is looked at need be in contact. Next to it, one may be by
+// its rounding.
+TEST(FirstContactTruth, KissesHold) {
+  const MotionTable table(test::data("motion/kisses.csv"));
+  ASSERT_EQ(table.size(), 184U);
+  int exact = 0;
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    SCOPED_TRACE("row " + std::to_string(row) + ", " + table.text(row, "kind"));
+    const test::KnownMotion known = test::known_motion(table, row);
+    const FirstContact found = first_contact(Shape(test::soup_body({known.moving})), known.motion,
+                                             Body(Shape(test::soup_body({known.resting}))));
+    if (!known.time) {
+      ASSERT_EQ(found.verdict, ContactVerdict::free);
+      continue;
+    }
+    ASSERT_EQ(found.verdict, ContactVerdict::contact);
+    ASSERT_LE(found.t.lower, known.time->lower);
+    ASSERT_NEAR(found.t.lower, known.time->lower, 1e-5);
+    ASSERT_NEAR(found.t.upper, known.time->lower, 1e-5);
+    exact += found.t == *known.time ? 1 : 0;
+  }
+  EXPECT_GT(exact, 100);
 }
 
 TEST(FirstContactTruth, AllPathsHold) {

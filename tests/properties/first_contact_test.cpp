@@ -131,7 +131,12 @@ std::string fault_beside_twin(const Shape& mover, const RigidMotion& motion, con
            : found.t.upper < twin.t.lower       ? "in contact too early"
                                                 : "";
   }
-  if (contact && !overlap(Body(mover, motion.pose_at(found.t.upper)), fixed).any) {
+  if (found.verdict == ContactVerdict::grazing) {
+    return "neither proved";
+  }
+  const bool by_law = twin.verdict != ContactVerdict::free && found.t.upper >= twin.t.lower &&
+                      found.t.upper <= std::nextafter(found.t.lower, 2);
+  if (contact && !by_law && !overlap(Body(mover, motion.pose_at(found.t.upper)), fixed).any) {
     return "no contact at the time of the contact";
   }
   return found.t.lower <= found.t.upper ? "" : "the bracket";

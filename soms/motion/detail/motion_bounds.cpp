@@ -5,9 +5,7 @@
 namespace soms::detail {
 
 MotionBounds::MotionBounds(const MotionLaw& law, const Shape& other, double clearance)
-    : law_(&law),
-      clearance_(clearance),
-      exact_(clearance == 0 && law.alone() != nullptr && law.alone()->straight()) {
+    : law_(&law), clearance_(clearance) {
   const double size = law.reach() + moved_extent(law.resting_pose(), other.bounds()) + clearance;
   const double slack = law.slack();
   box_margin_ = (clearance + (2 * slack + kBoxShare * size)) * kMotionUp + kTinyMargin;

@@ -80,7 +80,11 @@ class MotionBounds {
   [[nodiscard]] double clearance() const { return clearance_; }
 
   /// First contacts are decided exactly: the motion is straight, and a contact is a common point.
-  [[nodiscard]] bool exact() const { return exact_; }
+  [[nodiscard]] bool exact() const { return by_law() && law_->alone()->straight(); }
+
+  /// Whether triangles touch can be decided by the law in real numbers: one body moves, and a
+  /// contact is a common point.
+  [[nodiscard]] bool by_law() const { return clearance_ == 0 && law_->alone() != nullptr; }
 
   /// Added to the reach of boxes: clearance, slack and rounding.
   [[nodiscard]] double box_margin() const { return box_margin_; }
@@ -100,7 +104,6 @@ class MotionBounds {
  private:
   const MotionLaw* law_;
   double clearance_;
-  bool exact_;
   double box_margin_ = 0;
   double pair_margin_ = 0;
   double rounding_ = 0;

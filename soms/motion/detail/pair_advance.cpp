@@ -2,6 +2,7 @@
 
 #include "soms/geometry/triangle_distance.h"
 #include "soms/geometry/triangle_overlap.h"
+#include "soms/motion/detail/exact_motion.h"
 #include "soms/motion/detail/exact_sweep.h"
 #include "soms/motion/detail/motion_interval.h"
 
@@ -15,7 +16,8 @@ namespace soms::detail {
 
 namespace {
 
-/// Steps of one pair in one window; what slides along at next to no gap is left open beyond them.
+/// Steps of one pair in one window. What slides along at next to no gap is decided in whole numbers
+/// beyond them, or left open.
 constexpr int kMostSteps = 2000;
 
 /// A gap that is above the margin by this much of the rounding counts as none: steps would be too
@@ -135,6 +137,15 @@ void PairAdvance::decide() {
   }
 }
 
+void PairAdvance::decide_turn(double from, double until) {
+  ++cost_.exact_tests;
+  if (const auto time =
+          exact_motion(*law_.alone(), triangle_of(moving_), triangle_of(resting_), from, until)) {
+    goal_.add_spell(ids_, time->lower, time->upper);
+    goal_.add_contact(ids_, time->upper);
+  }
+}
+
 bool PairAdvance::pass(Place& place, double until) {
   if (bounds_.exact()) {
     decide();
@@ -149,15 +160,18 @@ bool PairAdvance::pass(Place& place, double until) {
     Place here = at(t);
     const bool apart = t > begin && parting_of(here.corners, resting_, enough).gap > enough;
     if (apart || t >= until) {
-      const double simple = simplest(begin, t);
-      if (touches(simple)) {
-        goal_.add_spell(ids_, begin, simple);
-        goal_.add_contact(ids_, simple);
+      if (bounds_.by_law()) {
+        decide_turn(begin, until);
         return false;
       }
-      goal_.add_spell(ids_, begin, t);
+      const double simple = simplest(begin, t);
+      const bool found = touches(simple);
+      goal_.add_spell(ids_, begin, found ? simple : t);
+      if (found) {
+        goal_.add_contact(ids_, simple);
+      }
       place = here;
-      return t < until;
+      return !found && t < until;
     }
     before = t;
     t = std::min(until, begin + length);
@@ -189,6 +203,8 @@ void PairAdvance::run(double from, double until) {
   }
   if (bounds_.exact()) {
     decide();
+  } else if (bounds_.by_law()) {
+    decide_turn(place.t, until);
   } else {
     goal_.add_spell(ids_, place.t, until);
   }

@@ -44,8 +44,12 @@ class PairAdvance {
   /// Decides a straight motion in whole numbers, whatever was proved before.
   void decide();
 
-  /// From `place` on nothing can be proved free: looks for a contact, or for the time when there is
-  /// a gap again. True if it goes on from there.
+  /// Decides a motion with a turn from `from` on, by its law in whole numbers.
+  void decide_turn(double from, double until);
+
+  /// From `place` on nothing can be proved free: looks for a pose in contact, until the time when
+  /// there is a gap again. If none is found, the law decides all the rest where it can; else true
+  /// if steps go on from there.
   [[nodiscard]] bool pass(Place& place, double until);
 
   /// Draws a proved contact nearer to a time without one.

@@ -3,11 +3,10 @@
 #include "soms/motion/detail/exact_motion.h"
 
 #include "soms/base/random.h"
-#include "soms/geometry/detail/exact/exact_ray.h"
 #include "soms/motion/reference/first_contact.h"
 #include "soms/query/body.h"
 
-#include "tests/motion/motion_table.h"
+#include "tests/motion/known_motion.h"
 #include "tests/support/bodies.h"
 #include "tests/support/support.h"
 
@@ -24,6 +23,7 @@ namespace soms::detail {
 namespace {
 
 using test::MotionTable;
+using test::next_to;
 
 /// How the triangles of a case lie: coordinates are multiples of `step` unless that is 0, then
 /// stretched, and moved by up to `far`.
@@ -140,59 +140,23 @@ TEST(ExactMotion, AgreesWithTheTwin) {
   }
 }
 
-/// A row of kisses.csv.
-struct KnownMotion {
-  ExactCase pair;
-  bool contact = false;
-  std::int64_t above = 0;
-  std::int64_t below = 1;
-};
-
-Pose known_pose(const MotionTable& table, std::size_t row, const std::string& name) {
-  return Pose::from_quaternion(table.number(row, name + "qw"), table.number(row, name + "qx"),
-                               table.number(row, name + "qy"), table.number(row, name + "qz"),
-                               table.vector(row, name));
-}
-
-KnownMotion known_motion(const MotionTable& table, std::size_t row) {
-  const auto triangle = [&](const std::string& name) {
-    return Triangle{table.vector(row, name + "0"), table.vector(row, name + "1"),
-                    table.vector(row, name + "2")};
-  };
-  KnownMotion known;
-  known.pair = {triangle("a"), triangle("b"),
-                RigidMotion::between(known_pose(table, row, "s"), known_pose(table, row, "e"),
-                                     table.vector(row, "c"))};
-  known.contact = table.text(row, "answer") == "contact";
-  if (known.contact) {
-    known.above = static_cast<std::int64_t>(table.number(row, "above"));
-    known.below = static_cast<std::int64_t>(table.number(row, "below"));
-  }
-  return known;
-}
-
-/// The doubles next to above / below, both small.
-Bracket next_to(std::int64_t above, std::int64_t below) {
-  return bracket(RayTime{Integer(above), Integer(below), 0});
-}
-
 TEST(ExactMotion, KissesAndGlidesAreAtTheirTimes) {
   const MotionTable table(test::data("motion/kisses.csv"));
   ASSERT_EQ(table.size(), 184U);
   for (std::size_t row = 0; row < table.size(); ++row) {
     SCOPED_TRACE("row " + std::to_string(row) + ", " + table.text(row, "kind"));
-    const KnownMotion known = known_motion(table, row);
-    const auto& [moving, resting, motion] = known.pair;
-    const std::optional<Bracket> found = exact_motion(motion, moving, resting, 0, 1);
-    ASSERT_EQ(found.has_value(), known.contact);
-    const FirstContact twin =
-        reference::first_contact_by_brute_force(shape_of(moving), motion, Body(shape_of(resting)));
+    const test::KnownMotion known = test::known_motion(table, row);
+    const auto exact = [&](double from, double until) {
+      return exact_motion(known.motion, known.moving, known.resting, from, until);
+    };
+    const std::optional<Bracket> found = exact(0, 1);
+    ASSERT_EQ(found, known.time);
+    const FirstContact twin = reference::first_contact_by_brute_force(
+        shape_of(known.moving), known.motion, Body(shape_of(known.resting)));
     ASSERT_EQ(fault_beside_the_twin(found, twin), "");
-    if (known.contact) {
-      const Bracket time = next_to(known.above, known.below);
-      ASSERT_EQ(*found, time);
-      ASSERT_FALSE(exact_motion(motion, moving, resting, 0, std::nextafter(time.lower, 0)));
-      ASSERT_EQ(exact_motion(motion, moving, resting, time.lower, time.upper), time);
+    if (found) {
+      ASSERT_FALSE(exact(0, std::nextafter(found->lower, 0)));
+      ASSERT_EQ(exact(found->lower, found->upper), found);
     }
   }
 }

@@ -18,6 +18,9 @@ const IntegerPolynomial* simplest_of(const std::vector<IntegerPolynomial>& polyn
 }
 
 bool all_hold(const MomentConditions& conditions, const IntegerPolynomial* known, UnitRoot& at) {
+  if (conditions.nonzero && at.sign_of(*conditions.nonzero) == 0) {
+    return false;
+  }
   for (const IntegerPolynomial& p : conditions.not_negative) {
     if (&p != known && at.sign_of(p) < 0) {
       return false;
@@ -28,7 +31,7 @@ bool all_hold(const MomentConditions& conditions, const IntegerPolynomial* known
       return false;
     }
   }
-  return !conditions.nonzero || at.sign_of(*conditions.nonzero) != 0;
+  return true;
 }
 
 /// Adds the first root of `p` at which all hold.

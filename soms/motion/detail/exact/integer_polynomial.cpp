@@ -32,17 +32,17 @@ PseudoDivision pseudo_divided(const IntegerPolynomial& p, const IntegerPolynomia
   std::vector<Integer> rest = p.coefficients();
   std::vector<Integer> quotient(rest.size() - by.size() + 1);
   for (std::size_t k = quotient.size(); k-- > 0;) {
-    const Integer top = rest[k + by.size() - 1];
-    for (Integer& r : rest) {
-      r = r * lead;
+    const std::size_t top = k + by.size() - 1;
+    quotient[k] = std::move(rest[top]);
+    for (std::size_t i = k + 1; i < quotient.size(); ++i) {
+      quotient[i] = quotient[i] * lead;
     }
-    for (Integer& c : quotient) {
-      c = c * lead;
+    for (std::size_t i = 0; i < top; ++i) {
+      rest[i] = rest[i] * lead;
     }
-    for (std::size_t i = 0; i < by.size(); ++i) {
-      rest[k + i] = rest[k + i] - top * by[i];
+    for (std::size_t i = k; i < top; ++i) {
+      rest[i] = rest[i] - quotient[k] * by[i - k];
     }
-    quotient[k] = top;
   }
   rest.resize(by.size() - 1);
   return {IntegerPolynomial(std::move(quotient)), IntegerPolynomial(std::move(rest))};
