@@ -173,8 +173,8 @@ TEST(ExactMotion, BeginAndEndBelongToIt) {
   EXPECT_EQ(exact_motion(motion, moving, wall, 0.5, 0.5), (Bracket{0.5, 0.5}));
   EXPECT_FALSE(exact_motion(motion, moving, wall, 0, std::nextafter(0.5, 0.0)));
   EXPECT_FALSE(exact_motion(motion, moving, wall, std::nextafter(0.5, 1.0), 1));
-  // They cross at the begin.
-  const Triangle across{{-5, 1, 0}, {5, 1, 0}, {0, 9, 0}};
+  // Edges pass through a face at the begin, and no corner or edge meets another.
+  const Triangle across{{-5, 2, -9}, {5, 2, -9}, {0, 2, 9}};
   EXPECT_EQ(exact_motion(motion, moving, across, 0.5, 1), (Bracket{0.5, 0.5}));
 }
 
