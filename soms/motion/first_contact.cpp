@@ -58,8 +58,12 @@ FirstContact answer_of(const Shape& mover, const RigidMotion& motion, const Body
                                   limits);
 }
 
-void check_within(const FirstContactOptions& options) {
+void check_options(const FirstContactOptions& options) {
   detail::check_length(options.within, "first contact options: within");
+  if (options.parting && options.within > 0) {
+    throw Error(ErrorKind::usage, "first contact options: parting with a clearance",
+                "leave one of them out");
+  }
 }
 
 }  // namespace
@@ -67,7 +71,7 @@ void check_within(const FirstContactOptions& options) {
 FirstContact first_contact(const Shape& mover, const RigidMotion& motion, const Body& fixed,
                            const FirstContactOptions& options, const Limits& limits) {
   const PlainArithmetic plain;
-  check_within(options);
+  check_options(options);
   check_motion(mover, motion);
   detail::check_pose(fixed.pose, fixed.shape);
   check_stop(limits);
@@ -78,7 +82,7 @@ FirstContact first_contact(const Shape& mover, const RigidMotion& motion, const 
                            const RigidMotion& motion_of_other, const FirstContactOptions& options,
                            const Limits& limits) {
   const PlainArithmetic plain;
-  check_within(options);
+  check_options(options);
   check_motion(mover, motion);
   check_motion(other, motion_of_other);
   check_stop(limits);
@@ -97,7 +101,7 @@ FirstContactBatch first_contact(const Shape& mover, std::span<const RigidMotion>
                                 const Body& fixed, const FirstContactOptions& options,
                                 const Limits& limits) {
   const PlainArithmetic plain;
-  check_within(options);
+  check_options(options);
   detail::check_pose(fixed.pose, fixed.shape);
   check_motions(mover, motions, fixed);
   check_stop(limits);

@@ -58,6 +58,11 @@ inline constexpr auto kWords<ContactVerdict> = words(
 struct FirstContactOptions {
   /// Being this near is a contact; 0 for a common point.
   double within = 0;
+  /// Pairs of triangles in contact at the start are left out all the way, also where they part and
+  /// meet again: what rests on a triangle can slide. On a plate of several, each that it comes
+  /// to is a new contact. The verdict stays `started`, and `t` and
+  /// `triangles` are those of the first contact of another pair.
+  bool parting = false;
 
   [[nodiscard]] bool operator==(const FirstContactOptions&) const = default;
 };
@@ -67,7 +72,9 @@ struct Fields<FirstContactOptions> {
   static constexpr const char* kName = "FirstContactOptions";
   static constexpr const char* kMeaning = "Options of first_contact.";
   static constexpr auto kList =
-      std::tuple(field("within", &FirstContactOptions::within, "Being this near is a contact."));
+      std::tuple(field("within", &FirstContactOptions::within, "Being this near is a contact."),
+                 field("parting", &FirstContactOptions::parting,
+                       "Pairs of triangles in contact at the start are left out."));
 };
 
 /// Answer of `first_contact`. Times are parts of the way, from 0 to 1.
@@ -77,7 +84,7 @@ struct FirstContact {
   /// the motion puts it in real numbers, nor at poses of `pose_at` but for their rounding. By
   /// `upper` there is one: of the body at `pose_at(upper)`, as `within` decides it, or by the law.
   /// Infinity where none is proved. [1, infinity] where all is free, [0, 0] where the motion starts
-  /// in contact.
+  /// in contact, unless `parting` is set.
   ///
   /// Where the law decides, as always for straight motions without a clearance, these are the
   /// doubles next to the exact time.
@@ -162,7 +169,8 @@ struct Fields<FirstContact> {
 /// the earliest proof, not always the first one to touch where several do so within the bracket.
 ///
 /// \errors  ErrorKind::not_rigid, not_finite, out_of_range for a pose, or where the body may come
-///          beyond 2^300 on its way; usage for a `within` that is negative or not a number;
+///          beyond 2^300 on its way; usage for a `within` that is negative or not a number, or
+///          with `parting`;
 ///          cancelled.
 /// \cost    Typically a few times `distance` of the start. A deadline ends it with coverage `cut`
 ///          and what is proved until then. Bodies that slide along each other for long at next to

@@ -176,6 +176,84 @@ TEST(FirstContact, TiesOfAStraightMotionAreDecidedExactly) {
   }
 }
 
+// A box on a plate of one triangle slides to a step; without the option it only starts.
+TEST(FirstContact, WhatRestsOnAPlateSlidesToAStep) {
+  const Shape box(box_body({0, 0, 0}, {1, 1, 1}));
+  const Mesh plate = test::soup_body(
+      {{{-19, -9, 0}, {29, -9, 0}, {0, 29, 0}}, {{4, -9, 0}, {4, 9, 0}, {4, 0, 2}}});
+  const Body floor{plate};
+  const FirstContactOptions parting{.parting = true};
+  for (const RigidMotion& motion : {RigidMotion::along(Pose(), {6, 0, 0}),
+                                    RigidMotion::between(Pose(), Pose::translation(6, 0, 0))}) {
+    EXPECT_EQ(first_contact(box, motion, floor).t, (Bracket{0, 0}));
+    const FirstContact found = first_contact(box, motion, floor, parting);
+    EXPECT_EQ(found.verdict, ContactVerdict::started);
+    EXPECT_NEAR(found.t.lower, 0.5, 1e-12);
+    EXPECT_NEAR(found.t.upper, 0.5, 1e-12);
+    ASSERT_TRUE(found.triangles);
+    EXPECT_EQ(found.triangles->b, 1U);
+  }
+  for (const RigidMotion& motion :
+       {RigidMotion::along(Pose(), {2, 0, 0}), RigidMotion::along(Pose(), {1, 0, 3}),
+        RigidMotion::turn(Pose(), {0.5, 0.5, 0}, {0, 0, 1}, 1)}) {
+    const FirstContact found = first_contact(box, motion, floor, parting);
+    EXPECT_EQ(found.verdict, ContactVerdict::started);
+    EXPECT_EQ(found.t, (Bracket{1, kNoContact}));
+    EXPECT_FALSE(found.triangles);
+  }
+  EXPECT_EQ(
+      first_contact(box, RigidMotion::along(Pose::translation(0, 0, 1), {0, 0, 1}), floor, parting)
+          .verdict,
+      ContactVerdict::free);
+  EXPECT_THROW(
+      static_cast<void>(first_contact(box, RigidMotion(), floor, {.within = 1, .parting = true})),
+      Error);
+}
+
+// With `parting`, the least of all pairs that do not touch at the start.
+TEST(FirstContact, PartingLeavesOutWhatTouchesAtTheStart) {
+  test::for_each_case("first-contact/parting", 60, [](Rng& rng) {
+    const auto any = [&](double most) {
+      return Vec3{rng.uniform(-most, most), rng.uniform(-most, most), rng.uniform(-most, most)};
+    };
+    const auto soup = [&] {
+      std::vector<Triangle> triangles;
+      for (int k = 0; k < 5; ++k) {
+        const Vec3 at = any(1.5);
+        triangles.push_back({at + any(1), at + any(1), at + any(1)});
+      }
+      return triangles;
+    };
+    const std::vector<Triangle> a = soup();
+    const std::vector<Triangle> b = soup();
+    const RigidMotion motion =
+        rng.below(2) == 0
+            ? RigidMotion::along(Pose(), any(3))
+            : RigidMotion::between(Pose(), Pose::from_axis_angle(any(1), 1, any(2)), any(1));
+    double lower = kNoContact;
+    double upper = kNoContact;
+    bool started = false;
+    for (const Triangle& x : a) {
+      for (const Triangle& y : b) {
+        const FirstContact one = reference::first_contact_by_brute_force(
+            Shape(test::soup_body({x})), motion, Body(Shape(test::soup_body({y}))));
+        if (one.verdict == ContactVerdict::started) {
+          started = true;
+        } else {
+          lower = std::min(lower, one.t.lower);
+          upper = std::min(upper, one.t.upper);
+        }
+      }
+    }
+    const FirstContact found = first_contact(Shape(test::soup_body(a)), motion,
+                                             Body(Shape(test::soup_body(b))), {.parting = true});
+    ASSERT_EQ(found.verdict == ContactVerdict::started, started);
+    ASSERT_EQ(found.t.upper == kNoContact, upper == kNoContact);
+    ASSERT_LE(found.t.lower, upper);
+    ASSERT_LE(lower, found.t.upper);
+  });
+}
+
 TEST(FirstContact, TheEndOfAStraightMotionBelongsToIt) {
   const Shape mover(box_body({0, 0, 0}, {1, 1, 1}));
   const Body wall(box_body({3, -1, -1}, {4, 2, 2}));

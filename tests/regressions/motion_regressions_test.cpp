@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -294,6 +295,24 @@ TEST(MotionRegressions, R107AHundredThousandStepsOfAPathAreAnswered) {
   EXPECT_EQ(std::count(found.verdict.begin(), found.verdict.end(), ContactVerdict::free),
             static_cast<std::ptrdiff_t>(kSteps));
   EXPECT_EQ(found.coverage, std::vector<Coverage>(kSteps, Coverage::complete));
+}
+
+// dimforge/parry#405: a box on a plate goes along it, up to a step.
+TEST(MotionRegressions, R110WhatStartsInContactSlidesToTheNextOne) {
+  const Shape box(test::box_body({-0.5, -0.5, 0}, {0.5, 0.5, 1}));
+  const Body plate(
+      soup_body({{{-20, -20, 0}, {40, -20, 0}, {0, 40, 0}}, {{3, -5, -1}, {3, 5, -1}, {3, 0, 4}}}));
+  const RigidMotion motion = RigidMotion::along(Pose(), {5, 0, 0});
+  const FirstContact start = first_contact(box, motion, plate);
+  EXPECT_EQ(start.verdict, ContactVerdict::started);
+  EXPECT_EQ(start.triangles->b, 0U);
+  const FirstContact next = first_contact(box, motion, plate, {.parting = true});
+  EXPECT_EQ(next.verdict, ContactVerdict::started);
+  EXPECT_EQ(next.t, (Bracket{0.5, 0.5}));
+  EXPECT_EQ(next.triangles->b, 1U);
+  const FirstContact back =
+      first_contact(box, RigidMotion::along(Pose(), {-5, 0, 0}), plate, {.parting = true});
+  EXPECT_EQ(back.t, (Bracket{1, std::numeric_limits<double>::infinity()}));
 }
 
 TEST(MotionRegressions, R111AClearanceNextToTheGapTakesFewTests) {

@@ -6,9 +6,11 @@
 #include "soms/geometry/detail/exact/exact_ray.h"
 #include "soms/query/answer.h"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace soms::detail {
 
@@ -33,6 +35,13 @@ class ContactGoal {
   [[nodiscard]] const std::optional<RayTime>& exact() const { return exact_; }
 
   [[nodiscard]] bool proved() const { return contact_pair_.has_value(); }
+
+  /// Pairs that do not count, sorted.
+  void leave_out(std::vector<TrianglePair> pairs) { left_out_ = std::move(pairs); }
+
+  [[nodiscard]] bool leaves_out(const TrianglePair& pair) const {
+    return std::binary_search(left_out_.begin(), left_out_.end(), pair);
+  }
 
   /// A pair is not proved free in [from, to].
   void add_spell(const TrianglePair& pair, double from, double to) {
@@ -72,6 +81,7 @@ class ContactGoal {
   std::optional<RayTime> exact_;
   std::optional<TrianglePair> contact_pair_;
   std::optional<TrianglePair> spell_pair_;
+  std::vector<TrianglePair> left_out_;
 };
 
 }  // namespace soms::detail

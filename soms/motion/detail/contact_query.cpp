@@ -5,10 +5,13 @@
 #include "soms/motion/detail/contact_normal.h"
 #include "soms/motion/detail/contact_traversal.h"
 #include "soms/query/detail/engine/pair_frame.h"
+#include "soms/query/overlap.h"
 #include "soms/query/within.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace soms::detail {
 
@@ -27,23 +30,30 @@ class ContactQuery {
         mover_(mover),
         other_(other),
         clearance_(options.within),
+        parting_(options.parting),
         limits_(limits),
         bounds_(law, other, options.within) {}
 
   [[nodiscard]] FirstContact ask() {
-    if (in_contact_at(0)) {
+    const bool started = in_contact_at(0);
+    if (started && !parting_) {
       answer_.verdict = ContactVerdict::started;
       answer_.t = {0, 0};
       name(0);
       return answer_;
     }
+    ContactGoal goal;
+    if (started) {
+      goal.leave_out(pairs_at(0));
+      answer_.triangles.reset();
+    }
     if (answer_.coverage == Coverage::cut) {
       leave_open(0);
-      return answer_;
+    } else {
+      const double proved = traverse(goal);
+      finish(goal, proved);
     }
-    ContactGoal goal;
-    const double proved = traverse(goal);
-    finish(goal, proved);
+    answer_.verdict = started ? ContactVerdict::started : answer_.verdict;
     return answer_;
   }
 
@@ -58,6 +68,29 @@ class ContactQuery {
       answer_.triangles = found.triangles;
     }
     return found.within;
+  }
+
+  /// All pairs in contact then, sorted.
+  [[nodiscard]] std::vector<TrianglePair> pairs_at(double t) {
+    Overlap found = overlap(Body(mover_, law_.mover_at(t)), Body(other_, law_.other_at(t)),
+                            {.mode = OverlapMode::all}, limits_.alone());
+    answer_.cost += found.cost;
+    answer_.coverage = found.coverage;
+    return std::move(found.pairs);
+  }
+
+  /// Decides the poses at the end as they are, but for pairs that are left out.
+  [[nodiscard]] bool in_contact_at_end(const ContactGoal& goal) {
+    if (!parting_) {
+      return in_contact_at(1);
+    }
+    for (const TrianglePair& pair : pairs_at(1)) {
+      if (!goal.leaves_out(pair)) {
+        answer_.triangles = pair;
+        return true;
+      }
+    }
+    return false;
   }
 
   /// All before what it returns is free but for what the goal knows; infinity if all is.
@@ -86,7 +119,7 @@ class ContactQuery {
     } else if (answer_.coverage == Coverage::cut) {
       answer_.triangles = goal.triangles();
       leave_open(free_until);
-    } else if (!bounds_.exact() && in_contact_at(1)) {
+    } else if (!bounds_.exact() && in_contact_at_end(goal)) {
       answer_.verdict = ContactVerdict::contact;
       answer_.t = {std::min(free_until, std::nextafter(1.0, 0.0)), 1};
       name(1);
@@ -123,6 +156,7 @@ class ContactQuery {
   const Shape& mover_;
   const Shape& other_;
   double clearance_;
+  bool parting_;
   const Limits& limits_;
   MotionBounds bounds_;
   FirstContact answer_;

@@ -184,6 +184,9 @@ bool PairAdvance::pass(Place& place, double until) {
 }
 
 void PairAdvance::run(double from, double until) {
+  if (goal_.leaves_out(ids_)) {
+    return;
+  }
   curvature_ = law_.curvature(from, until).of(arm_);
   const double enough = bounds_.pair_margin() + kNextToNone * bounds_.rounding();
   Place place = at(from);
