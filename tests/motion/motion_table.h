@@ -27,10 +27,10 @@ class MotionTable {
   [[nodiscard]] std::size_t size() const { return rows_.size() - 1; }
 
   [[nodiscard]] const std::string& text(std::size_t row, const std::string& name) const {
-    static const std::string kNothing;
+    static const std::string nothing;
     const auto& fields = rows_[row + 1];
     const std::size_t at = column_.at(name);
-    return at < fields.size() ? fields[at] : kNothing;
+    return at < fields.size() ? fields[at] : nothing;
   }
 
   [[nodiscard]] double number(std::size_t row, const std::string& name) const {

@@ -28,8 +28,8 @@ namespace soms::detail {
 /// Where an equation holds throughout, as for what turns in a plane, the others begin to hold at
 /// their own roots (first_moment.h).
 ///
-/// Numbers are as long as the coordinates need, and nothing is cut: hundreds of bits for ordinary
-/// ones, thousands where the largest are beside the least.
+/// Numbers are as long as the coordinates need, and nothing is cut. Hundreds of bits serve ordinary
+/// ones, in some tenths of a millisecond. A kiss of coordinates of all magnitudes may take seconds.
 /// \pre The motion is not straight, 0 <= from <= until <= 1, coordinates are finite.
 [[nodiscard]] std::optional<Bracket> exact_motion(const RigidMotion& motion, const Triangle& moving,
                                                   const Triangle& resting, double from,

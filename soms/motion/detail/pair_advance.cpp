@@ -35,7 +35,8 @@ constexpr int kDraws = 12;
 
 /// The number with the fewest binary digits in [from, to], 0 <= from <= to <= 1.
 double simplest(double from, double to) {
-  for (double unit = 1; unit > 0x1p-60; unit /= 2) {
+  for (int digits = 0; digits < 60; ++digits) {
+    const double unit = std::ldexp(1.0, -digits);
     const double at = std::ceil(from / unit) * unit;
     if (at <= to) {
       return at;

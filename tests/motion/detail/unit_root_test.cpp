@@ -98,6 +98,9 @@ TEST(UnitRoot, RootsThatAreNextToEachOtherArePartedAndCompared) {
   ASSERT_EQ(roots.size(), 2U);
   EXPECT_EQ(roots[0].compare(Integer(1), Integer(3)), std::strong_ordering::less);
   EXPECT_EQ(roots[1].compare(Integer(1), Integer(3)), std::strong_ordering::equal);
+  // Two that have thousands of digits in common.
+  const IntegerPolynomial beside({Integer(1) - Integer(3, 6000), Integer(9, 6000)});
+  EXPECT_EQ(unit_roots(beside * root_at(1, 3)).size(), 2U);
   UnitRoot root = unit_roots(square_less(1)).at(0);
   EXPECT_EQ(root.sign_of(square_less(1) * Integer(kLarge) + IntegerPolynomial({Integer(1)})), 1);
   EXPECT_EQ(root.sign_of(square_less(1) * Integer(kLarge) - IntegerPolynomial({Integer(1)})), -1);

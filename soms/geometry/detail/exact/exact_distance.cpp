@@ -2,11 +2,12 @@
 
 #include "soms/base/assert.h"
 #include "soms/base/double_limits.h"
-#include "soms/geometry/detail/exact/grid.h"
 #include "soms/geometry/detail/exact/leading_part.h"
 #include "soms/geometry/detail/parts/odd.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace soms::detail {
@@ -110,12 +111,19 @@ IntegerVec cross(const IntegerVec& a, const IntegerVec& b) {
 ExactPair::ExactPair(const Triangle& a, const Triangle& b) {
   const std::array<const Triangle*, 2> triangles{&a, &b};
   std::array<Odd, 18> odds;
-  for (std::size_t i = 0; i < 6; ++i) {
-    put_odds(corner(*triangles[i / 3], i % 3), &odds[3 * i]);
+  int least = std::numeric_limits<int>::max();
+  for (std::size_t i = 0; i < 18; ++i) {
+    odds[i] = Odd(corner(*triangles[i / 9], i / 3 % 3)[i % 3]);
+    least = odds[i].number == 0 ? least : std::min(least, odds[i].exponent);
   }
-  exponent_ = unit_of(odds);
+  exponent_ = least == std::numeric_limits<int>::max() ? 0 : least;
+  const auto integer = [&](const Odd& odd) {
+    return odd.number == 0
+               ? Integer()
+               : Integer(odd.number, static_cast<std::size_t>(odd.exponent - exponent_));
+  };
   for (std::size_t i = 0; i < 6; ++i) {
-    corners_[i] = on_grid(&odds[3 * i], exponent_);
+    corners_[i] = {integer(odds[3 * i]), integer(odds[3 * i + 1]), integer(odds[3 * i + 2])};
   }
 }
 

@@ -156,7 +156,7 @@ IntegerPolynomial common_divisor(IntegerPolynomial p, IntegerPolynomial q) {
   Integer height(1);
   for (;;) {
     const std::size_t fall = p.degree() - q.degree();
-    const IntegerPolynomial rest = pseudo_divided(p, q).rest;
+    IntegerPolynomial rest = pseudo_divided(p, q).rest;
     if (rest.is_zero()) {
       return q;
     }

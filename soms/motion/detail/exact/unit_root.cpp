@@ -49,32 +49,43 @@ class UnitRoots {
     found_.push_back(std::move(cell));
   }
 
-  /// Adds the roots inside of a cell; false if they do not part.
-  [[nodiscard]] bool look_into(const UnitRoot& cell) {
-    const int changes = cell.form_.changes();
-    if (changes == 0) {
-      return true;
+  /// Adds the roots inside of a cell; false if they do not part. No recursion: roots may be as near
+  /// to each other as coefficients are long.
+  [[nodiscard]] bool look_into(const UnitRoot& whole) {
+    std::vector<UnitRoot> open{whole};
+    while (!open.empty()) {
+      UnitRoot cell = std::move(open.back());
+      open.pop_back();
+      const int changes = cell.form_.changes();
+      const bool alone =
+          changes == 1 && cell.form_.first_sign() != 0 && cell.form_.last_sign() != 0;
+      if (cell.known_ || alone) {
+        found_.push_back(std::move(cell));
+        continue;
+      }
+      if (changes != 0 && !single_ && cell.halvings_ == kPatience) {
+        return false;
+      }
+      if (changes != 0) {
+        push_halves(std::move(cell), open);
+      }
     }
-    if (changes == 1 && cell.form_.first_sign() != 0 && cell.form_.last_sign() != 0) {
-      found_.push_back(cell);
-      return true;
-    }
-    if (!single_ && cell.halvings_ == kPatience) {
-      return false;
-    }
-    UnitRoot lower = cell;
-    lower.number_ = cell.number_ << 1;
-    ++lower.halvings_;
-    UnitRoot upper = lower;
-    upper.form_ = lower.form_.halve();
+    return true;
+  }
+
+  /// The upper one, what is between them if that is a root, and on top the lower one.
+  static void push_halves(UnitRoot cell, std::vector<UnitRoot>& open) {
+    UnitRoot upper = cell;
+    upper.form_ = cell.form_.halve();
     upper.number_ = odd_above(cell.number_);
-    if (!look_into(lower)) {
-      return false;
-    }
+    cell.number_ = cell.number_ << 1;
+    upper.halvings_ = ++cell.halvings_;
+    open.push_back(upper);
     if (upper.form_.first_sign() == 0) {
-      add_known(upper, upper.number_, upper.halvings_);
+      upper.known_ = true;
+      open.push_back(std::move(upper));
     }
-    return look_into(upper);
+    open.push_back(std::move(cell));
   }
 
   std::shared_ptr<const IntegerPolynomial> polynomial_;
