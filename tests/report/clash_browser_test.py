@@ -4,10 +4,9 @@ import pathlib
 import shutil
 import subprocess
 import sys
-import tempfile
 
-from look import DESK, PHONE, READ_PICTURE, Look, away
-from browser import console_faults, outcome, start_browser
+from look import DESK, PHONE, READ_PICTURE, Look, away, run_looks
+from browser import console_faults
 
 MODELS = pathlib.Path(__file__).resolve().parents[1] / "data/clash"
 COUNT_COLORS = """
@@ -224,19 +223,5 @@ def many_faults(browser, soms, folder):
     yield from console_faults(browser)
 
 
-def main():
-    soms = sys.argv[1]
-    found = []
-    with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
-        browser = start_browser(folder, webgl=True)
-        try:
-            for look in (building_faults, words_faults, many_faults):
-                found += look(browser, soms, folder)
-        finally:
-            browser.quit()
-    return outcome(found)
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_looks(building_faults, words_faults, many_faults))

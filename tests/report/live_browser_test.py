@@ -1,13 +1,11 @@
 """A body of a report page is moved by real events of mouse and keys; what the page says is what `soms` says at that pose."""
 import json
-import pathlib
 import shlex
 import subprocess
 import sys
-import tempfile
 
-from look import DESK, Look, in_sight, lines, town
-from browser import console_faults, outcome, start_browser
+from look import DESK, Look, in_sight, lines, town, run_looks
+from browser import console_faults
 
 START = "2.5 0 0"  # apart
 KEYS = {"page down": "\ue00f", "left": "\ue012"}
@@ -159,19 +157,5 @@ def mover_faults(browser, soms, folder):
     yield from console_faults(browser)
 
 
-def main():
-    soms = sys.argv[1]
-    found = []
-    with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
-        browser = start_browser(folder, webgl=True)
-        try:
-            found += pair_faults(browser, soms, folder)
-            found += mover_faults(browser, soms, folder)
-        finally:
-            browser.quit()
-    return outcome(found)
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_looks(pair_faults, mover_faults))

@@ -1,10 +1,11 @@
 """A report page that is open in a browser, for tests that look at it by mouse and by keys."""
 import pathlib
 import sys
+import tempfile
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
-from browser import PATIENCE  # noqa: E402
+from browser import PATIENCE, outcome, start_browser  # noqa: E402
 
 PHONE = (390, 800)
 DESK = (1000, 600)  # few pixels: software draws them
@@ -127,3 +128,17 @@ def town(folder):
             lines += [f"f {a} {b} {c}", f"f {a} {c} {d}"]
     path.write_text("\n".join(lines) + "\n", encoding="ascii")
     return path
+
+
+def run_looks(*looks):
+    """Calls each with a browser, the command and a folder. The exit status of a test that found their faults."""
+    found = []
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        browser = start_browser(folder, webgl=True)
+        try:
+            for look in looks:
+                found += look(browser, sys.argv[1], folder)
+        finally:
+            browser.quit()
+    return outcome(found)

@@ -1,12 +1,10 @@
 """Pages of two models, of gaps and of many rows, opened in Chromium from a file."""
 import json
-import pathlib
 import subprocess
 import sys
-import tempfile
 
-from look import DESK, Look, away, in_sight, lines, town
-from browser import console_faults, outcome, start_browser
+from look import DESK, Look, away, in_sight, lines, town, run_looks
+from browser import console_faults
 
 
 def gap_faults(browser, soms, folder):
@@ -164,19 +162,5 @@ def reproduce_faults(browser, soms, folder):
     yield from console_faults(browser)
 
 
-def main():
-    soms = sys.argv[1]
-    found = []
-    with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
-        browser = start_browser(folder, webgl=True)
-        try:
-            for look in (gap_faults, overlap_faults, many_rows_faults, reproduce_faults):
-                found += look(browser, soms, folder)
-        finally:
-            browser.quit()
-    return outcome(found)
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_looks(gap_faults, overlap_faults, many_rows_faults, reproduce_faults))
