@@ -7,6 +7,8 @@ set(SOMS_REPORT_FILES
   drawn_mesh.h
   live_data.cpp
   live_data.h
+  motion_data.cpp
+  motion_data.h
   packed.cpp
   packed.h
   page.cpp

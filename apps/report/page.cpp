@@ -16,7 +16,7 @@ namespace soms::report {
 
 namespace {
 
-constexpr std::string_view kView = R"html(<h2>The scene</h2>
+constexpr std::string_view kStage = R"html(<h2>The scene</h2>
 <noscript><p class="warn">Scripts are switched off: the scene is not drawn. Figures and pictures below
 are whole.</p></noscript>
 <div id="look" hidden>
@@ -39,7 +39,9 @@ play, pause. In the list: arrow keys choose, Right and Left open and close a row
 body, or stop. Then drag a body: along the ground; with Shift: up and down. Arrows, Page Up and Page Down move it, Q and E turn it about
 the vertical, W and S, A and D tilt it; with Shift a tenth as far. R: back to its recorded pose.</span></div></details>
 </div>
-<div id="side">
+)html";
+
+constexpr std::string_view kList = R"html(<div id="side">
 <div class="row"><input id="find" type="search" placeholder="Find a name, part or triangle"
 aria-label="Find contacts by name, part or triangle number" autocomplete="off">
 <select id="order" aria-label="Order of the list"><option value="begin">by begin</option>
@@ -47,25 +49,54 @@ aria-label="Find contacts by name, part or triangle number" autocomplete="off">
 <option value="mover">by what touches</option><option value="touched">by what is touched</option></select>
 <label><input id="now" type="checkbox"> only now</label></div>
 <p id="count" role="status"></p>
-<div id="list" role="tree" tabindex="0" aria-label="List of contacts"><div id="rows"
+<div id="list" role="tree" tabindex="0" aria-label="List of contacts">)html";
+
+/// The lines of either list.
+constexpr std::string_view kLines =
+    R"html(<div id="rows"
 role="presentation"></div></div>
 <div class="row"><button id="previous" type="button">Previous</button>
 <button id="next" type="button">Next</button></div>
 </div>
-<p id="picked" role="status" aria-live="polite"></p>
+)html";
+
+constexpr std::string_view kAnswers = R"html(<p id="picked" role="status" aria-live="polite"></p>
 <div id="live" hidden><p id="live-answer" role="status" aria-live="polite"></p>
 <p class="note"><span id="live-where"></span> <code id="live-pose"></code></p><p id="live-others" class="note"></p></div>
 <p id="no-live" class="note" hidden></p>
-<div id="time"><button id="play" type="button">Play</button>
+)html";
+
+constexpr std::string_view kTime =
+    R"html(<div id="time"><button id="play" type="button">Play</button>
 <input id="step" type="range" min="0" max="0" step="1" value="0" aria-label="Time">
 <output id="moment" for="step"></output></div>
 <p class="note" id="legend"><span class="key moves"></span>moves<span class="key still"></span>does not move<span class="touching">
 <span class="key touch"></span>touches now <span class="key was"></span>touches at another time</span><span id="near" hidden><span class="key gap"></span>gap: a shortest segment with
 its length<span id="near-time"> (dashed: at another time)</span></span></p>
-<p id="drawn" class="note"></p>
+)html";
+
+constexpr std::string_view kDrawn = R"html(<p id="drawn" class="note"></p>
 </div>
 <div id="prints"></div>
 </section>
+)html";
+
+/// In place of `kList` and `kTime` where the page is about motions.
+constexpr std::string_view kMotionList = R"html(<div id="side">
+<div class="row"><label><input id="blocked" type="checkbox"> only those that are not free</label></div>
+<p id="count" role="status"></p>
+<div id="list" role="tree" tabindex="0" aria-label="List of motions">)html";
+
+constexpr std::string_view kWay =
+    R"html(<div id="time"><button id="play" type="button">Play</button>
+<div id="way"><input id="part" type="range" min="0" max="1" step="0.001" value="0" aria-label="Part of the way">
+<div id="track" aria-hidden="true"><span id="before"></span><span id="open"></span><span id="after"></span>
+<span id="meets"></span></div></div>
+<output id="moment" for="part"></output>
+<button id="contact" type="button" title="Key C">To the contact</button></div>
+<p class="note" id="legend"><span class="key moves"></span>A, before the contact<span class="blocking"><span
+class="key was"></span>A, after it<span class="key touch"></span>the contact</span><span class="key still"></span>B.
+Pale: A at the start, at the contact and at the end.</p>
 )html";
 
 /// Writes one page.
@@ -78,9 +109,9 @@ class PageWriter {
     write_head(out_, page_, kViewStyle);
     write_warnings(out_, page_);
     write_facts(out_, page_);
-    out_ << (page_.scene.lists_contacts ? "<section id=\"view\">\n"
-                                        : "<section id=\"view\" class=\"no-list\">\n")
-         << kView;
+    out_ << fmt::format("<section id=\"view\"{}>\n", kind_of_view()) << kStage
+         << (of_motions() ? kMotionList : kList) << kLines << kAnswers
+         << (of_motions() ? kWay : kTime) << kDrawn;
     line_of_time();
     tables();
     plots();
@@ -96,6 +127,16 @@ class PageWriter {
   }
 
  private:
+  [[nodiscard]] bool of_motions() const { return !page_.scene.motions.empty(); }
+
+  /// The class attribute: what is listed.
+  [[nodiscard]] std::string_view kind_of_view() const {
+    if (of_motions()) {
+      return page_.scene.motions.size() > 1 ? " class=\"motions\"" : " class=\"motions no-list\"";
+    }
+    return page_.scene.lists_contacts ? "" : " class=\"no-list\"";
+  }
+
   void figure(const Plot& plot) {
     out_ << fmt::format(
         "<figure>\n<div class=\"picture\" tabindex=\"0\">\n{}</div>\n"
@@ -104,7 +145,7 @@ class PageWriter {
   }
 
   void line_of_time() {
-    const std::string svg = time_line(page_.scene);
+    const std::string svg = of_motions() ? "" : time_line(page_.scene);
     if (!svg.empty()) {
       out_ << "<section id=\"time-line\">\n<h2>Time line</h2>\n";
       figure({.svg = svg,
@@ -137,9 +178,14 @@ class PageWriter {
           xml_text(table.title));
       row(table.columns, "th");
       out_ << "</thead>\n<tbody>\n";
-      const std::size_t gaps = table.of_gaps ? std::min(page_.scene.gaps.size(), limits_.gaps) : 0;
+      const std::size_t links = table.of_gaps      ? std::min(page_.scene.gaps.size(), limits_.gaps)
+                                : table.of_motions ? page_.scene.motions.size()
+                                                   : 0;
       for (std::size_t k = 0; k < table.rows.size(); ++k) {
-        row(table.rows[k], "td", k < gaps ? fmt::format("gap={}", k) : std::string());
+        row(table.rows[k], "td",
+            k >= links      ? std::string()
+            : table.of_gaps ? fmt::format("gap={}", k)
+                            : fmt::format("motion={}", page_.scene.motions[k].number));
       }
       out_ << fmt::format("</tbody>\n</table>\n</div>\n<p class=\"note\">{}</p>\n</section>\n",
                           xml_text(table.caption));

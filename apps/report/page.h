@@ -30,7 +30,8 @@ struct Table {
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;  ///< a text for each column
   std::string caption = {};
-  bool of_gaps = false;  ///< row k is about gap k of the scene, and leads to it
+  bool of_gaps = false;     ///< row k is about gap k of the scene, and leads to it
+  bool of_motions = false;  ///< the same of motions
 };
 
 /// All that a page says. Texts are plain: markup in them is shown, not obeyed.

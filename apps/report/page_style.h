@@ -75,6 +75,15 @@ border-radius:3px;overflow:hidden}
 #time{grid-column:1/-1;display:flex;flex-wrap:wrap;align-items:center;gap:.5rem .75rem}
 #step{flex:1 1 12rem;min-width:0;padding:0!important;accent-color:var(--contact)}
 #moment{font-variant-numeric:tabular-nums;min-width:11rem}
+#way{position:relative;flex:1 1 14rem;min-width:0;display:flex}
+#look #part{position:relative;z-index:1;width:100%;min-width:0;margin:0;padding:0;border:0;background:none;appearance:none}
+#part::-webkit-slider-thumb{appearance:none;width:16px;height:16px;border-radius:50%;background:var(--ink);border:2px solid var(--paper)}
+#part::-moz-range-thumb{width:12px;height:12px;border-radius:50%;background:var(--ink);border:2px solid var(--paper)}
+#track{position:absolute;top:calc(50% - .3rem);left:8px;right:8px;display:flex;height:.6rem;border-radius:.3rem;overflow:hidden;background:var(--line)}
+#before{background:var(--body-a)}#open{background:var(--faint)}#after{background:var(--contact-past)}
+#meets{position:absolute;top:0;bottom:0;width:4px;margin-left:-2px;background:var(--contact)}
+.line.motion{border-left-color:var(--body-a)}.line.motion.lasts{border-left-color:var(--contact)}
+.line.motion .when{background:var(--body-a)}.line.motion .when i{min-width:3px;background:var(--contact)}
 #picked{grid-column:1/-1;margin:0;min-height:1.5rem;max-width:none;font-weight:600}
 #look .note{grid-column:1/-1;margin:0;max-width:none}
 #look button[aria-pressed=true]{background:var(--ink);color:var(--paper)}
@@ -89,11 +98,11 @@ margin:0 .3em 0 .6em}
 #plots{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,34rem),1fr));gap:0 1.5rem}
 #plots figure{min-width:0}
 .no-list #side,.no-list .touching{display:none}.no-list #look{grid-template-columns:minmax(0,1fr)}
-@media (max-width:60rem){#look{grid-template-columns:minmax(0,1fr)}#stage{order:-2}#live{order:-1}#stage{height:60vh;
+@media (max-width:60rem){#look{grid-template-columns:minmax(0,1fr)}#stage{order:-2}#live,.motions #picked,.motions #time{order:-1}#stage{height:60vh;
 min-height:18rem}#side{height:24rem;min-height:0}dl.facts{grid-template-columns:minmax(0,1fr);
 gap:0}dl.facts dd{margin-bottom:.4rem}}
 #prints{display:none}
-.picture{background:linear-gradient(90deg,var(--paper) 40%,transparent) 0 0/3rem 100% local no-repeat,
+.picture{overflow-x:auto;background:linear-gradient(90deg,var(--paper) 40%,transparent) 0 0/3rem 100% local no-repeat,
 linear-gradient(270deg,var(--paper) 40%,transparent) 100% 0/3rem 100% local no-repeat,
 linear-gradient(90deg,var(--faint),transparent) 0 0/.7rem 100% scroll no-repeat,
 linear-gradient(270deg,var(--faint),transparent) 100% 0/.7rem 100% scroll no-repeat}

@@ -3,12 +3,15 @@
 /// they come.
 #pragma once
 
+#include "soms/base/bracket.h"
 #include "soms/base/pose.h"
 #include "soms/geometry/mesh.h"
+#include "soms/motion/rigid_motion.h"
 #include "soms/query/overlap.h"
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -89,6 +92,21 @@ struct SceneGap {
   std::string length = {};  ///< as it is written beside the segment
 };
 
+/// A motion of the first body, and when it first touches the second one, which stands still.
+struct SceneMotion {
+  RigidMotion motion = {};
+  std::uint64_t number = 0;        ///< in the list that it is of
+  bool blocked = false;            ///< it is not proved to be free
+  Bracket t = {};                  ///< no contact before `lower`, a contact at `upper` if finite
+  double moment = 1;               ///< the time that is shown first: of the contact, or the end
+  std::optional<Vec3> place = {};  ///< the contact at `moment`
+  std::string verdict = {};        ///< in a few words
+  std::string words = {};          ///< in a sentence
+};
+
+/// Steps that a motion has: its start, its moment and its end.
+inline constexpr std::uint64_t kStepsOfMotion = 3;
+
 /// Steps of time, or poses one after the other.
 struct Steps {
   std::uint64_t count = 1;
@@ -120,6 +138,10 @@ struct Scene {
   Noun row = {};
   std::vector<SceneGap> gaps = {};  ///< of all or some, in the order of their table
   std::uint64_t gaps_in_all = 0;
+  /// Not empty: the page is about motions. Motion k has the steps from 3 k on, and each motion with
+  /// a place has a row and a contact.
+  std::vector<SceneMotion> motions = {};
+  std::uint64_t motions_in_all = 0;
   Steps steps = {};
   std::function<Pose(std::uint32_t body, std::uint64_t step)> pose = {};
   bool y_is_up = false;

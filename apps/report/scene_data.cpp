@@ -2,6 +2,7 @@
 
 #include "apps/report/data_block.h"
 #include "apps/report/live_data.h"
+#include "apps/report/motion_data.h"
 #include "apps/report/packed.h"
 #include "apps/report/placing.h"
 #include "apps/report/scene_models.h"
@@ -88,10 +89,11 @@ class SceneWriter {
       script();
     }
     models_->write_rest(out_);
-    if (live_->is_there()) {
+    // A hand and the slider of a motion would move the same body.
+    shown_.is_live = scene_.motions.empty() && live_->is_there();
+    if (shown_.is_live) {
       live_->write(out_);
     }
-    shown_.is_live = live_->is_there();
     return shown_;
   }
 
@@ -390,7 +392,14 @@ class SceneWriter {
                     })
          << "}";
     out_ << ",\"live\":"
-         << live_->json([this](std::size_t model) { return models_->middle(model); });
+         << (scene_.motions.empty()
+                 ? live_->json([this](std::size_t model) { return models_->middle(model); })
+                 : "null");
+    if (!scene_.motions.empty()) {
+      out_ << motions_json(scene_, {.middle = models_->middle(scene_.bodies.front().model),
+                                    .origin = origin_,
+                                    .scale = scale_});
+    }
     const auto words = [](const std::string& text) {
       return script_text(shortened(text, kLongestText));
     };

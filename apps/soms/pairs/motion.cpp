@@ -11,8 +11,10 @@
 #include "apps/model/georeference.h"
 #include "apps/rows/sinks.h"
 #include "apps/soms/answers/batch_question.h"
+#include "apps/soms/pairs/motion_page.h"
 #include "apps/soms/pairs/motion_rows.h"
 #include "apps/world/part_names.h"
+#include "apps/world/world.h"
 
 #include <fmt/format.h>
 
@@ -21,6 +23,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <ostream>
 #include <string>
 
 namespace soms::command {
@@ -67,6 +70,16 @@ class MotionQuestion : public BatchQuestion<FirstContact> {
     add_georeference(file, rows_.pair().georeference);
   }
 
+  void begin_page() override {
+    const PairReport& pair = rows_.pair();
+    page_.emplace(PageModels{pair.left_a, short_name(rows_.options().a), pair.left_b,
+                             short_name(rows_.options().b)},
+                  rows_.fixed().pose);
+  }
+
+  void add_to_page(const AnsweredRow& row) override;
+  void write_page(std::ostream& out, const RowTotals& totals) const override;
+
  private:
   /// What may be a contact is one.
   [[nodiscard]] bool found(const FirstContact& answer) const override {
@@ -105,6 +118,8 @@ class MotionQuestion : public BatchQuestion<FirstContact> {
   [[nodiscard]] std::string in_words(const FirstContact& answer) const;
   [[nodiscard]] std::string pair_text(const FirstContact& answer) const;
   [[nodiscard]] std::string cell(const FirstContact& answer) const;
+  [[nodiscard]] std::string way_in_words(const FirstContact& answer) const;
+  [[nodiscard]] std::string label(const FirstContact& answer, int side) const;
 
   const MotionRows& rows_;
   FirstContactOptions options_;
@@ -114,6 +129,7 @@ class MotionQuestion : public BatchQuestion<FirstContact> {
   PartsOf parts_b_;
   std::optional<std::uint64_t> first_;  ///< motion that is not free
   std::string first_cell_;
+  std::optional<MotionPage> page_;
 };
 
 std::uint64_t MotionQuestion::answer(const ShowProgress& show) {
@@ -191,14 +207,59 @@ std::string MotionQuestion::cell(const FirstContact& answer) const {
   return "grazing, t = " + readable(answer.t.lower);
 }
 
+/// The triangle of A or B; empty where none is named.
+std::string MotionQuestion::label(const FirstContact& answer, int side) const {
+  if (!answer.triangles) {
+    return "";
+  }
+  return side == 0 ? triangle_label(rows_.pair().a, answer.triangles->a)
+                   : triangle_label(rows_.pair().b, answer.triangles->b);
+}
+
 std::string MotionQuestion::text(const AnsweredRow& row) const {
   const FirstContact answer = shown(row.k);
-  const auto label = [&](const MeshView& mesh, TriangleId TrianglePair::*side) {
-    return answer.triangles ? triangle_label(mesh, (*answer.triangles).*side) : std::string();
-  };
-  return table_line(fmt::format(kMotionForm, row.number, cell(answer),
-                                label(rows_.pair().a, &TrianglePair::a),
-                                label(rows_.pair().b, &TrianglePair::b)));
+  return table_line(
+      fmt::format(kMotionForm, row.number, cell(answer), label(answer, 0), label(answer, 1)));
+}
+
+/// What A is: free until when, and who meets whom.
+std::string MotionQuestion::way_in_words(const FirstContact& answer) const {
+  const std::string lower = readable(answer.t.lower);
+  const std::string upper = readable(answer.t.upper);
+  const bool touching = options_.within == 0;
+  const std::string reached = touching ? "in contact" : "within " + readable(options_.within);
+  const std::string pair =
+      answer.triangles ? fmt::format("; triangle {} of A {} triangle {} of B", label(answer, 0),
+                                     touching ? "meets" : "is near", label(answer, 1))
+                       : "";
+  if (undecided(answer)) {
+    return fmt::format("free until {} of the way, and undecided from there on: out of time", lower);
+  }
+  switch (answer.verdict) {
+    case ContactVerdict::free:
+      return touching ? "free all the way" : fmt::format("never {} on the way", reached);
+    case ContactVerdict::contact:
+      return fmt::format("free until {} of the way, and {} {}{}", lower, reached,
+                         lower == upper ? "there" : "by " + upper, pair);
+    case ContactVerdict::started:
+      return reached + " at the start" + pair;
+    case ContactVerdict::grazing:
+      break;
+  }
+  return fmt::format("free until {} of the way, and then too near to tell", lower);
+}
+
+void MotionQuestion::add_to_page(const AnsweredRow& row) {
+  const FirstContact answer = shown(row.k);
+  page_->add(rows_.block()[row.k], at(row.k),
+             {.verdict = cell(answer),
+              .sentence = way_in_words(answer),
+              .triangle_a = label(answer, 0),
+              .triangle_b = label(answer, 1)});
+}
+
+void MotionQuestion::write_page(std::ostream& out, const RowTotals& totals) const {
+  page_->write(out, rows_.pair(), totals);
 }
 
 std::string MotionQuestion::totals(const RowTotals& totals) const {
@@ -277,9 +338,10 @@ Action add_motion(Parser& parser, Shared&) {
   add_choice<bool>(parser, "--fail-if", options->fail_if_contact, {{"contact", true}},
                    "exit with status 1 unless all is free")
       ->group(kQuestionGroup);
-  add_answer_outputs(parser, options->outputs,
-                     {AnswerFile::csv, AnswerFile::npz, AnswerFile::json, AnswerFile::lines},
-                     kQuestionGroup);
+  add_answer_outputs(
+      parser, options->outputs,
+      {AnswerFile::csv, AnswerFile::npz, AnswerFile::json, AnswerFile::lines, AnswerFile::page},
+      kQuestionGroup);
   add_model_reading(parser, *options);
   parser.footer(
       "The first contact of the surfaces, proved for all times t of the way, from 0 to 1. A turns\n"

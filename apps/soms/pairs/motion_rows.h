@@ -49,6 +49,8 @@ class MotionRows : public Rows {
   /// Opens the poses and reads the models.
   MotionRows(const MotionVerbOptions& options, Console& console);
 
+  [[nodiscard]] const MotionVerbOptions& options() const { return options_; }
+
   [[nodiscard]] const PairReport& pair() const { return report_; }
 
   [[nodiscard]] const Shape& mover() const { return a_.shape; }

@@ -1,4 +1,5 @@
 #include "tests/commands/near.h"
+#include "tests/report/reading.h"
 
 #include <cmath>
 #include <string>
@@ -77,6 +78,48 @@ TEST(MotionVerb, RowsOfFilesAreMotions) {
   EXPECT_EQ(answers[1].at("verdict"), "free");
   ASSERT_EQ(motion({"--from", starts, "--to", "-6 0 0", "-o", csv}).status, 0);
   EXPECT_EQ(read_text(csv).substr(0, 24), "motion,verdict,lower,upp");
+}
+
+/// The page of motions of a cube, with one that is free between two that are not.
+std::string page_of_motions(std::vector<std::string> words) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "motion.html").string();
+  words.insert(words.end(), {"-o", file});
+  EXPECT_EQ(motion(std::move(words)).status, 0);
+  return read_text(file);
+}
+
+TEST(MotionVerb, APageShowsFirstWhatIsNotFree) {
+  const TemporaryFolder folder;
+  const std::string starts = file_of(folder, "starts.csv", "x,y,z\n6,5,0\n6,0,0\n1,0,0\n");
+  const std::string page = page_of_motions({"--from", starts, "--by", "-8,0,0"});
+  EXPECT_NE(page.find("Motion 1 of 3 is the first that is not free. There "), std::string::npos);
+  EXPECT_NE(page.find(" is free until 0.5 of the way, and in contact there; triangle "),
+            std::string::npos);
+  EXPECT_NE(page.find("<dt>motions</dt><dd>3: 2 not free, 1 free</dd>"), std::string::npos);
+  EXPECT_NE(page.find("<td><a href=\"#motion=0\">0</a></td><td>free</td>"), std::string::npos);
+  const Json scene = scene_of(page);
+  const Json& motions = scene.at("motions");
+  ASSERT_EQ(motions.size(), 3U);
+  EXPECT_EQ(motions[0].at("number"), 1);
+  EXPECT_EQ(motions[0].at("upper"), 0.5);
+  EXPECT_EQ(motions[0].at("moment"), 0.5);
+  EXPECT_EQ(motions[1].at("number"), 2);
+  EXPECT_EQ(motions[1].at("words").get<std::string>().substr(0, 24), "in contact at the start;");
+  EXPECT_EQ(motions[2].at("number"), 0);
+  EXPECT_EQ(motions[2].at("blocked"), false);
+  EXPECT_EQ(scene.at("rows"), 2);
+  EXPECT_EQ(scene.at("contacts").at("listed"), 2);
+}
+
+TEST(MotionVerb, APageOfOneMotionSaysWhatItIs) {
+  EXPECT_NE(
+      page_of_motions({"--from", "6 5 0", "--by", "-8,0,0"}).find(" is free all the way.</p>"),
+      std::string::npos);
+  const std::string near =
+      page_of_motions({"--from", "6 0 0", "--by", "-8,0,0", "--clearance", "1"});
+  EXPECT_NE(near.find("and within 1 "), std::string::npos);
+  EXPECT_NE(near.find(" of A is near triangle "), std::string::npos);
 }
 
 TEST(MotionVerb, FailsUnlessAllIsFree) {

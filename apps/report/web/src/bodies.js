@@ -2,6 +2,7 @@
 // where drawing is slow; movers that are small on the screen are drawn as their boxes.
 import * as THREE from 'three';
 import { solid } from './look.js';
+import { MotionPoses } from './motions.js';
 import { Poses } from './poses.js';
 
 const SMALL = 14; // pixels: what is smaller is drawn as a box
@@ -29,7 +30,8 @@ export class Bodies {
     this.stillMaterial = solid();
     this.movingMaterial = solid();
     this.stillMeshes = [];
-    this.poses = new Poses(scene);
+    const poses = new Poses(scene);
+    this.poses = scene.motions ? new MotionPoses(poses, scene.motions) : poses;
     this.moving = []; // bodies that move, with where they are
     this.moved = null; // the one that the reader moves: its number, place and turning
     const counts = scene.models.map(() => 0);

@@ -1,37 +1,18 @@
-// Brings the page to life: the view, the list of contacts, and time; or the list of a clash page.
+// Brings the page to life: the view, the list of contacts, and time; or the list of a clash page, or motions.
 import { isClashPage } from './clash_data.js';
 import { startClashes } from './clash_main.js';
-import { load, loadModel } from './data.js';
+import { load } from './data.js';
 import { List } from './list.js';
 import { Live } from './live.js';
+import { isMotionPage, startMotions } from './motion_main.js';
 import { addPrinting, addSteps, byId, makeView, said, svg, trouble } from './page.js';
 import { printedRows } from './print.js';
+import { addLinks, addPicking, loadRest } from './scene_page.js';
 import { SceneView } from './scene_view.js';
-import { Time } from './time.js';
+import { overSteps, Time } from './time.js';
 import {
   bodyName, counted, gapWords, missing, moment, notDrawn, place, rowMost, rowPlace, rowTitle, rowWhen, title, triangles, whatIsDrawn, when,
 } from './words.js';
-
-// A press that does not turn the view chooses the contact or the gap below it.
-function addPicking(view, choose, chooseGap) {
-  const canvas = byId('canvas');
-  let down = null;
-  canvas.addEventListener('pointerdown', (event) => { down = event; });
-  canvas.addEventListener('pointerup', (event) => {
-    if (down && Math.hypot(event.clientX - down.clientX, event.clientY - down.clientY) < 5) {
-      const frame = canvas.getBoundingClientRect();
-      const [x, y] = [event.clientX - frame.left, event.clientY - frame.top];
-      const spot = view.spotAt(x, y);
-      const gap = spot ? -1 : view.gapAt(x, y);
-      if (spot) {
-        choose(spot.row, spot.contact);
-      } else if (gap >= 0) {
-        chooseGap(gap);
-      }
-    }
-    down = null;
-  });
-}
 
 function addTimeLine(all, choose) {
   for (const bar of document.querySelectorAll('#time-line [data-contact]')) {
@@ -44,17 +25,6 @@ function addTimeLine(all, choose) {
         choose(all.contacts.row(k), k);
       });
     }
-  }
-}
-
-// Links of a table lead to its gaps, however often they are followed.
-function addGapLinks(chooseGap) {
-  for (const link of document.querySelectorAll('a[href^="#gap="]')) {
-    link.addEventListener('click', (event) => {
-      event.preventDefault();
-      byId('view').scrollIntoView();
-      chooseGap(Number(link.hash.slice('#gap='.length)));
-    });
   }
 }
 
@@ -89,28 +59,6 @@ function nameColors({ scene, contacts, gaps }) {
   }
 }
 
-// Whole models take the place of coarse ones, one after the other, when nothing else is to be done.
-function loadRest(all, view) {
-  const idle = (act) => (window.requestIdleCallback ?? setTimeout)(act, { timeout: 1000 });
-  const waiting = [...all.scene.models.keys()].filter((k) => all.scene.models[k].coarse > 0);
-  const next = () => {
-    if (waiting.length > 0 && view) {
-      const k = waiting.shift();
-      view.setModel(k, loadModel(all, k));
-      idle(next);
-    } else {
-      window.soms.isWhole = true;
-    }
-  };
-  const begin = () => idle(next);
-  const parsed = () => (document.readyState === 'loading' ? document.addEventListener('DOMContentLoaded', begin) : begin());
-  if (view) {
-    view.onFirst = parsed;
-  } else {
-    setTimeout(parsed);
-  }
-}
-
 function start() {
   const all = load();
   byId('look').hidden = false;
@@ -119,7 +67,7 @@ function start() {
   nameColors(all);
   byId('missing').hidden = notDrawn(all) === '';
   const view = makeView(SceneView, all, 'tools');
-  const time = new Time(all, (step) => {
+  const time = new Time(overSteps(all.scene.steps), (step) => {
     view?.setStep(step);
     list.setStep(step);
     live?.setStep();
@@ -153,7 +101,7 @@ function start() {
   const live = view && all.scene.live ? new Live(all, view) : null;
   addSteps(view, list, { ' ': () => time.toggle() });
   addTimeLine(all, choose);
-  addGapLinks(chooseGap);
+  addLinks('gap', chooseGap);
   if (view) {
     byId('above').addEventListener('click', () => view.above());
     addPicking(view, choose, chooseGap);
@@ -195,7 +143,7 @@ function start() {
 
 const ofClashes = isClashPage();
 try {
-  (ofClashes ? startClashes : start)();
+  (ofClashes ? startClashes : isMotionPage() ? startMotions : start)();
 } catch (error) {
   trouble(`The scene cannot be shown: ${error.message}`, ofClashes ? 'stage' : 'tools');
   console.error(error);

@@ -1,17 +1,21 @@
-// The slider over steps, and playing.
+// The slider over steps, or over a way, and playing.
 import { byId } from './page.js';
 
 const SLOW = 4; // steps a second where steps are no time
 
+// How the slider goes over the steps of a scene.
+export const overSteps = ({ count, second }) => ({
+  slider: byId('step'), end: Math.max(0, count - 1), speed: second || SLOW, mark: Math.floor,
+});
+
 export class Time {
-  constructor(all, onStep) {
-    this.steps = all.scene.steps;
-    this.onStep = onStep;
+  // From 0 to `end`, at `speed` a second; the slider stands at `mark` of where it is.
+  constructor({ slider, end, speed, mark }, onStep) {
+    Object.assign(this, { slider, end, speed, mark, onStep });
     this.step = 0;
-    this.slider = byId('step');
     this.button = byId('play');
-    this.slider.max = Math.max(0, this.steps.count - 1);
-    byId('time').hidden = this.steps.count < 2;
+    this.slider.max = end;
+    byId('time').hidden = end === 0;
     this.slider.addEventListener('input', () => {
       this.stop();
       this.go(Number(this.slider.value));
@@ -22,7 +26,7 @@ export class Time {
   // Sets the slider without telling anybody.
   show(step) {
     this.step = step;
-    this.slider.value = Math.floor(step);
+    this.slider.value = this.mark(step);
   }
 
   go(step) {
@@ -33,10 +37,10 @@ export class Time {
   toggle() {
     if (this.playing) {
       this.stop();
-    } else if (this.steps.count > 1) {
+    } else if (this.end > 0) {
       this.playing = true;
       this.button.textContent = 'Pause';
-      if (this.step >= this.steps.count - 1) {
+      if (this.step >= this.end) {
         this.go(0);
       }
       this.last = performance.now();
@@ -55,9 +59,8 @@ export class Time {
     }
     const passed = Math.max(0, now - this.last) / 1000;
     this.last = now;
-    const end = this.steps.count - 1;
-    this.go(Math.min(end, this.step + passed * (this.steps.second || SLOW)));
-    if (this.step >= end) {
+    this.go(Math.min(this.end, this.step + passed * this.speed));
+    if (this.step >= this.end) {
       this.stop();
     }
     requestAnimationFrame((later) => this.next(later));

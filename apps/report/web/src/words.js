@@ -219,13 +219,15 @@ export function notDrawn(all) {
   return listed < inAll ? `Drawn: ${number(listed)} of ${number(inAll)} ${many}, ${spread(all)}` : '';
 }
 
+export function trianglesDrawn({ models }) {
+  const sum = (key) => models.reduce((total, model) => total + model[key], 0);
+  return `Drawn: ${number(sum('drawn'))} of ${number(sum('triangles'))} triangles${sum('drawn') < sum('triangles')
+    ? ' (simplified far from contacts; the answers are exact)' : ''}`;
+}
+
 export function whatIsDrawn(all) {
   const { scene } = all;
-  const sum = (key) => scene.models.reduce((total, model) => total + model[key], 0);
-  const parts = [`Drawn: ${number(sum('drawn'))} of ${number(sum('triangles'))} triangles`];
-  if (sum('drawn') < sum('triangles')) {
-    parts[0] += ' (simplified far from contacts; the answers are exact)';
-  }
+  const parts = [trianglesDrawn(scene)];
   const { listed, all: inAll, many } = scene.contacts;
   if (all.rows.count > 0) {
     parts.push(`listed: ${counts(all, all.rows.count).replace(/^All/, 'all')}`);

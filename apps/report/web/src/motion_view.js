@@ -1,0 +1,145 @@
+// A body on its way: where it is, pale where it starts, touches and ends, and where the contact is.
+import * as THREE from 'three';
+import { solid } from './look.js';
+import { partAt, poseOn, stepAt } from './motions.js';
+import { SceneView } from './scene_view.js';
+
+const MOVER = 0; // the body
+const MEETING_SEEN = 20; // drawing order: above all other marks
+const PALE = 0.28; // opacity
+const PARTS_OF_TRACE = 64;
+const AROUND = 0.6; // of what is seen around a way, in its radii; the eye stands a few of them away
+
+// A body that lets what is behind it be seen, but not its own far side: its depth is drawn first.
+class Ghost {
+  constructor(parent, geometry) {
+    this.ink = solid({ transparent: true, opacity: PALE, depthWrite: false });
+    this.meshes = [new THREE.MeshBasicMaterial({ colorWrite: false, transparent: true, side: THREE.DoubleSide }), this.ink]
+      .map((material, order) => {
+        const mesh = new THREE.Mesh(geometry, material);
+        mesh.renderOrder = order - 2; // before what no wall may hide
+        mesh.visible = mesh.frustumCulled = false;
+        parent.add(mesh);
+        return mesh;
+      });
+  }
+
+  set(geometry) { this.meshes.forEach((mesh) => { mesh.geometry = geometry; }); }
+
+  show(visible) { this.meshes.forEach((mesh) => { mesh.visible = visible; }); }
+
+  place(motion, t) {
+    this.part = t;
+    this.meshes.forEach(({ position, quaternion }) => poseOn(motion, t, position, quaternion));
+  }
+}
+
+export class MotionView extends SceneView {
+  // Called by the constructor of what is drawn.
+  addChosen() {
+    super.addChosen();
+    this.motions = this.all.scene.motions;
+    const geometry = this.bodies.geometries[this.all.scene.bodies.model[MOVER]];
+    this.ghosts = [0, 1, 2].map(() => new Ghost(this.world, geometry));
+    this.traces = ['moves', 'was'].map((use) => this.addCurve(this.marks, 2, 1, false, use));
+    const place = new THREE.BufferGeometry().setAttribute('position', new THREE.BufferAttribute(new Float32Array(3), 3));
+    this.meeting = [15, 10].map((pixels, above) => this.addSpots(this.marks, place, pixels, MEETING_SEEN + above, {}));
+  }
+
+  paint(paper = false) {
+    super.paint(paper);
+    this.ghosts.forEach(({ ink }, n) => ink.color.copy(n === 1 ? this.colors.touch : this.colors.moves));
+    ['halo', 'touch'].forEach((use, n) => this.meeting[n].material.color.copy(this.colors[use]));
+  }
+
+  get motion() { return this.motions[this.shown]; }
+
+  // Where the contact is reached, of what is proved; never where there is none.
+  get reached() { return this.motion?.upper ?? Infinity; }
+
+  colorOf(body) {
+    return body === MOVER && this.part > this.reached ? this.colors.was : super.colorOf(body);
+  }
+
+  // Shows motion `shown` at a part of its way.
+  setPart(part) {
+    this.part = part;
+    this.ghosts.forEach((ghost, n) => ghost.show(ghost.part !== part && (n !== 1 || (this.motion.blocked && part !== 0))));
+    this.setStep(stepAt(this.motion, this.shown, part));
+  }
+
+  // Shows a motion at its moment.
+  showMotion(k) {
+    this.shown = k;
+    const { motion } = this;
+    this.part = motion.moment;
+    if (motion.row >= 0) {
+      this.showRow(motion.row, motion.row);
+      const { position } = this.meeting[0].geometry.attributes;
+      position.array.set(motion.place);
+      position.needsUpdate = true;
+    } else {
+      this.clearChosen();
+      this.exact = null;
+    }
+    this.meeting.forEach((spot) => { spot.visible = motion.row >= 0; });
+    [0, motion.moment, 1].forEach((t, n) => this.ghosts[n].place(motion, t));
+    this.traces[0].show(this.traceOf(0, motion.moment), this.all.scene.size);
+    this.traces[1].show(motion.moment < 1 ? this.traceOf(motion.moment, 1) : new Float32Array(0), this.all.scene.size);
+    this.setPart(motion.moment);
+  }
+
+  // The way of the body's middle from one part to another, as lines.
+  traceOf(from, to) {
+    const places = this.placesOf(from, to, PARTS_OF_TRACE);
+    return new Float32Array(places.slice(1).flatMap((place, n) => [...places[n], ...place]));
+  }
+
+  placesOf(from, to, count) {
+    const [place, turn] = [new THREE.Vector3(), new THREE.Quaternion()];
+    return Array.from({ length: count + 1 }, (_, n) => {
+      poseOn(this.motion, from + (to - from) * n / count, place, turn);
+      return place.clone();
+    });
+  }
+
+  // Where the whole way is seen from.
+  seeWay(soft = true) {
+    const around = new THREE.Box3().setFromPoints(this.placesOf(0, 1, 8)).getBoundingSphere(new THREE.Sphere());
+    this.flyTo(around.center.toArray(), AROUND * (around.radius + this.bodies.sizeOf(MOVER) / 2), undefined, soft);
+  }
+
+  seeContact() {
+    const { motion, all } = this;
+    this.setPart(motion.moment);
+    this.flyTo(motion.place, all.contacts.reach(motion.row));
+  }
+
+  choose(k) {
+    this.showMotion(k);
+    this.seeWay();
+  }
+
+  showAtOnce(k) {
+    this.showMotion(k);
+    this.seeWay(false);
+  }
+
+  kept() { return { ...super.kept(), shown: this.shown, part: this.part }; }
+
+  restore(kept) {
+    this.showMotion(kept.shown);
+    super.restore(kept);
+    this.setPart(kept.part);
+  }
+
+  setModel(k, mesh) {
+    super.setModel(k, mesh);
+    if (k === this.all.scene.bodies.model[MOVER]) {
+      this.ghosts.forEach((ghost) => ghost.set(this.bodies.whole.get(k)));
+    }
+  }
+
+  // Where the picture has the body, for scripts that look at the page.
+  partDrawn() { return partAt(this.motion, this.shown, this.step); }
+}
