@@ -97,6 +97,14 @@ FirstContact FirstContactBatch::at(std::size_t motion) const {
   return row_of<FirstContact>(*this, motion);
 }
 
+std::optional<std::size_t> FirstContactBatch::first_blocked() const {
+  const auto found = std::find_if(verdict.begin(), verdict.end(), [](ContactVerdict proved) {
+    return proved != ContactVerdict::free;
+  });
+  return found == verdict.end() ? std::nullopt
+                                : std::optional(static_cast<std::size_t>(found - verdict.begin()));
+}
+
 FirstContactBatch first_contact(const Shape& mover, std::span<const RigidMotion> motions,
                                 const Body& fixed, const FirstContactOptions& options,
                                 const Limits& limits) {

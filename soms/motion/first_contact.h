@@ -123,6 +123,9 @@ struct FirstContactBatch {
 
   /// The answer for a motion.
   [[nodiscard]] FirstContact at(std::size_t motion) const;
+
+  /// The first motion that is not proved to be free: where a path ends. Nothing where all are.
+  [[nodiscard]] std::optional<std::size_t> first_blocked() const;
 };
 
 template <>

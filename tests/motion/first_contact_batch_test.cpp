@@ -49,6 +49,22 @@ void expect_singles(const FirstContactBatch& batch, const Shape& mover,
   EXPECT_EQ(batch.cost, cost);
 }
 
+TEST(FirstContactBatch, SaysWhichMotionOfAPathIsTheFirstThatIsBlocked) {
+  const Shape mover(box_body({0, 0, 0}, {1, 1, 1}));
+  const Body fixed(box_body({5, -9, -9}, {6, 9, 9}));
+  std::vector<RigidMotion> path{RigidMotion::along(Pose(), {0, 3, 0}),
+                                RigidMotion::along(Pose::translation(0, 3, 0), {2, 0, 0})};
+  EXPECT_EQ(first_contact(mover, path, fixed).first_blocked(), std::nullopt);
+  EXPECT_EQ(FirstContactBatch().first_blocked(), std::nullopt);
+  path.push_back(RigidMotion::along(Pose::translation(2, 3, 0), {9, 0, 0}));
+  path.push_back(RigidMotion::along(Pose::translation(5.5, 3, 0), {1, 0, 0}));
+  EXPECT_EQ(first_contact(mover, path, fixed).first_blocked(), 2U);
+  // What time leaves is not proved to be free.
+  Limits late;
+  late.deadline = std::chrono::steady_clock::time_point::min();
+  EXPECT_EQ(first_contact(mover, path, fixed, {}, late).first_blocked(), 0U);
+}
+
 TEST(FirstContactBatch, HoldsTheAnswersOfSingleMotions) {
   const Shape mover(generate_knot(500));
   const Body fixed(Shape(generate_knot(500)), Pose::about_z(0.4));
