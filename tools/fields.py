@@ -16,6 +16,7 @@ import textwrap
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 # Members of Python that are no fields.
 METHODS = {
+    "FirstContactBatch": ["@property\n    def first_blocked(self) -> int | None: ..."],
     "Overlap": ["def hash(self) -> int: ..."],
     "SignedClosest": ["@property\n    def lower(self) -> float: ...",
                       "@property\n    def upper(self) -> float: ...",

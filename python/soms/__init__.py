@@ -9,7 +9,7 @@
 
 Queries: overlap, distance, within, solid of two bodies; contains, closest, nearest_triangles,
 near_triangles, winding of points; closest_hit, any_hit, all_hits, sees of rays; first_contact, free of
-motions; clash of the parts of models; robot_contacts of states of a robot. Bodies are Body, Shape, Mesh, or any object with vertices
+motions (RigidMotion); clash of the parts of models; robot_contacts of states of a robot. Bodies are Body, Shape, Mesh, or any object with vertices
 and faces. Scene is for many movers. One pose, point or ray
 gives a single answer, rows of them a batch; both carry coverage and cost. All take threads, timeout
 and progress, and end by Ctrl-C; the interpreter's lock is free meanwhile. Errors are soms.Error.

@@ -17,6 +17,7 @@
   topic(overlap) \
   topic(distance) \
   topic(within) \
+  topic(rigid_motions) \
   topic(first_contact) \
   topic(solid) \
   topic(contains) \

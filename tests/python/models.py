@@ -20,3 +20,11 @@ class Foreign:
 
     def __init__(self, vertices=TETRAHEDRON, faces=FACES):
         self.vertices, self.faces = vertices, faces
+
+
+def box(lower, upper):
+    """The surface of a box: 12 triangles."""
+    ends = np.array([lower, upper], dtype=float)
+    corners = [[ends[k >> axis & 1][axis] for axis in range(3)] for k in range(8)]
+    faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]
+    return soms.Mesh(corners, [face[:1] + face[k:k + 2] for face in faces for k in (1, 2)])

@@ -5,15 +5,7 @@ import unittest
 import numpy as np
 
 import soms
-from models import shifts
-
-
-def box(lower, upper):
-    """The surface of a box: 12 triangles."""
-    ends = np.array([lower, upper], dtype=float)
-    corners = [[ends[k >> axis & 1][axis] for axis in range(3)] for k in range(8)]
-    faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]
-    return soms.Mesh(corners, [face[:1] + face[k:k + 2] for face in faces for k in (1, 2)])
+from models import box, shifts
 
 
 def shift(x, y=0, z=0):
@@ -140,6 +132,58 @@ class Motions(unittest.TestCase):
         self.assertEqual(soms.first_contact(body, shift(0), shift(10), self.wall),
                          soms.first_contact(self.cube, shift(0), shift(10), self.wall))
 
+    def test_motions_have_poses_on_the_way(self):
+        turn = soms.RigidMotion.turn(shift(2), [1, 1, 0], [0, 0, 2], 1)
+        self.assertEqual(turn.pose_at(0), turn.start)
+        self.assertEqual(turn.pose_at(1.0), turn.end)
+        times = np.linspace(0, 1, 9)
+        poses = turn.pose_at(times)
+        self.assertEqual(poses.shape, (9, 4, 4))
+        for t, pose in zip(times, poses):
+            np.testing.assert_array_equal(pose[:3], turn.pose_at(t).matrix)
+            np.testing.assert_array_equal(pose[3], [0, 0, 0, 1])
+            np.testing.assert_allclose(soms.Pose(pose).apply(turn.pivot), [1, 1, 0], atol=1e-15)
+        self.assertEqual(turn.pose_at([]).shape, (0, 4, 4))
+        along = soms.RigidMotion.along(turned(1), [4, 0, 0])
+        self.assertTrue(along.straight and not turn.straight)
+        np.testing.assert_array_equal(along.pose_at(0.5).matrix[:, :3], along.start.matrix[:, :3])
+        np.testing.assert_allclose(along.pose_at(0.5).shift, [2, 0, 0])
+        self.assertEqual(soms.RigidMotion(), soms.RigidMotion.between(shift(0), shift(0)))
+        self.assertNotEqual(along, turn)
+        for t in (-0.1, 1.1, math.nan, [0, 2]):
+            with self.assertRaises(soms.Error) as caught:
+                turn.pose_at(t)
+            self.assertEqual(caught.exception.kind, "usage")
+        with self.assertRaises(soms.Error):
+            turn.pose_at([[0.5]])
+        for make in (lambda: soms.RigidMotion.turn(shift(0), [0, 0, 0], [0, 0, 1], 4),
+                     lambda: soms.RigidMotion.turn(shift(0), [0, 0, 0], [0, 0, 0], 1),
+                     lambda: soms.RigidMotion.along(shift(0), [math.inf, 0, 0]),
+                     lambda: soms.RigidMotion.between(2 * np.eye(4)[:3], shift(0))):
+            self.assertRaises(soms.Error, make)
+
+    def test_motions_stand_for_their_poses(self):
+        starts = [shift(0), turned(1), shift(9)]
+        ends = [turned(2, 10), shift(3), shift(9, 9)]
+        motions = [soms.RigidMotion.between(start, end, [0, 1, 0]) for start, end in zip(starts, ends)]
+        given = [soms.Pose(start) for start in starts], [soms.Pose(end) for end in ends]
+        batch = soms.first_contact(self.cube, motions, self.wall, threads=2)
+        self.assertEqual(batch, soms.first_contact(self.cube, *given, self.wall, pivot=[0, 1, 0]))
+        self.assertEqual(batch, soms.first_contact(self.cube, tuple(motions), body=self.wall))
+        self.assertEqual(soms.free(self.cube, motions, self.wall).tolist(), [False, True, True])
+        for k, motion in enumerate(motions):
+            self.assertEqual(soms.first_contact(self.cube, motion, self.wall), batch.at(k))
+            self.assertIs(soms.free(self.cube, motion, self.wall), k > 0)
+        straight = soms.RigidMotion.along(shift(0), [10, 0, 0])
+        self.assertEqual(soms.first_contact(self.cube, straight, self.wall, within=1),
+                         soms.first_contact(self.cube, shift(0), None, self.wall, by=[10, 0, 0], within=1))
+
+    def test_the_first_that_is_blocked(self):
+        path = shifts([0, 0, 0], [3, 0, 0], [3, 5, 0], [9, 5, 0], [0, 0, 0])
+        batch = soms.first_contact(self.cube, path[:-1], path[1:], self.wall)
+        self.assertEqual(batch.first_blocked, 2)
+        self.assertIsNone(soms.first_contact(self.cube, path[:2], path[1:3], self.wall).first_blocked)
+
     def test_what_is_refused(self):
         cube, wall = self.cube, self.wall
         self.fails("usage", "neither", cube, shift(0), None, wall)
@@ -158,8 +202,13 @@ class Motions(unittest.TestCase):
         self.fails("not_rigid", "motion 2: ", cube, bad, shift(1), wall)
         self.fails("not_finite", "motion 1: ", cube, shift(0), None, wall, by=[[0, 0, 1], [0, math.nan, 0]])
         self.fails("out_of_range", "motion 1: ", cube, shift(0), None, wall, by=[[0, 0, 1], [0, 2.0**301, 0]])
-        with self.assertRaises(TypeError):
-            soms.first_contact(cube, shift(0), shift(1))
+        motion = soms.RigidMotion()
+        self.fails("usage", "pivot and by", cube, motion, wall, by=[1, 0, 0])
+        self.fails("usage", "pivot and by", cube, [motion], wall, pivot=[1, 0, 0])
+        self.fails("usage", "an end is given", cube, motion, shift(1), wall)
+        for given in ((shift(0), shift(1)), (motion,), ([motion, shift(0)], wall)):
+            for function in (soms.first_contact, soms.free):
+                self.assertRaises(TypeError, function, cube, *given)
 
 
 if __name__ == "__main__":

@@ -36,6 +36,8 @@ def objects():
     robot, model = robot_model()
     yield from every_answer()
     yield from (mesh, body, body.shape, body.pose, soms.Pose.identity())
+    yield from (soms.RigidMotion(), soms.RigidMotion.along([1, 2, 3], [0, 0, 1]),
+                soms.RigidMotion.turn([1, 2, 3], [0, 1, 0], [1, 1, 1], 2.5))
     for options in ({"rule": "quality", "per_leaf": 1}, {"layout": "compact"}, {"rule": "soms", "level": 3}):
         yield soms.Shape(mesh, **options)
     yield from (soms.Part("roof", 0, 2, id="r1", attributes=[("height", "3")]), soms.ClosedBody(body),

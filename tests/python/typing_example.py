@@ -32,6 +32,11 @@ def main() -> None:
     met: soms.FirstContact = soms.first_contact(car, start, None, city, by=[0.0, 0.0, -9.0], within=0.1)
     edges: NDArray[np.bool_] = soms.free(car, [start, start], soms.Pose(), city, threads=2)
     verdicts: NDArray[np.uint8] = soms.first_contact(car, start, [start, soms.Pose()], city).verdict
+    way = soms.RigidMotion.along(start, [0.0, 0.0, -9.0])
+    half: soms.Pose = way.pose_at(0.5)
+    poses: NDArray[np.float64] = way.pose_at([0.0, 1.0])
+    blocked: int | None = soms.first_contact(car, [way, way], city).first_blocked
+    print(half, poses.shape, blocked, soms.free(car, way, city))
     print(met.verdict is soms.ContactVerdict.contact, met.normal, edges, verdicts)
     print(len(depths), [clash.gap for clash in clashes], names)
     print(single.any, gap, side, sides, hit, scene.step(clearance=1.0).queries)

@@ -30,6 +30,7 @@ end: a pose as for overlap, or n of them; one goes with n others. The pivot goes
 speed, and shape turns about it the shorter way (a half turn: either way). pivot: (3,), a point of
 shape; else its origin. by: (3,) or (n, 3), in world: a straight shift in place of end, which is None
 then. Without a clearance its time is exact; that of two poses with one rotation has a bracket.
+Or first_contact(shape, motion, body): a RigidMotion or a list of them in place of start and end.
 within: being this near is a contact, from 0 on. timeout: seconds after which the call ends, with
 coverage 'cut'. threads: 0 for all processors. progress: called with the share done.
 
@@ -45,9 +46,22 @@ constexpr const char* kFreeDoc =
 Which motions are free of contact all the way, as the edges of a roadmap? (n,) bool. True is proved;
 False is a contact, or what could not be decided: next to rounding, or where the timeout came first.
 
-starts, ends, and all others: as start and end of first_contact. Returns a bool for one motion. Raises
+starts, ends, and all others: as start and end of first_contact; or free(shape, motions, body).
+Returns a bool for one motion. Raises
 Error as first_contact does.
 Cost: that of first_contact.)";
+
+/// A list or tuple whose first entry is a T.
+template <class T>
+bool begins_with(py::handle given) {
+  return (py::isinstance<py::list>(given) || py::isinstance<py::tuple>(given)) &&
+         py::len(given) > 0 && py::isinstance<T>(py::object(given[py::int_(0)]));
+}
+
+/// A motion, or a list of them.
+bool are_motions(py::handle given) {
+  return py::isinstance<RigidMotion>(given) || begins_with<RigidMotion>(given);
+}
 
 /// One pose or n of them, as `pose_of` and `poses_of` take them.
 struct GivenPoses {
@@ -70,8 +84,7 @@ bool is_one_pose(py::handle given) {
   if (py::isinstance<Pose>(given)) {
     return true;
   }
-  if ((py::isinstance<py::list>(given) || py::isinstance<py::tuple>(given)) && py::len(given) > 0 &&
-      py::isinstance<Pose>(py::object(given[py::int_(0)]))) {
+  if (begins_with<Pose>(given)) {
     return false;
   }
   const Doubles numbers = doubles_of(given, "pose");
@@ -115,10 +128,20 @@ class GivenMotions {
     }
   }
 
+  /// \pre `are_motions(given)`. \errors py::type_error for an entry that is none.
+  explicit GivenMotions(const py::object& given)
+      : ready_(py::isinstance<RigidMotion>(given)
+                   ? std::vector<RigidMotion>{given.cast<RigidMotion>()}
+                   : entries_of(given)),
+        is_one_(py::isinstance<RigidMotion>(given)) {}
+
   [[nodiscard]] bool is_one() const { return is_one_; }
 
   /// \errors As RigidMotion; for n motions, one at fault is named by its index.
   [[nodiscard]] std::vector<RigidMotion> made() const {
+    if (!ready_.empty()) {
+      return ready_;
+    }
     std::vector<RigidMotion> motions;
     motions.reserve(count_);
     for (std::size_t i = 0; i < count_; ++i) {
@@ -155,7 +178,19 @@ class GivenMotions {
                : RigidMotion::along(start, entry(shifts_, shifts_.size() == 1, i));
   }
 
-  GivenPoses starts_;
+  [[nodiscard]] static std::vector<RigidMotion> entries_of(const py::object& given) {
+    std::vector<RigidMotion> motions;
+    for (const py::handle entry : given) {
+      if (!py::isinstance<RigidMotion>(entry)) {
+        throw py::type_error("motion " + std::to_string(motions.size()) + " is no RigidMotion");
+      }
+      motions.push_back(entry.cast<RigidMotion>());
+    }
+    return motions;
+  }
+
+  std::vector<RigidMotion> ready_;
+  GivenPoses starts_{{}, true};
   GivenPoses ends_{{}, true};
   std::vector<Vec3> shifts_;
   Vec3 pivot_;
@@ -163,13 +198,50 @@ class GivenMotions {
   bool is_one_ = true;
 };
 
-FirstContactBatch ask(const py::object& shape, const GivenMotions& motions, const py::object& body,
-                      double clearance, const CallLimits& allowed, const py::object& progress) {
+/// Motions by poses, or as they are: then the body comes in place of the end.
+class MotionArguments {
+ public:
+  MotionArguments(const char* function, const py::object& start, const py::object& end,
+                  const py::object& body, const py::object& pivot, const py::object& by)
+      : motions_(are_motions(start) ? as_they_are(start, pivot, by)
+                                    : GivenMotions(start, end, pivot, by)),
+        body_(body) {
+    const bool is_second = are_motions(start) && body.is_none();
+    if (are_motions(start) && !is_second && !end.is_none()) {
+      throw usage("motion: an end is given, and the motions have theirs", "leave it out");
+    }
+    if (is_second) {
+      body_ = end;
+    }
+    if (body_.is_none()) {
+      throw py::type_error(std::string(function) + "(): the argument body is missing");
+    }
+  }
+
+  [[nodiscard]] const GivenMotions& motions() const { return motions_; }
+
+  [[nodiscard]] const py::object& body() const { return body_; }
+
+ private:
+  static GivenMotions as_they_are(const py::object& given, const py::object& pivot,
+                                  const py::object& by) {
+    if (!pivot.is_none() || !by.is_none()) {
+      throw usage("motion: pivot and by go with poses", "leave them out");
+    }
+    return GivenMotions(given);
+  }
+
+  GivenMotions motions_;
+  py::object body_;
+};
+
+FirstContactBatch answers(const py::object& shape, const MotionArguments& given, double clearance,
+                          const CallLimits& allowed, const py::object& progress) {
   const BodyArgument mover(shape, "shape", allowed.threads);
-  const BodyArgument fixed(body, "body", allowed.threads);
+  const BodyArgument fixed(given.body(), "body", allowed.threads);
   const FirstContactOptions options{.within = clearance};
   return run(Work::many, allowed, progress, [&](const Limits& limits) {
-    return first_contact(mover.get().shape, motions.made(), fixed.get(), options, limits);
+    return first_contact(mover.get().shape, given.motions().made(), fixed.get(), options, limits);
   });
 }
 
@@ -178,16 +250,17 @@ py::object query_first_contact(const py::object& shape, const py::object& start,
                                const py::object& pivot, const py::object& by, double clearance,
                                std::optional<double> timeout, int threads,
                                const py::object& progress) {
-  const GivenMotions motions(start, end, pivot, by);
-  if (!motions.is_one()) {
-    return made(ask(shape, motions, body, clearance, {threads, timeout}, progress));
+  const MotionArguments given("first_contact", start, end, body, pivot, by);
+  if (!given.motions().is_one()) {
+    return made(answers(shape, given, clearance, {threads, timeout}, progress));
   }
   const CallLimits allowed(threads, timeout);
   const BodyArgument mover(shape, "shape", threads);
-  const BodyArgument fixed(body, "body", threads);
+  const BodyArgument fixed(given.body(), "body", threads);
   const FirstContactOptions options{.within = clearance};
   return made(run(Work::one, allowed, progress, [&](const Limits& limits) {
-    return first_contact(mover.get().shape, motions.made()[0], fixed.get(), options, limits);
+    return first_contact(mover.get().shape, given.motions().made()[0], fixed.get(), options,
+                         limits);
   }));
 }
 
@@ -195,10 +268,9 @@ py::object query_free(const py::object& shape, const py::object& starts, const p
                       const py::object& body, const py::object& pivot, const py::object& by,
                       double clearance, std::optional<double> timeout, int threads,
                       const py::object& progress) {
-  const GivenMotions motions(starts, ends, pivot, by);
-  const FirstContactBatch batch =
-      ask(shape, motions, body, clearance, {threads, timeout}, progress);
-  if (motions.is_one()) {
+  const MotionArguments given("free", starts, ends, body, pivot, by);
+  const FirstContactBatch batch = answers(shape, given, clearance, {threads, timeout}, progress);
+  if (given.motions().is_one()) {
     return py::bool_(batch.verdict[0] == ContactVerdict::free);
   }
   py::array_t<bool> flags(static_cast<py::ssize_t>(batch.size()));
@@ -210,8 +282,8 @@ py::object query_free(const py::object& shape, const py::object& starts, const p
 Parameters motion_parameters(const char* start, const char* end) {
   return with_limits({{"shape"},
                       {start},
-                      {end},
-                      {"body"},
+                      {end, py::none()},
+                      {"body", py::none()},
                       {"pivot", py::none(), true},
                       {"by", py::none(), true},
                       {"within", py::float_(FirstContactOptions{}.within), true}});
@@ -220,7 +292,10 @@ Parameters motion_parameters(const char* start, const char* end) {
 }  // namespace
 
 void bind_first_contact(py::module_& module) {
-  bind_answers_of<FirstContact>(module);
+  bind_answer<FirstContact>(module);
+  bind_batch<FirstContact>(module).derived(
+      "first_blocked", &FirstContactBatch::first_blocked,
+      "The first motion that is not proved to be free, or None: where a path ends.");
   def_function(module, "first_contact", &query_first_contact, kFirstContactDoc,
                motion_parameters("start", "end"));
   def_function(module, "free", &query_free, kFreeDoc, motion_parameters("starts", "ends"));
