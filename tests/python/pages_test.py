@@ -1,4 +1,4 @@
-"""Each block of Python in docs/python.md and README.md runs, and prints what the block after it shows."""
+"""Each block of Python in docs/python.md, docs/motion.md and README.md runs, and prints what the block after it shows."""
 import pathlib
 import re
 import subprocess
@@ -9,7 +9,7 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BLOCK = re.compile(r"^```python\n(.*?)^```\n(?:\nIt prints:\n\n```text\n(.*?)^```\n)?",
                    re.MULTILINE | re.DOTALL)
-PAGES = {"docs/python.md": 4, "README.md": 1}
+PAGES = {"docs/python.md": 4, "docs/motion.md": 3, "README.md": 1}
 
 
 class Pages(unittest.TestCase):
