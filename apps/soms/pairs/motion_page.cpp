@@ -72,7 +72,7 @@ std::vector<MotionPage::Kept> MotionPage::chosen() const {
 report::Scene MotionPage::scene(const std::vector<Kept>& motions) const {
   report::Scene scene = scene_of_pair(models_, {}, report::kStepsOfMotion * motions.size());
   scene.steps.noun = "step";
-  scene.complete = complete_;
+  scene.lists_contacts = !motions.empty();
   scene.contacts_in_all = blocked_in_all_;
   scene.motions_in_all = motions_;
   for (std::size_t k = 0; k < motions.size(); ++k) {

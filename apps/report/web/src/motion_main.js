@@ -21,7 +21,7 @@ export function stateAt({ blocked, lower, upper }, part) {
   if (part === upper) {
     return 'the first contact';
   }
-  return upper !== null && part > upper ? 'after the first contact' : 'too near to tell';
+  return upper !== null && part > upper ? 'after the first contact' : 'not known';
 }
 
 const partWords = (motion, part) => `t = ${Number(part.toPrecision(6))}: ${stateAt(motion, part)}`;

@@ -7,6 +7,7 @@ import { SceneView } from './scene_view.js';
 const MOVER = 0; // the body
 const MEETING_SEEN = 20; // drawing order: above all other marks
 const PALE = 0.28; // opacity
+const HIDDEN = 0.2;
 const PARTS_OF_TRACE = 64;
 const AROUND = 0.6; // of what is seen around a way, in its radii; the eye stands a few of them away
 
@@ -24,7 +25,7 @@ class Ghost {
       });
   }
 
-  set(geometry) { this.meshes.forEach((mesh) => { mesh.geometry = geometry; }); }
+  set geometry(geometry) { this.meshes.forEach((mesh) => { mesh.geometry = geometry; }); }
 
   show(visible) { this.meshes.forEach((mesh) => { mesh.visible = visible; }); }
 
@@ -41,6 +42,10 @@ export class MotionView extends SceneView {
     this.motions = this.all.scene.motions;
     const geometry = this.bodies.geometries[this.all.scene.bodies.model[MOVER]];
     this.ghosts = [0, 1, 2].map(() => new Ghost(this.world, geometry));
+    // The parts of the body that walls hide.
+    this.behind = new THREE.Mesh(geometry, solid({ transparent: true, opacity: HIDDEN, depthWrite: false, depthFunc: THREE.GreaterDepth }));
+    this.behind.frustumCulled = false;
+    this.world.add(this.behind);
     this.traces = ['moves', 'was'].map((use) => this.addCurve(this.marks, 2, 1, false, use));
     const place = new THREE.BufferGeometry().setAttribute('position', new THREE.BufferAttribute(new Float32Array(3), 3));
     this.meeting = [15, 10].map((pixels, above) => this.addSpots(this.marks, place, pixels, MEETING_SEEN + above, {}));
@@ -65,6 +70,8 @@ export class MotionView extends SceneView {
   setPart(part) {
     this.part = part;
     this.ghosts.forEach((ghost, n) => ghost.show(ghost.part !== part && (n !== 1 || (this.motion.blocked && part !== 0))));
+    poseOn(this.motion, part, this.behind.position, this.behind.quaternion);
+    this.behind.material.color.copy(this.colorOf(MOVER));
     this.setStep(stepAt(this.motion, this.shown, part));
   }
 
@@ -136,7 +143,7 @@ export class MotionView extends SceneView {
   setModel(k, mesh) {
     super.setModel(k, mesh);
     if (k === this.all.scene.bodies.model[MOVER]) {
-      this.ghosts.forEach((ghost) => ghost.set(this.bodies.whole.get(k)));
+      [...this.ghosts, this.behind].forEach((ghost) => { ghost.geometry = this.bodies.whole.get(k); });
     }
   }
 
