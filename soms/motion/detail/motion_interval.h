@@ -50,14 +50,14 @@ struct MotionInterval {
 
 /// A vector in the direction of `v`, of length 1 to 2^-50; zero for one that has no length, or
 /// next to none beside the doubles.
-[[nodiscard]] inline Vec3 direction_of(const Vec3& v) {
+[[nodiscard]] inline Vec3 direction_of(Vec3 v) {
   const double most = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   if (!(most > 0x1p-1000)) {
     return {};
   }
-  const Vec3 u{v.x / most, v.y / most, v.z / most};
-  const double length = std::sqrt(dot(u, u));
-  return {u.x / length, u.y / length, u.z / length};
+  // Those that are short are first made longer.
+  v = most > 0x1p-400 ? v : v * 0x1p600;
+  return v * (1 / std::sqrt(dot(v, v)));
 }
 
 }  // namespace soms::detail

@@ -30,8 +30,17 @@ constexpr double kLeft = 0x1p-10;
 /// How often a step that cannot be proved is halved.
 constexpr int kHalvings = 40;
 
+/// The first look for a contact is after this much of the time in which the rounding is crossed.
+constexpr double kFirstLook = 0x1p-3;
+
+/// Until so many times that, no gap is looked for again.
+constexpr double kSoon = 16;
+
+/// A share of the speed of a corner that is next to none.
+constexpr double kSlowly = 0x1p-6;
+
 /// How often a contact is drawn nearer to a time without one.
-constexpr int kDraws = 12;
+constexpr int kDraws = 5;
 
 /// The number with the fewest binary digits in [from, to], 0 <= from <= to <= 1.
 double simplest(double from, double to) {
@@ -75,17 +84,39 @@ bool PairAdvance::touches(double t) {
   return triangles_overlap(x, y, &cost_.exact_tests);
 }
 
+Corners PairAdvance::velocities(const Place& place) const {
+  const Twist twist = law_.twist_at(place.t);
+  Corners velocities;
+  for (std::size_t k = 0; k < 3; ++k) {
+    velocities[k] = twist.drift + cross(twist.spin, place.corners[k] - twist.pivot);
+  }
+  return velocities;
+}
+
+double PairAdvance::first_look(const Place& place, const Vec3& n) const {
+  double closing = 0;
+  double fastest = 0;
+  for (const Vec3& v : velocities(place)) {
+    closing = std::max(closing, -dot(n, v));
+    fastest = std::max(fastest, length_of(v));
+  }
+  const double least = std::max(place.t, 0x1p-30) * 0x1p-52;
+  // What hardly nears is looked at as soon as can be.
+  return closing > kSlowly * fastest ? std::max(least, kFirstLook * (bounds_.rounding() / closing))
+                                     : least;
+}
+
 double PairAdvance::reach(const Place& place, const Parting& parting) const {
   const Vec3& n = parting.direction;
-  const Twist twist = law_.twist_at(place.t);
+  const Corners velocities = this->velocities(place);
   const double top =
       std::max({0.0, dot(n, resting_[1] - resting_[0]), dot(n, resting_[2] - resting_[0])});
   const double a = curvature_ * law_.across(n) / 2;
   double least = std::numeric_limits<double>::infinity();
-  for (const Vec3& x : place.corners) {
-    const double gap =
-        dot(n, x - resting_[0]) - top - bounds_.pair_margin() - bounds_.rounding() * 0x1p-4;
-    const double speed = dot(n, twist.drift + cross(twist.spin, x - twist.pivot));
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double gap = dot(n, place.corners[k] - resting_[0]) - top - bounds_.pair_margin() -
+                       bounds_.rounding() * 0x1p-4;
+    const double speed = dot(n, velocities[k]);
     // Where gap + speed s - a s^2 is spent.
     double s = std::numeric_limits<double>::infinity();
     if (a > 0) {
@@ -147,7 +178,7 @@ void PairAdvance::decide_turn(double from, double until) {
   }
 }
 
-bool PairAdvance::pass(Place& place, double until) {
+bool PairAdvance::pass(Place& place, const Parting& parting, double until) {
   if (bounds_.exact()) {
     decide();
     return false;
@@ -155,11 +186,12 @@ bool PairAdvance::pass(Place& place, double until) {
   const double begin = place.t;
   const double enough = bounds_.pair_margin() + 2 * kNextToNone * bounds_.rounding();
   double before = begin;
-  double length = std::max(begin, 0x1p-30) * 0x1p-52;
+  double length = first_look(place, parting.direction);
+  const double soon = begin + kSoon * length;
   double t = begin;
   while (!touches(t)) {
     Place here = at(t);
-    const bool apart = t > begin && parting_of(here.corners, resting_, enough).gap > enough;
+    const bool apart = t > soon && parting_of(here.corners, resting_, enough).gap > enough;
     if (apart || t >= until) {
       if (bounds_.by_law()) {
         decide_turn(begin, until);
@@ -201,7 +233,12 @@ void PairAdvance::run(double from, double until) {
     if (apart && place.t >= until) {
       return;
     }
-    if ((!apart || !step(place, parting, until)) && !pass(place, until)) {
+    // A step to the end proves that there is no contact at the end either.
+    if (apart && step(place, parting, until)) {
+      if (place.t >= until) {
+        return;
+      }
+    } else if (!pass(place, parting, until)) {
       return;
     }
   }

@@ -35,6 +35,12 @@ class PairAdvance {
   /// By the poses that are decided.
   [[nodiscard]] bool touches(double t);
 
+  /// About how the corners move.
+  [[nodiscard]] Corners velocities(const Place& place) const;
+
+  /// How long after `place` a contact is looked for first, where `n` parted the triangles.
+  [[nodiscard]] double first_look(const Place& place, const Vec3& n) const;
+
   /// About how far to go from `place` until the gap along a direction is spent.
   [[nodiscard]] double reach(const Place& place, const Parting& parting) const;
 
@@ -50,7 +56,7 @@ class PairAdvance {
   /// From `place` on nothing can be proved free: looks for a pose in contact, until the time when
   /// there is a gap again. If none is found, the law decides all the rest where it can; else true
   /// if steps go on from there.
-  [[nodiscard]] bool pass(Place& place, double until);
+  [[nodiscard]] bool pass(Place& place, const Parting& parting, double until);
 
   /// Draws a proved contact nearer to a time without one.
   [[nodiscard]] double earliest(double without, double with);

@@ -50,8 +50,12 @@ double gap_along(const Vec3& n, const Corners& x, const Corners& y) {
 }
 
 Parting parted_along(const Vec3& n, const Corners& x, const Corners& y) {
-  const double gap = gap_along(n, x, y);
-  const double other = gap_along(-n, x, y);
+  const Vec3& about = y[0];
+  const auto [x_least, x_most] =
+      std::minmax({dot(n, x[0] - about), dot(n, x[1] - about), dot(n, x[2] - about)});
+  const auto [y_least, y_most] = std::minmax({0.0, dot(n, y[1] - about), dot(n, y[2] - about)});
+  const double gap = x_least - y_most;
+  const double other = y_least - x_most;
   return other > gap ? Parting{-n, other} : Parting{n, gap};
 }
 

@@ -4,7 +4,7 @@
 
 namespace soms::detail {
 
-double length_of(const Vec3& v) {
+double length_of_small(const Vec3& v) {
   const double most = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   if (!(most > 0)) {
     return 0;

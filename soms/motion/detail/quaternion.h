@@ -32,8 +32,14 @@ using Quaternion = RigidMotion::Quaternion;
   return (a[0] * vb - b[0] * va) - cross(va, vb);
 }
 
-/// Length of a vector, where squares of its components may be too small or large for a double.
-[[nodiscard]] double length_of(const Vec3& v);
+/// Length of a vector whose squares are too small for a double.
+[[nodiscard]] double length_of_small(const Vec3& v);
+
+/// Length of a vector, which has no coordinate above 2^500.
+[[nodiscard]] inline double length_of(const Vec3& v) {
+  const double squared = dot(v, v);
+  return squared > 0x1p-900 ? std::sqrt(squared) : length_of_small(v);
+}
 
 /// The quaternion of the rotation of a pose; nearly that of a pose that is nearly rigid.
 [[nodiscard]] Quaternion quaternion_of(const Pose& pose);

@@ -42,6 +42,7 @@ TurnBounds::TurnBounds(const Shape& body, const RigidMotion& motion)
     axis_in_world_ = turned(motion.law_at(0), axis_);
   }
   sine_ = sine * kMotionUp + kSineMargin;
+  off_axis_ = sine > kSineMargin ? 0x1p-46 / sine * kMotionUp : 1;
   for (std::size_t k = 0; k < 4; ++k) {
     step_[k] = motion.to()[k] - motion.from()[k];
   }
@@ -69,12 +70,7 @@ TurnRate TurnBounds::rate(double ta, double tb) const {
 }
 
 double TurnBounds::across(const Vec3& n) const {
-  const double sine = sine_ - kSineMargin;
-  if (!(sine > kSineMargin)) {
-    return 1;
-  }
-  return std::min(1.0,
-                  length_of(cross(axis_in_world_, n)) * kMotionUp + (kTurnMargin + 0x1p-46 / sine));
+  return std::min(1.0, length_of(cross(axis_in_world_, n)) * kMotionUp + (kTurnMargin + off_axis_));
 }
 
 double TurnBounds::arm_of_pivot(const Vec3& point) const {
@@ -83,12 +79,8 @@ double TurnBounds::arm_of_pivot(const Vec3& point) const {
 
 double TurnBounds::arm(const Vec3& point) const {
   const double whole = arm_of_pivot(point);
-  const double sine = sine_ - kSineMargin;
-  if (!(sine > kSineMargin)) {
-    return whole;
-  }
   const double across = length_of(cross(axis_, point - motion_->pivot())) * kMotionUp;
-  return std::min(whole, across + whole * (0x1p-46 / sine) + kSlackShare * reach_);
+  return std::min(whole, across + whole * off_axis_ + kSlackShare * reach_);
 }
 
 Twist TurnBounds::twist_at(double t) const {
@@ -102,9 +94,7 @@ Twist TurnBounds::twist_at(double t) const {
     const double q = motion_->from()[k] + t * step_[k];
     squared += q * q;
   }
-  // The axis stands still in world.
-  const Vec3 axis = turned(motion_->law_at(t), axis_between(motion_->from(), motion_->to()));
-  return {drift, axis * (2 / squared), motion_->pivot_from() + drift * t};
+  return {drift, axis_in_world_ * (2 * sine_ / squared), motion_->pivot_from() + drift * t};
 }
 
 RigidLaw::RigidLaw(const Shape& mover, const RigidMotion& motion, const Body& fixed)

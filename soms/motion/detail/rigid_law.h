@@ -98,9 +98,10 @@ class TurnBounds {
 
  private:
   const RigidMotion* motion_;
-  Vec3 axis_;           ///< of length 1, in the body
-  Vec3 axis_in_world_;  ///< likewise
-  double sine_ = 0;     ///< rounded up
+  Vec3 axis_;            ///< of length 1, in the body
+  Vec3 axis_in_world_;   ///< likewise
+  double sine_ = 0;      ///< rounded up
+  double off_axis_ = 1;  ///< at least the rounding of the axis; 1 where none is known
   Quaternion step_ = {};
   double reach_ = 0;
 };
