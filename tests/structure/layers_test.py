@@ -48,6 +48,8 @@ LENT = {
     ("query", "soms/tree/layout/detail/ground_plan.h"): "as wide_tree.h",
     ("query", "soms/tree/layout/detail/pages.h"): "blocks that are unpacked lie as those of the layout do",
     ("query", "soms/tree/layout/detail/wide_tree.h"): "queries traverse the layout, which is made for them",
+    ("motion", "soms/query/detail/kernels/lanes_double.h"): "doubles side by side, as kernels of queries have them",
+    ("motion", "soms/query/detail/kernels/target.h"): "likewise",
     ("motion", "soms/geometry/detail/exact/exact_distance.h"): "straight motions are decided in whole numbers",
     ("motion", "soms/geometry/detail/exact/exact_ray.h"): "so they are by rays",
     ("motion", "soms/geometry/detail/exact/grid.h"): "places of all of them are on one grid",

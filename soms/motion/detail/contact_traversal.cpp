@@ -1,11 +1,11 @@
 #include "soms/motion/detail/contact_traversal.h"
 
-#include "soms/motion/detail/leaf_against_box.h"
 #include "soms/motion/detail/pair_advance.h"
 #include "soms/query/detail/engine/node_id.h"
 #include "soms/query/detail/moved_triangle.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -20,7 +20,7 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kSimilarSwept = 2;
 
 /// A bow up to this share of both boxes is no reason to halve the time.
-constexpr double kBowShare = 0.1;
+constexpr double kBowShare = 0.03;
 
 /// Nor is one that is next to the rounding, nor is a stretch of the way halved that is this short.
 constexpr double kBowMargins = 8;
@@ -36,6 +36,15 @@ bool means_lane(std::uint32_t id, std::size_t lane) {
   return !is_lane(id) || lane_of(id) == lane;
 }
 
+/// Takes the top of a heap.
+template <class Order, class Item>
+Item popped(std::vector<Item>& heap) {
+  std::pop_heap(heap.begin(), heap.end(), Order());
+  const Item item = heap.back();
+  heap.pop_back();
+  return item;
+}
+
 }  // namespace
 
 template <class Source>
@@ -47,6 +56,7 @@ ContactTraversal<Source>::ContactTraversal(const MotionBounds& bounds, const Sha
       goal_(goal),
       x_(mover),
       y_(other),
+      kernels_(motion_kernels()),
       unfinished_(kNever) {
   intervals_.emplace_back(bounds, 0.0, 1.0);
   push({0, kRootId, kRootId, 0, 0});
@@ -59,14 +69,22 @@ void ContactTraversal<Source>::push(const Task& task) {
 }
 
 template <class Source>
+bool ContactTraversal<Source>::meeting_is_next() const {
+  return !meetings_.empty() && (heap_.empty() || meetings_.front().key <= heap_.front().key);
+}
+
+template <class Source>
 bool ContactTraversal<Source>::run(Limit& limit) {
-  while (!heap_.empty() && heap_.front().key <= goal_.limit()) {
+  while (free_until() <= goal_.limit() && (!heap_.empty() || !meetings_.empty())) {
     if (limit.spend(0)) {
       return false;
     }
-    std::pop_heap(heap_.begin(), heap_.end(), Later());
-    const Task task = heap_.back();
-    heap_.pop_back();
+    if (meeting_is_next()) {
+      advance(popped<LaterMeeting>(meetings_));
+      static_cast<void>(limit.spend(64));
+      continue;
+    }
+    const Task task = popped<Later>(heap_);
     step(task, limit);
     if (limit.late()) {
       unfinished_ = std::min(unfinished_, task.key);
@@ -79,10 +97,8 @@ bool ContactTraversal<Source>::run(Limit& limit) {
 template <class Source>
 double ContactTraversal<Source>::free_until() const {
   double least = unfinished_;
-  for (const Task& task : heap_) {
-    least = std::min(least, task.key);
-  }
-  return least;
+  least = heap_.empty() ? least : std::min(least, heap_.front().key);
+  return meetings_.empty() ? least : std::min(least, meetings_.front().key);
 }
 
 template <class Source>
@@ -109,20 +125,20 @@ std::uint32_t ContactTraversal<Source>::halves_of(std::uint32_t interval) {
 }
 
 template <class Source>
-bool ContactTraversal<Source>::halve(const Task& task, const SweptBoxes& x, std::size_t lane_x,
-                                     const SweptBoxes& y, std::size_t lane_y) {
-  const MotionInterval& interval = intervals_[task.interval];
-  const double give = x.give[lane_x];
-  if (give <= kBowShare * (x.radius(lane_x) + y.radius(lane_y)) ||
-      give <= kBowMargins * bounds_.box_margin() || interval.to - interval.from <= kShortest) {
-    return false;
-  }
+bool ContactTraversal<Source>::bows(const MotionInterval& interval, double give,
+                                    double radii) const {
+  return give > kBowShare * radii && give > kBowMargins * bounds_.box_margin() &&
+         interval.to - interval.from > kShortest;
+}
+
+template <class Source>
+void ContactTraversal<Source>::halve(const Task& task, const SweptBoxes& x, const SweptBoxes& y) {
   // Time is not cut where even the whole of it leaves the boxes apart.
-  LaneWindows windows;
-  find_windows(x, y, bounds_.box_margin(), windows);
-  cost_.node_tests += x.count * y.count;
-  if (windows[4 * lane_x + lane_y].empty()) {
-    return true;
+  WindowsOfPairs windows;
+  kernels_.meet_nodes(x, y, bounds_.box_margin(), windows);
+  ++cost_.node_tests;
+  if (windows.open == 0) {
+    return;
   }
   const std::uint32_t first = halves_of(task.interval);
   for (std::uint32_t half = first; half < first + 2; ++half) {
@@ -130,48 +146,52 @@ bool ContactTraversal<Source>::halve(const Task& task, const SweptBoxes& x, std:
       push({std::max(task.key, intervals_[half].from), task.x, task.y, half, task.depth});
     }
   }
-  return true;
 }
 
 template <class Source>
 void ContactTraversal<Source>::open(const Task& from) {
   Task task = from;
-  // Copies: sources may give up what they gave before.
-  const WideNode node_x = x_.node(index_of(task.x));
-  const WideNode node_y = y_.node(index_of(task.y));
+  const Kept<WideNode> node_x = x_.node(index_of(task.x));
+  const Kept<WideNode> node_y = y_.node(index_of(task.y));
   const WideTree& tree_x = mover_.layout();
   const WideTree& tree_y = resting_.shape.layout();
-  const MotionInterval interval = intervals_[task.interval];
+  const MotionInterval& interval = intervals_[task.interval];
   const double size_x = node_x.l1_radius / tree_x.scale();
   const double size_y = node_y.l1_radius / tree_y.scale();
   const bool any_leaf = is_lane(task.x | task.y);
   const bool only_x = !any_leaf && size_x > kSimilarSwept * size_y;
   const bool only_y = !any_leaf && size_y > kSimilarSwept * size_x;
-  const SweptBoxes whole_x = swept_boxes(tree_x, node_x, bounds_, interval, true);
-  const SweptBoxes whole_y = resting_boxes(tree_y, node_y, resting_.pose, true);
-  if (halve(task, whole_x, 0, whole_y, 0)) {
+  const BoxSway sway = sway_of_whole(tree_x, node_x, bounds_, interval);
+  if (bows(interval, sway.give, sway.radius + radius_of_whole(tree_y, node_y))) {
+    halve(task, swept_boxes(tree_x, node_x, bounds_, interval, kWholeNode),
+          resting_boxes(tree_y, node_y, resting_.pose, kWholeNode));
     return;
   }
   if (is_lane(task.y) && half_of(node_y, lane_of(task.y)) / tree_y.scale() > size_x) {
-    task.key = std::max(task.key, free_of_box(node_y.child[lane_of(task.y)], whole_x, interval));
+    const SweptBoxes box = swept_boxes(tree_x, node_x, bounds_, interval, kWholeNode);
+    task.key = std::max(task.key, rest_free_of_box(node_y.child[lane_of(task.y)], box, interval));
   } else if (is_lane(task.x) && half_of(node_x, lane_of(task.x)) / tree_x.scale() > size_y) {
-    task.key = std::max(task.key, free_of_box(whole_y, node_x.child[lane_of(task.x)], interval));
+    const SweptBoxes box = resting_boxes(tree_y, node_y, resting_.pose, kWholeNode);
+    task.key = std::max(task.key,
+                        mover_free_of_box(node_x.child[lane_of(task.x)], sway.bow, box, interval));
   }
   if (task.key > interval.to || task.key > goal_.limit()) {
     return;
   }
-  const SweptBoxes x = only_y ? whole_x : swept_boxes(tree_x, node_x, bounds_, interval, false);
-  const SweptBoxes y = only_x ? whole_y : resting_boxes(tree_y, node_y, resting_.pose, false);
-  LaneWindows windows;
-  find_windows(x, y, bounds_.box_margin(), windows);
+  const SweptBoxes x =
+      swept_boxes(tree_x, node_x, bounds_, interval, only_y ? kWholeNode : all_lanes(node_x));
+  const SweptBoxes y =
+      resting_boxes(tree_y, node_y, resting_.pose, only_x ? kWholeNode : all_lanes(node_y));
+  WindowsOfPairs windows;
+  kernels_.meet_nodes(x, y, bounds_.box_margin(), windows);
   cost_.node_tests += x.count * y.count;
   for (std::size_t i = 0; i < x.count; ++i) {
     for (std::size_t j = 0; j < y.count; ++j) {
-      const TimeWindow& window = windows[4 * i + j];
-      if (window.empty() || (!only_y && !means_lane(task.x, i)) ||
+      if (!windows.has(i, j) || (!only_y && !means_lane(task.x, i)) ||
           (!only_x && !means_lane(task.y, j))) {
         continue;
       }
+      const TimeWindow window = windows.at(i, j);
       Task child = task;
       child.key = std::max(task.key, interval.begin_of(window));
       ++child.depth;
@@ -190,25 +210,27 @@ void ContactTraversal<Source>::open(const Task& from) {
 
 template <class Source>
 void ContactTraversal<Source>::look_at_leaves(const Task& task, Limit& limit) {
-  const WideNode node_x = x_.node(index_of(task.x));
-  const WideNode node_y = y_.node(index_of(task.y));
-  const MotionInterval interval = intervals_[task.interval];
-  const SweptBoxes boxes_x = swept_boxes(mover_.layout(), node_x, bounds_, interval, false);
-  const SweptBoxes boxes_y = resting_boxes(resting_.shape.layout(), node_y, resting_.pose, false);
-  if (halve(task, boxes_x, lane_of(task.x), boxes_y, lane_of(task.y))) {
+  const Kept<WideNode> node_x = x_.node(index_of(task.x));
+  const Kept<WideNode> node_y = y_.node(index_of(task.y));
+  const MotionInterval& interval = intervals_[task.interval];
+  const SweptBoxes box_x =
+      swept_boxes(mover_.layout(), node_x, bounds_, interval, one_lane(lane_of(task.x)));
+  const SweptBoxes box_y =
+      resting_boxes(resting_.shape.layout(), node_y, resting_.pose, one_lane(lane_of(task.y)));
+  if (bows(interval, box_x.give[0], box_x.radius(0) + box_y.radius(0))) {
+    halve(task, box_x, box_y);
     static_cast<void>(limit.spend(16));
     return;
   }
   std::uint32_t token_x = node_x.child[lane_of(task.x)];
   for (bool more_x = true; more_x; token_x = x_.next(token_x)) {
-    const TriangleBlock block_x = x_.block(token_x);
+    const Kept<TriangleBlock> block_x = x_.block(token_x);
     more_x = block_x.following != 0;
     std::uint32_t token_y = node_y.child[lane_of(task.y)];
     for (bool more_y = true; more_y; token_y = y_.next(token_y)) {
-      const TriangleBlock block_y = y_.block(token_y);
+      const Kept<TriangleBlock> block_y = y_.block(token_y);
       more_y = block_y.following != 0;
-      look_at_blocks(block_x, block_y,
-                     {interval, boxes_x, lane_of(task.x), boxes_y, lane_of(task.y), task.key});
+      look_at_blocks(block_x, block_y, {interval, box_x, box_y, task.key});
       if (limit.spend(256)) {
         return;
       }
@@ -220,86 +242,81 @@ template <class Source>
 void ContactTraversal<Source>::look_at_blocks(const TriangleBlock& x, const TriangleBlock& y,
                                               const LeafPair& leaves) {
   const double margin = bounds_.box_margin();
-  swept_.clear();
-  swept_ids_.clear();
-  meetings_.clear();
   cost_.node_tests += x.count + y.count;
-  for (std::size_t i = 0; i < x.count; ++i) {
-    const SweptTriangle moving =
-        swept_triangle(mover_.mesh().triangle(x.id[i]), bounds_, leaves.interval);
-    if (!window_of(moving, leaves.y, leaves.lane_y, margin).empty()) {
-      swept_.push_back(moving);
-      swept_ids_.push_back(x.id[i]);
-    }
+  gather_lanes(mover_.mesh(), x, lanes_x_);
+  kernels_.sweep(leaves.interval, leaves.x.bow[0], lanes_x_);
+  kernels_.meet_box(lanes_x_, leaves.y, margin, windows_);
+  if (windows_.open == 0) {
+    return;
   }
-  for (std::size_t j = 0; j < y.count && !swept_.empty(); ++j) {
-    const Corners resting = corners_of(moved_triangle(resting_, y.id[j]));
-    if (window_of(leaves.x, leaves.lane_x, resting, margin).empty()) {
-      continue;
-    }
-    const TriangleSides sides = sides_of(resting);
-    for (std::uint32_t i = 0; i < swept_.size(); ++i) {
-      const TimeWindow window = window_of(swept_[i], resting, sides, margin);
-      ++cost_.triangle_tests;
+  keep_lanes(windows_.open, lanes_x_);
+  gather_lanes(resting_.shape.mesh(), y, lanes_y_);
+  kernels_.place(resting_.pose, lanes_y_);
+  kernels_.meet_box(lanes_y_, leaves.x, margin, windows_);
+  for (std::uint32_t left = windows_.open; left != 0; left &= left - 1) {
+    const auto j = static_cast<std::size_t>(std::countr_zero(left));
+    kernels_.meet_triangle(lanes_x_, lanes_y_, j, margin, windows_);
+    cost_.triangle_tests += lanes_x_.count;
+    for (std::uint32_t open = windows_.open; open != 0; open &= open - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(open));
+      const TimeWindow window = windows_.at(i);
       const double from = std::max(leaves.key, leaves.interval.begin_of(window));
-      if (!window.empty() && from <= goal_.limit()) {
-        meetings_.push_back(
-            {from, std::max(from, leaves.interval.end_of(window)), i, swept_ids_[i], y.id[j]});
+      if (from <= goal_.limit()) {
+        meetings_.push_back({from,
+                             std::max(from, leaves.interval.end_of(window)),
+                             {lanes_x_.id[i], lanes_y_.id[j]}});
+        std::push_heap(meetings_.begin(), meetings_.end(), LaterMeeting());
       }
     }
   }
-  advance_meetings();
 }
 
 template <class Source>
-void ContactTraversal<Source>::advance_meetings() {
-  std::sort(meetings_.begin(), meetings_.end(), [](const Meeting& a, const Meeting& b) {
-    return a.from != b.from ? a.from < b.from
-                            : std::pair(a.id_x, a.id_y) < std::pair(b.id_x, b.id_y);
-  });
-  for (const Meeting& meeting : meetings_) {
-    if (meeting.from <= goal_.limit()) {
-      PairAdvance(bounds_, mover_, resting_, {meeting.id_x, meeting.id_y}, goal_, cost_)
-          .run(meeting.from, meeting.until);
-    }
-  }
+void ContactTraversal<Source>::advance(const Meeting& meeting) {
+  PairAdvance(bounds_, mover_, resting_, meeting.ids, goal_, cost_).run(meeting.key, meeting.until);
 }
 
 template <class Source>
-double ContactTraversal<Source>::free_of_box(std::uint32_t token, const SweptBoxes& x,
-                                             const MotionInterval& interval) {
+double ContactTraversal<Source>::first_begin(const MotionInterval& interval) const {
   double first = kNever;
-  for (;; token = y_.next(token)) {
+  for (std::uint32_t open = windows_.open; open != 0; open &= open - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(open));
+    first = std::min(first, interval.begin_of(windows_.at(lane)));
+  }
+  return first;
+}
+
+template <class Source>
+double ContactTraversal<Source>::rest_free_of_box(std::uint32_t token, const SweptBoxes& box,
+                                                  const MotionInterval& interval) {
+  double first = kNever;
+  for (bool more = true; more; token = y_.next(token)) {
     const TriangleBlock& block = y_.block(token);
+    more = block.following != 0;
     cost_.node_tests += block.count;
-    for (std::size_t j = 0; j < block.count; ++j) {
-      const Corners resting = corners_of(moved_triangle(resting_, block.id[j]));
-      const TimeWindow window = window_of(x, 0, resting, bounds_.box_margin());
-      first = window.empty() ? first : std::min(first, interval.begin_of(window));
-    }
-    if (block.following == 0) {
-      return first;
-    }
+    gather_lanes(resting_.shape.mesh(), block, lanes_y_);
+    kernels_.place(resting_.pose, lanes_y_);
+    kernels_.meet_box(lanes_y_, box, bounds_.box_margin(), windows_);
+    first = std::min(first, first_begin(interval));
   }
+  return first;
 }
 
 template <class Source>
-double ContactTraversal<Source>::free_of_box(const SweptBoxes& y, std::uint32_t token,
-                                             const MotionInterval& interval) {
+double ContactTraversal<Source>::mover_free_of_box(std::uint32_t token, double bow,
+                                                   const SweptBoxes& box,
+                                                   const MotionInterval& interval) {
   double first = kNever;
-  for (;; token = x_.next(token)) {
+  for (bool more = true; more; token = x_.next(token)) {
     const TriangleBlock& block = x_.block(token);
+    more = block.following != 0;
     cost_.node_tests += block.count;
-    for (std::size_t i = 0; i < block.count; ++i) {
-      const SweptTriangle moving =
-          swept_triangle(mover_.mesh().triangle(block.id[i]), bounds_, interval);
-      const TimeWindow window = window_of(moving, y, 0, bounds_.box_margin());
-      first = window.empty() ? first : std::min(first, interval.begin_of(window));
-    }
-    if (block.following == 0) {
-      return first;
-    }
+    gather_lanes(mover_.mesh(), block, lanes_x_);
+    kernels_.sweep(interval, bow, lanes_x_);
+    kernels_.meet_box(lanes_x_, box, bounds_.box_margin(), windows_);
+    first = std::min(first, first_begin(interval));
   }
+  return first;
 }
 
 template class ContactTraversal<WideSource>;

@@ -1,19 +1,22 @@
 // What the proof of motion_bounds.h claims, on motions of all kinds: chords, curvature, windows.
 #include "soms/motion/detail/motion_bounds.h"
 
-#include "soms/motion/detail/leaf_against_box.h"
 #include "soms/motion/detail/motion_interval.h"
 #include "soms/motion/detail/swept_boxes.h"
-#include "soms/motion/detail/swept_triangle.h"
+#include "soms/query/instruction_set.h"
 
+#include "tests/motion/detail/lanes_of.h"
 #include "tests/motion/place_by_law.h"
 #include "tests/support/bodies.h"
 #include "tests/support/support.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
+#include <vector>
 
 namespace soms::detail {
 namespace {
@@ -152,7 +155,7 @@ TEST(MotionBounds, BoxesHoldTheirPointsAllTheWay) {
     const double from = rng.uniform(0, 0.9);
     const MotionInterval interval(c.bounds, from, from + 0.1 * rng.unit());
     const WideTree& tree = c.mover.layout();
-    const SweptBoxes box = swept_boxes(tree, tree.nodes()[0], c.bounds, interval, true);
+    const SweptBoxes box = swept_boxes(tree, tree.nodes()[0], c.bounds, interval, kWholeNode);
     const double s = rng.uniform(-1, 1);
     const Pose pose = c.motion.law_at(interval.middle + s * interval.half);
     for (int side = 0; side < 8; ++side) {
@@ -160,14 +163,18 @@ TEST(MotionBounds, BoxesHoldTheirPointsAllTheWay) {
                               : direction_of({rng.uniform(-1, 1), rng.uniform(-1, 1), 0.1});
       double radius = box.give[0] + c.bounds.box_margin();
       for (std::size_t k = 0; k < 3; ++k) {
-        radius += std::abs(dot(n, box.axis[k])) * box.half[0][k];
+        radius += std::abs(dot(n, box.axis[k])) * box.half[k][0];
       }
       for (const Vec3& v : c.mover.mesh().vertices) {
-        const Vec3 off = pose.apply(v) - (box.center[0] + box.change[0] * s);
+        const Vec3 off = pose.apply(v) - (lane_of(box.center, 0) + lane_of(box.change, 0) * s);
         ASSERT_LE(std::abs(dot(n, off)), radius);
       }
     }
   });
+}
+
+bool holds(const TimeWindow& window, double s) {
+  return window.lower <= s && s <= window.upper;
 }
 
 // Two points, as boxes of no size, that are at one place at one time.
@@ -177,27 +184,40 @@ TEST(MotionBounds, WindowsHoldTheTimeOfAMeeting) {
     const MotionInterval interval(c.bounds, 0.25, 0.25 + 0x1p-6);
     const double s = rng.uniform(-1, 1);
     const Vec3 v = c.mover.mesh().vertices[rng.below(8)];
-    SweptBoxes x;
-    SweptBoxes y;
-    x.count = y.count = 1;
-    for (std::size_t k = 0; k < 3; ++k) {
-      x.axis[k] = y.axis[k] = Vec3{};
-      x.axis[k][k] = y.axis[k][(k + 1) % 3] = 1;
-      x.direction[k] = direction_of(turned(interval.mean, x.axis[k]));
-      y.direction[k] = y.axis[k];
+    const SweptBoxes x = test::boxes_at(rng, mapped(interval.mean, v), mapped(interval.change, v),
+                                        interval.bow.of(c.law.arm(v)));
+    const SweptBoxes y =
+        test::boxes_at(rng, c.motion.law_at(interval.middle + s * interval.half).apply(v));
+    for (const std::string_view name : instruction_sets()) {
+      WindowsOfPairs windows;
+      motion_kernels(name).meet_nodes(x, y, c.bounds.box_margin(), windows);
+      for (std::size_t k = 0; k < 16; ++k) {
+        ASSERT_TRUE(windows.has(k / 4, k % 4));
+        ASSERT_TRUE(holds(windows.at(k / 4, k % 4), s)) << name;
+      }
     }
-    x.half[0] = y.half[0] = {0, 0, 0};
-    x.center[0] = mapped(interval.mean, v);
-    x.change[0] = mapped(interval.change, v);
-    x.give[0] = interval.bow.of(c.law.arm(v));
-    y.center[0] = c.motion.law_at(interval.middle + s * interval.half).apply(v);
-    y.change[0] = {};
-    y.give[0] = 0;
-    LaneWindows windows;
-    find_windows(x, y, c.bounds.box_margin(), windows);
-    ASSERT_LE(windows[0].lower, s);
-    ASSERT_GE(windows[0].upper, s);
   });
+}
+
+/// Some triangles of the body, as many as lanes have room for or fewer.
+std::vector<Triangle> some_triangles(Rng& rng, const MotionCase& c) {
+  std::vector<Triangle> triangles;
+  for (std::size_t left = 1 + rng.below(TriangleLanes::kLanes); left > 0; --left) {
+    triangles.push_back(c.mover.mesh().triangle(static_cast<TriangleId>(rng.below(12))));
+  }
+  return triangles;
+}
+
+/// The bow of any corner.
+double bow_of(const MotionCase& c, const MotionInterval& interval,
+              const std::vector<Triangle>& triangles) {
+  double arm = 0;
+  for (const Triangle& t : triangles) {
+    for (const Vec3& corner : corners_of(t)) {
+      arm = std::max(arm, c.law.arm(corner));
+    }
+  }
+  return interval.bow.of(arm);
 }
 
 TEST(MotionBounds, WindowsOfTrianglesHoldTheTimeOfAMeeting) {
@@ -205,33 +225,26 @@ TEST(MotionBounds, WindowsOfTrianglesHoldTheTimeOfAMeeting) {
     const MotionCase c = any_motion_case(rng);
     const MotionInterval interval(c.bounds, 0.25, 0.25 + 0x1p-5);
     const double s = rng.uniform(-1, 1);
-    const Triangle t = c.mover.mesh().triangle(static_cast<TriangleId>(rng.below(12)));
+    const std::vector<Triangle> moving = some_triangles(rng, c);
+    const std::size_t lane = rng.below(moving.size());
     const Pose pose = c.motion.law_at(interval.middle + s * interval.half);
-    // A triangle that has one corner on the moving one, and goes on somewhere.
+    // A triangle that has one corner on a moving one, and goes on somewhere.
     const double share = rng.unit();
-    const Vec3 touch = pose.apply(t.a * (1 - share) + t.b * share);
+    const Vec3 touch = pose.apply(moving[lane].a * (1 - share) + moving[lane].b * share);
     const Vec3 n{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)};
-    const Corners resting{touch, touch + n, touch + cross(n, {1, 2, 3})};
-    const TimeWindow window = window_of(swept_triangle(t, c.bounds, interval), resting,
-                                        sides_of(resting), c.bounds.box_margin());
-    ASSERT_LE(window.lower, s);
-    ASSERT_GE(window.upper, s);
+    const std::vector<Triangle> resting{{touch, touch + n, touch + cross(n, {1, 2, 3})}};
+    for (const std::string_view name : instruction_sets()) {
+      const MotionKernels& kernels = motion_kernels(name);
+      TriangleLanes x = test::lanes_of(moving);
+      TriangleLanes y = test::lanes_of(resting);
+      kernels.sweep(interval, bow_of(c, interval, moving), x);
+      kernels.place(Pose(), y);
+      WindowsOfLanes windows;
+      kernels.meet_triangle(x, y, 0, c.bounds.box_margin(), windows);
+      ASSERT_NE(windows.open >> lane & 1U, 0U) << name;
+      ASSERT_TRUE(holds(windows.at(lane), s)) << name;
+    }
   });
-}
-
-/// The box of a point, along any axes.
-SweptBoxes box_of_point(Rng& rng, const Vec3& point) {
-  SweptBoxes box;
-  box.count = 1;
-  for (std::size_t k = 0; k < 3; ++k) {
-    box.axis[k] = Vec3{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)};
-    box.direction[k] = direction_of(box.axis[k]);
-  }
-  box.half[0] = {0, 0, 0};
-  box.center[0] = point;
-  box.change[0] = {};
-  box.give[0] = 0;
-  return box;
 }
 
 // A triangle of a leaf touches the corner of a box of no size: both ways around.
@@ -241,49 +254,32 @@ TEST(MotionBounds, WindowsOfLeavesHoldTheTimeOfAMeetingWithABox) {
     const MotionInterval interval(c.bounds, 0.5, 0.5 + 0x1p-6);
     const double s = rng.uniform(-1, 1);
     const Pose pose = c.motion.law_at(interval.middle + s * interval.half);
-    const Triangle t = c.mover.mesh().triangle(static_cast<TriangleId>(rng.below(12)));
+    const std::vector<Triangle> moving = some_triangles(rng, c);
+    const std::size_t lane = rng.below(moving.size());
+    const Triangle& t = moving[lane];
     const double share = rng.unit();
-    const Vec3 touch = pose.apply(t.b * (1 - share) + t.c * share);
-    const TimeWindow triangle = window_of(swept_triangle(t, c.bounds, interval),
-                                          box_of_point(rng, touch), 0, c.bounds.box_margin());
-    ASSERT_LE(triangle.lower, s);
-    ASSERT_GE(triangle.upper, s);
-    SweptBoxes box = box_of_point(rng, mapped(interval.mean, t.a));
-    box.change[0] = mapped(interval.change, t.a);
-    box.give[0] = interval.bow.of(c.law.arm(t.a));
+    const SweptBoxes still = test::boxes_at(rng, pose.apply(t.b * (1 - share) + t.c * share));
+    const SweptBoxes box =
+        test::boxes_at(rng, mapped(interval.mean, t.a), mapped(interval.change, t.a),
+                       interval.bow.of(c.law.arm(t.a)));
     const Vec3 corner = pose.apply(t.a);
     const Vec3 n{rng.uniform(-9, 9), rng.uniform(-9, 9), rng.uniform(-9, 9)};
-    const TimeWindow other = window_of(box, 0, {corner, corner + n, corner + cross(n, {3, 2, 1})},
-                                       c.bounds.box_margin());
-    ASSERT_LE(other.lower, s);
-    ASSERT_GE(other.upper, s);
+    const std::vector<Triangle> resting{{corner, corner + n, corner + cross(n, {3, 2, 1})}};
+    for (const std::string_view name : instruction_sets()) {
+      const MotionKernels& kernels = motion_kernels(name);
+      TriangleLanes x = test::lanes_of(moving);
+      kernels.sweep(interval, bow_of(c, interval, moving), x);
+      WindowsOfLanes windows;
+      kernels.meet_box(x, still, c.bounds.box_margin(), windows);
+      ASSERT_NE(windows.open >> lane & 1U, 0U) << name;
+      ASSERT_TRUE(holds(windows.at(lane), s)) << name;
+      TriangleLanes y = test::lanes_of(resting);
+      kernels.place(Pose(), y);
+      kernels.meet_box(y, box, c.bounds.box_margin(), windows);
+      ASSERT_EQ(windows.open, 1U) << name;
+      ASSERT_TRUE(holds(windows.at(0), s)) << name;
+    }
   });
-}
-
-TEST(TimeWindow, IsWholeAlongADirectionOfNoLength) {
-  TimeWindow window;
-  window.narrow(0, 0, 1);
-  EXPECT_EQ(window.lower, -1);
-  EXPECT_EQ(window.upper, 1);
-  window.narrow(0, 0, 0);
-  EXPECT_EQ(window.lower, -1);
-  EXPECT_EQ(window.upper, 1);
-  window.narrow(2, 0, 1);
-  EXPECT_TRUE(window.empty());
-}
-
-TEST(TimeWindow, LeavesTheTimesWithinReach) {
-  TimeWindow window;
-  window.narrow(1, 4, 1);  // |1 - 4 s| <= 1
-  EXPECT_NEAR(window.lower, 0, 1e-14);
-  EXPECT_LE(window.lower, 0);
-  EXPECT_NEAR(window.upper, 0.5, 1e-14);
-  EXPECT_GE(window.upper, 0.5);
-  window.narrow(-1, -4, 0.5);
-  EXPECT_NEAR(window.lower, 0.125, 1e-14);
-  EXPECT_NEAR(window.upper, 0.375, 1e-14);
-  window.narrow(10, 1, 2);
-  EXPECT_TRUE(window.empty());
 }
 
 }  // namespace
