@@ -140,6 +140,9 @@ export class MotionView extends SceneView {
     this.setPart(kept.part);
   }
 
+  // The list counts motions, and a number over the picture would hide the contact.
+  countSpots() {}
+
   setModel(k, mesh) {
     super.setModel(k, mesh);
     if (k === this.all.scene.bodies.model[MOVER]) {
