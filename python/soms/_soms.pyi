@@ -1526,35 +1526,41 @@ def within(
 @overload
 def first_contact(
     shape: BodyLike, motion: RigidMotion, body: BodyLike, /, *, within: float = 0.0,
+    parting: bool = False,
     timeout: float | None = None, threads: int = 1, progress: Progress = None,
 ) -> FirstContact: ...
 @overload
 def first_contact(
     shape: BodyLike, motions: Sequence[RigidMotion], body: BodyLike, /, *, within: float = 0.0,
+    parting: bool = False,
     timeout: float | None = None, threads: int = 1, progress: Progress = None,
 ) -> FirstContactBatch: ...
 @overload
 def first_contact(
     shape: BodyLike, start: Pose, end: Pose | None, body: BodyLike, *,
     pivot: Point | NDArray[Any] | None = None, by: Point | None = None, within: float = 0.0,
+    parting: bool = False,
     timeout: float | None = None, threads: int = 1, progress: Progress = None,
 ) -> FirstContact: ...
 @overload
 def first_contact(
     shape: BodyLike, start: Pose, end: ManyPoses, body: BodyLike, *,
     pivot: Point | NDArray[Any] | None = None, by: None = None, within: float = 0.0,
+    parting: bool = False,
     timeout: float | None = None, threads: int = 1, progress: Progress = None,
 ) -> FirstContactBatch: ...
 @overload
 def first_contact(
     shape: BodyLike, start: Pose, end: None, body: BodyLike, *,
     pivot: Point | NDArray[Any] | None = None, by: Points, within: float = 0.0,
+    parting: bool = False,
     timeout: float | None = None, threads: int = 1, progress: Progress = None,
 ) -> FirstContactBatch: ...
 @overload
 def first_contact(
     shape: BodyLike, start: ManyPoses, end: ManyPoses | Pose | None, body: BodyLike, *,
     pivot: Point | NDArray[Any] | None = None, by: Points | Point | None = None, within: float = 0.0,
+    parting: bool = False,
     timeout: float | None = None, threads: int = 1, progress: Progress = None,
 ) -> FirstContactBatch: ...
 @overload

@@ -49,6 +49,19 @@ class Motions(unittest.TestCase):
             self.assertAlmostEqual(by_poses.upper, 0.4, delta=1e-9)
             self.assertTrue(soms.overlap(soms.Body(self.cube, shift(10 * by_poses.upper)), self.wall).any)
 
+    def test_what_touches_may_part(self):
+        beside = soms.Body(box([1, 0, 0], [2, 1, 1]))
+        self.assertEqual(soms.first_contact(self.cube, shift(0), None, beside, by=[-3, 0, 0]).upper, 0)
+        away = soms.first_contact(self.cube, shift(0), None, beside, by=[-3, 0, 0], parting=True)
+        self.assertIs(away.verdict, soms.ContactVerdict.started)
+        self.assertEqual((away.lower, away.upper, away.triangles), (1, math.inf, None))
+        ways = [soms.RigidMotion.along(soms.Pose(), [s, 0, 0]) for s in (-3, 3)]
+        both = soms.first_contact(self.cube, ways, beside, parting=True)
+        self.assertEqual(both.lower[0], 1)
+        self.assertLessEqual(both.upper[1], 1)
+        with self.assertRaises(soms.Error):
+            soms.first_contact(self.cube, ways, beside, parting=True, within=1)
+
     def test_a_clearance_is_met_sooner(self):
         found = soms.first_contact(self.cube, shift(0), shift(10), self.wall, within=1)
         self.assertAlmostEqual(found.upper, 0.3, delta=1e-9)

@@ -88,6 +88,9 @@ test('first contacts', () => {
   const corner = new soms.Shape({ vertices: [0, 0, 0, 1, 0.125, 2, -1, 0.25, 2] });
   const floor = new soms.Shape({ vertices: [-9, -9, -1, 9, -9, -1, 0, 9, -1] });
   assert.ok(Math.abs(soms.firstContact(corner, { by: [0.25, 0.125, -2] }, floor).normal[2] - 1) < 1e-12);
+  const slide = soms.firstContact(a, { start: shifted(2), by: [-9, 0, 0] }, b, { parting: true });
+  assert.deepEqual([slide.verdict, slide.upper <= 1], ['started', true]);
+  fails('usage', () => soms.firstContact(a, shift, b, { within: 1, parting: true }));
   fails('usage', () => soms.firstContact(a, {}, b));
   fails('usage', () => soms.firstContact(a, shift, b, { within: -1 }));
   fails('usage', () => soms.firstContact(a, { axis: [0, 0, 1], angle: 4 }, b));

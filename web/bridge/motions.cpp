@@ -56,16 +56,16 @@ SOMS_EXPORT(soms_first_contact)
 
 Answer* soms_first_contact(const HeldShape* mover, const MotionNumbers* numbers,
                            std::uint32_t count, const HeldShape* fixed, const Pose* pose,
-                           double within, double milliseconds) {
+                           double within, std::uint32_t parting, double milliseconds) {
   return guarded([&] {
     std::vector<RigidMotion> motions;
     motions.reserve(count);
     for (std::uint32_t i = 0; i < count; ++i) {
       motions.push_back(numbers[i].motion());
     }
-    return answer_of_batch<soms::FirstContact>(
-        soms::first_contact(mover->shape(), motions, Body(fixed->shape(), *pose),
-                            {.within = within}, within_time(milliseconds)));
+    return answer_of_batch<soms::FirstContact>(soms::first_contact(
+        mover->shape(), motions, Body(fixed->shape(), *pose),
+        {.within = within, .parting = parting != 0}, within_time(milliseconds)));
   });
 }
 

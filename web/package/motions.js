@@ -9,7 +9,7 @@ function contacts(mover, motions, fixed, options) {
   const numbers = motionsOf(motions);
   return columnsOf('FirstContact', query('soms_first_contact', placed(mover, 'the mover')[0], numbers,
                                          numbers.length / 28, ...placed(fixed, 'the fixed body'),
-                                         number(options.within ?? 0, 'within', 0), timeOf(options)));
+                                         number(options.within ?? 0, 'within', 0), options.parting ? 1 : 0, timeOf(options)));
 }
 
 /** When a moving body first touches another, proved for all times of the way. */

@@ -480,6 +480,8 @@ export type MotionLike =
 export interface FirstContactOptions extends TimeOptions {
   /** Being this near is a contact; 0 for a common point. */
   within?: number;
+  /** Pairs of triangles in contact at the start are left out; the verdict stays 'started', the time is of another pair. */
+  parting?: boolean;
 }
 /** When a moving body first touches another that rests: proved for all times of the way, not for samples of it. */
 export function firstContact(mover: Shape, motion: MotionLike, fixed: Placed, options?: FirstContactOptions): FirstContact;

@@ -116,6 +116,8 @@ class MotionQuestion : public BatchQuestion<FirstContact> {
   }
 
   [[nodiscard]] std::string in_words(const FirstContact& answer) const;
+  [[nodiscard]] bool next_touch(const FirstContact& answer) const;
+  [[nodiscard]] std::string next_in_words(const FirstContact& answer) const;
   [[nodiscard]] std::string pair_text(const FirstContact& answer) const;
   [[nodiscard]] std::string cell(const FirstContact& answer) const;
   [[nodiscard]] std::string way_in_words(const FirstContact& answer) const;
@@ -170,13 +172,29 @@ std::string MotionQuestion::in_words(const FirstContact& answer) const {
       return fmt::format("first {} at t = {}", event(), readable(answer.t.upper));
     case ContactVerdict::started:
       return options_.within == 0
-                 ? "in contact at the start"
+                 ? "in contact at the start" + next_in_words(answer)
                  : fmt::format("within {} at the start", readable(options_.within));
     case ContactVerdict::grazing:
       break;
   }
   return fmt::format("grazing: no {} until t = {}, and then nearer to one than rounding can tell",
                      event(), readable(answer.t.lower));
+}
+
+/// With --parting: a contact after the start.
+bool MotionQuestion::next_touch(const FirstContact& answer) const {
+  return options_.parting && answer.t.upper <= 1;
+}
+
+std::string MotionQuestion::next_in_words(const FirstContact& answer) const {
+  if (!options_.parting) {
+    return "";
+  }
+  if (next_touch(answer)) {
+    return "; the next one at t = " + readable(answer.t.upper);
+  }
+  return answer.t.lower == 1 ? "; no other on the way"
+                             : "; no other until t = " + readable(answer.t.lower);
 }
 
 std::string MotionQuestion::pair_text(const FirstContact& answer) const {
@@ -200,7 +218,7 @@ std::string MotionQuestion::cell(const FirstContact& answer) const {
     case ContactVerdict::contact:
       return "t = " + readable(answer.t.upper);
     case ContactVerdict::started:
-      return "at the start";
+      return next_touch(answer) ? "at the start, t = " + readable(answer.t.upper) : "at the start";
     case ContactVerdict::grazing:
       break;
   }
@@ -242,7 +260,7 @@ std::string MotionQuestion::way_in_words(const FirstContact& answer) const {
       return fmt::format("free until {} of the way, and {} {}{}", lower, reached,
                          lower == upper ? "there" : "by " + upper, pair);
     case ContactVerdict::started:
-      return reached + " at the start" + pair;
+      return reached + " at the start" + next_in_words(answer) + pair;
     case ContactVerdict::grazing:
       break;
   }
@@ -292,6 +310,10 @@ void check_motion_options(const MotionVerbOptions& options) {
   if (std::count(inputs.begin(), inputs.end(), "-") > 1) {
     throw Error(ErrorKind::usage, "standard input is given twice", "give one of them as a file");
   }
+  if (options.parting && options.clearance > 0) {
+    throw Error(ErrorKind::usage, "--parting and --clearance exclude each other",
+                "leave one of them out");
+  }
   check_answer_outputs({{"A", options.a},
                         {"B", options.b},
                         {"--from", options.from.value_or("")},
@@ -335,10 +357,14 @@ Action add_motion(Parser& parser, Shared&) {
   add_motion_poses(parser, *options);
   add_length(parser, "--clearance", options->clearance, "being this near is a contact")
       ->group(kQuestionGroup);
+  parser
+      .add_flag("--parting", options->parting,
+                "leave out pairs of triangles in contact at the start: what touches may slide")
+      ->group(kQuestionGroup);
   add_choice<bool>(parser, "--fail-if", options->fail_if_contact, {{"contact", true}},
                    "exit with status 1 unless all is free")
       ->group(kQuestionGroup);
-  add_answer_outputs(
+  add_renamed_outputs(
       parser, options->outputs,
       {AnswerFile::csv, AnswerFile::npz, AnswerFile::json, AnswerFile::lines, AnswerFile::page},
       kQuestionGroup);
@@ -357,7 +383,7 @@ Action add_motion(Parser& parser, Shared&) {
 int run_motion(const MotionVerbOptions& options, Console& console) {
   Sinks sinks(options.outputs, console);
   MotionRows rows(options, console);
-  MotionQuestion question(rows, {.within = options.clearance}, console);
+  MotionQuestion question(rows, {.within = options.clearance, .parting = options.parting}, console);
   return RowRun({.verb = "motion", .noun = "motion", .fail_if_found = options.fail_if_contact},
                 rows, question, sinks, console)
       .run();

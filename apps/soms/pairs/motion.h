@@ -20,6 +20,7 @@ struct MotionVerbOptions : PairOptions {
   std::optional<std::string> path = {};
   std::optional<Vec3> pivot = {};
   double clearance = 0;
+  bool parting = false;
   bool fail_if_contact = false;
 };
 

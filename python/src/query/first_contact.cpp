@@ -20,7 +20,7 @@ namespace soms::python {
 namespace {
 
 constexpr const char* kFirstContactDoc =
-    R"(first_contact(shape, start, end, body, *, pivot=None, by=None, within=0.0, timeout=None, threads=1, progress=None)
+    R"(first_contact(shape, start, end, body, *, pivot=None, by=None, within=0.0, parting=False, timeout=None, threads=1, progress=None)
 
 When does shape, on its way from start to end, first touch body, which rests? Proved for all times of
 the way, not for samples. Surfaces only, as for overlap.
@@ -31,7 +31,8 @@ speed, and shape turns about it the shorter way (a half turn: either way). pivot
 shape; else its origin. by: (3,) or (n, 3), in world: a straight shift in place of end, which is None
 then. Without a clearance its time is exact; that of two poses with one rotation has a bracket.
 Or first_contact(shape, motion, body): a RigidMotion or a list of them in place of start and end.
-within: being this near is a contact, from 0 on. timeout: seconds after which the call ends, with
+within: being this near is a contact, from 0 on. parting: pairs of triangles in contact at the start
+are left out; verdict stays 'started', and lower and upper are of the first contact of another pair. timeout: seconds after which the call ends, with
 coverage 'cut'. threads: 0 for all processors. progress: called with the share done.
 
 Returns FirstContact, or for n motions FirstContactBatch, the answers of single calls. verdict 'free':
@@ -235,11 +236,11 @@ class MotionArguments {
   py::object body_;
 };
 
-FirstContactBatch answers(const py::object& shape, const MotionArguments& given, double clearance,
-                          const CallLimits& allowed, const py::object& progress) {
+FirstContactBatch answers(const py::object& shape, const MotionArguments& given,
+                          const FirstContactOptions& options, const CallLimits& allowed,
+                          const py::object& progress) {
   const BodyArgument mover(shape, "shape", allowed.threads);
   const BodyArgument fixed(given.body(), "body", allowed.threads);
-  const FirstContactOptions options{.within = clearance};
   return run(Work::many, allowed, progress, [&](const Limits& limits) {
     return first_contact(mover.get().shape, given.motions().made(), fixed.get(), options, limits);
   });
@@ -248,16 +249,16 @@ FirstContactBatch answers(const py::object& shape, const MotionArguments& given,
 py::object query_first_contact(const py::object& shape, const py::object& start,
                                const py::object& end, const py::object& body,
                                const py::object& pivot, const py::object& by, double clearance,
-                               std::optional<double> timeout, int threads,
+                               bool parting, std::optional<double> timeout, int threads,
                                const py::object& progress) {
   const MotionArguments given("first_contact", start, end, body, pivot, by);
+  const FirstContactOptions options{.within = clearance, .parting = parting};
   if (!given.motions().is_one()) {
-    return made(answers(shape, given, clearance, {threads, timeout}, progress));
+    return made(answers(shape, given, options, {threads, timeout}, progress));
   }
   const CallLimits allowed(threads, timeout);
   const BodyArgument mover(shape, "shape", threads);
   const BodyArgument fixed(given.body(), "body", threads);
-  const FirstContactOptions options{.within = clearance};
   return made(run(Work::one, allowed, progress, [&](const Limits& limits) {
     return first_contact(mover.get().shape, given.motions().made()[0], fixed.get(), options,
                          limits);
@@ -269,7 +270,8 @@ py::object query_free(const py::object& shape, const py::object& starts, const p
                       double clearance, std::optional<double> timeout, int threads,
                       const py::object& progress) {
   const MotionArguments given("free", starts, ends, body, pivot, by);
-  const FirstContactBatch batch = answers(shape, given, clearance, {threads, timeout}, progress);
+  const FirstContactBatch batch =
+      answers(shape, given, {.within = clearance}, {threads, timeout}, progress);
   if (given.motions().is_one()) {
     return py::bool_(batch.verdict[0] == ContactVerdict::free);
   }
@@ -279,14 +281,16 @@ py::object query_free(const py::object& shape, const py::object& starts, const p
   return flags;
 }
 
-Parameters motion_parameters(const char* start, const char* end) {
-  return with_limits({{"shape"},
-                      {start},
-                      {end, py::none()},
-                      {"body", py::none()},
-                      {"pivot", py::none(), true},
-                      {"by", py::none(), true},
-                      {"within", py::float_(FirstContactOptions{}.within), true}});
+Parameters motion_parameters(const char* start, const char* end, Parameters more = {}) {
+  Parameters all{{"shape"},
+                 {start},
+                 {end, py::none()},
+                 {"body", py::none()},
+                 {"pivot", py::none(), true},
+                 {"by", py::none(), true},
+                 {"within", py::float_(FirstContactOptions{}.within), true}};
+  all.insert(all.end(), more.begin(), more.end());
+  return with_limits(std::move(all));
 }
 
 }  // namespace
@@ -297,7 +301,7 @@ void bind_first_contact(py::module_& module) {
       "first_blocked", &FirstContactBatch::first_blocked,
       "The first motion that is not proved to be free, or None: where a path ends.");
   def_function(module, "first_contact", &query_first_contact, kFirstContactDoc,
-               motion_parameters("start", "end"));
+               motion_parameters("start", "end", {{"parting", py::bool_(false), true}}));
   def_function(module, "free", &query_free, kFreeDoc, motion_parameters("starts", "ends"));
 }
 

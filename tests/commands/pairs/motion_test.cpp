@@ -2,6 +2,7 @@
 #include "tests/report/reading.h"
 
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -51,6 +52,26 @@ TEST(MotionVerb, SaysPlainlyWhatIsFound) {
             "free: no place within 2.5 on the way\n");
   EXPECT_TRUE(motion({"--from", "6 5 0", "--to", "-6 5 0", "--clearance", "3.5"})
                   .out.starts_with("first place within 3.5 at t = "));
+}
+
+TEST(MotionVerb, WhatTouchesMayPartOrGoOn) {
+  EXPECT_EQ(motion({"--from", "2 0 0", "--by", "3,0,0", "--parting"}).out,
+            "in contact at the start; no other on the way\n");
+  const Json next = answers_of_motion({"--from", "2 0 0", "--by", "-9,0,0", "--parting"}).at(0);
+  EXPECT_EQ(next.at("verdict"), "started");
+  EXPECT_LE(next.at("upper"), 1);
+  EXPECT_TRUE(next.contains("triangles"));
+  const RunResult refused = motion({"--by", "1,0,0", "--parting", "--clearance", "1"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("--parting"), std::string::npos);
+}
+
+// One word for one thing: other verbs had these names before -o.
+TEST(MotionVerb, FilesHaveTheOldNamesOfOtherVerbsToo) {
+  const TemporaryFolder folder;
+  const std::string page = (folder.path() / "page.html").string();
+  EXPECT_EQ(motion({"--from", "6 0 0", "--by", "-8,0,0", "--report", page}).status, 0);
+  EXPECT_TRUE(std::filesystem::exists(page));
 }
 
 TEST(MotionVerb, APathHasAMotionLessThanPoses) {
