@@ -63,6 +63,7 @@
 #include "soms/query/within.h"
 #include "soms/robot/print.h"
 #include "soms/robot/robot_model.h"
+#include "soms/robot/robot_path.h"
 #include "soms/robot/robot_query.h"
 #include "soms/scene/body_index.h"
 #include "soms/scene/body_queries.h"

@@ -136,6 +136,16 @@ std::vector<std::uint32_t> Kinematics::beyond_limits(std::span<const double> sta
   return beyond;
 }
 
+std::vector<double> state_between(std::span<const double> from, std::span<const double> to,
+                                  double t) {
+  const PlainArithmetic plain;
+  std::vector<double> state(from.begin(), from.end());
+  for (std::size_t k = 0; k < state.size() && t != 0; ++k) {
+    state[k] = t == 1 ? to[k] : from[k] + t * (to[k] - from[k]);
+  }
+  return state;
+}
+
 std::vector<double> random_state(const Kinematics& kinematics, Rng& rng) {
   constexpr double kPi = 3.14159265358979323846;
   const PlainArithmetic plain;

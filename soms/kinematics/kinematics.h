@@ -31,6 +31,9 @@ class Kinematics {
 
   [[nodiscard]] const std::vector<Joint>& joints() const { return joints_; }
 
+  /// All joints, those of a parent link before those of its children.
+  [[nodiscard]] const std::vector<std::uint32_t>& order() const { return order_; }
+
   /// The link without a parent.
   [[nodiscard]] std::uint32_t root() const { return root_; }
 
@@ -68,6 +71,14 @@ class Kinematics {
 /// \errors As `Kinematics`.
 [[nodiscard]] std::vector<Pose> link_poses(const Robot& robot, std::span<const double> state,
                                            const Pose& base = {});
+
+/// The state at a part `t` of the way between two: of each value `from + t * (to - from)`, each
+/// operation rounded once; at 0 and 1 the two as they are. Each value goes straight, so an angle
+/// takes the way of its numbers, not the shorter one around.
+/// \shape  `from`, `to`: k each, of which k numbers come back.
+/// \pre    Both have as many values.
+[[nodiscard]] std::vector<double> state_between(std::span<const double> from,
+                                                std::span<const double> to, double t);
 
 /// A state inside the limits of the movable joints, uniformly; of a continuous joint, and where a
 /// limit is infinite, within pi. The same on every machine.

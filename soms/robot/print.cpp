@@ -3,7 +3,9 @@
 #include "soms/base/print.h"
 #include "soms/base/print_fields.h"
 #include "soms/clash/print.h"
+#include "soms/motion/print_motion.h"
 #include "soms/query/print.h"
+#include "soms/robot/robot_path.h"
 #include "soms/robot/robot_query.h"
 
 namespace soms {
@@ -60,6 +62,36 @@ std::ostream& operator<<(std::ostream& out, const RobotBody& value) {
                     .add("part", value.part)
                     .item(
                         printed_count(value.connected.size(), "connected part", "connected parts"));
+}
+
+std::ostream& operator<<(std::ostream& out, const RobotPathOptions& value) {
+  return out << PrintedFields("RobotPathOptions")
+                    .add("states", value.states)
+                    .add("first_blocked", value.first_blocked);
+}
+
+std::ostream& operator<<(std::ostream& out, const RobotSegment& value) {
+  PrintedFields fields("RobotSegment");
+  fields.add("verdict", value.verdict).add("t", value.t);
+  if (value.pair) {
+    fields.add("pair", *value.pair);
+  }
+  if (value.point) {
+    fields.add("point", *value.point);
+  }
+  return out << fields.add("undecided", value.undecided)
+                    .add("coverage", value.coverage)
+                    .add("cost", value.cost);
+}
+
+std::ostream& operator<<(std::ostream& out, const RobotPath& value) {
+  PrintedFields fields("RobotPath");
+  fields.item(printed_count(value.states.size(), "state", "states"))
+      .item(printed_count(value.segments.size(), "segment", "segments"));
+  if (value.blocked) {
+    fields.add("blocked", *value.blocked);
+  }
+  return out << fields.add("cost", value.cost);
 }
 
 std::ostream& operator<<(std::ostream& out, const RobotAnswer& value) {

@@ -2,6 +2,7 @@
 /// Answers about robots printed by `<<`: "RobotAnswer{contact, 2 contacts, ...}".
 #pragma once
 
+#include "soms/robot/robot_path.h"
 #include "soms/robot/robot_query.h"
 
 #include <iosfwd>
@@ -17,6 +18,9 @@ struct RobotGap;
 struct RobotModelOptions;
 struct RobotOptions;
 struct RobotPair;
+struct RobotPath;
+struct RobotPathOptions;
+struct RobotSegment;
 
 /// One line, as in soms/base/print.h. Lists are counted, not listed.
 std::ostream& operator<<(std::ostream& out, const RobotAnswer& value);
@@ -27,5 +31,8 @@ std::ostream& operator<<(std::ostream& out, const RobotGap& value);
 std::ostream& operator<<(std::ostream& out, const RobotModelOptions& value);
 std::ostream& operator<<(std::ostream& out, const RobotOptions& value);
 std::ostream& operator<<(std::ostream& out, const RobotPair& value);
+std::ostream& operator<<(std::ostream& out, const RobotPath& value);
+std::ostream& operator<<(std::ostream& out, const RobotPathOptions& value);
+std::ostream& operator<<(std::ostream& out, const RobotSegment& value);
 
 }  // namespace soms

@@ -25,13 +25,14 @@ constexpr double kDepth = 16;
 class ContactQuery {
  public:
   ContactQuery(const MotionLaw& law, const Shape& mover, const Shape& other,
-               const FirstContactOptions& options, const Limits& limits)
+               const FirstContactOptions& options, const Limits& limits, EndsOfWay ends)
       : law_(law),
         mover_(mover),
         other_(other),
         clearance_(options.within),
         parting_(options.parting),
         limits_(limits),
+        ends_(ends),
         bounds_(law, other, options.within) {}
 
   [[nodiscard]] FirstContact ask() {
@@ -60,6 +61,9 @@ class ContactQuery {
  private:
   /// Decides poses of the caller, at 0 and 1, as they are.
   [[nodiscard]] bool in_contact_at(double t) {
+    if (ends_ == EndsOfWay::free) {
+      return false;
+    }
     const Within found =
         within(Body(mover_, law_.mover_at(t)), Body(other_, law_.other_at(t)), clearance_, limits_);
     answer_.cost += found.cost;
@@ -158,6 +162,7 @@ class ContactQuery {
   double clearance_;
   bool parting_;
   const Limits& limits_;
+  EndsOfWay ends_;
   MotionBounds bounds_;
   FirstContact answer_;
 };
@@ -165,8 +170,9 @@ class ContactQuery {
 }  // namespace
 
 FirstContact first_contact_by(const MotionLaw& law, const Shape& mover, const Shape& other,
-                              const FirstContactOptions& options, const Limits& limits) {
-  return ContactQuery(law, mover, other, options, limits).ask();
+                              const FirstContactOptions& options, const Limits& limits,
+                              EndsOfWay ends) {
+  return ContactQuery(law, mover, other, options, limits, ends).ask();
 }
 
 }  // namespace soms::detail

@@ -8,10 +8,17 @@
 
 namespace soms::detail {
 
+/// What is known of the bodies at 0 and at 1.
+enum class EndsOfWay {
+  unknown,
+  free,  ///< their surfaces do not meet, by the decision for the poses of the law
+};
+
 /// \pre The poses passed their checks, and `options` too; no mesh is empty.
 /// \errors As `first_contact`.
 [[nodiscard]] FirstContact first_contact_by(const MotionLaw& law, const Shape& mover,
                                             const Shape& other, const FirstContactOptions& options,
-                                            const Limits& limits);
+                                            const Limits& limits,
+                                            EndsOfWay ends = EndsOfWay::unknown);
 
 }  // namespace soms::detail

@@ -44,6 +44,13 @@ struct MotionInterval {
           (m[8] * v.x + m[9] * v.y) + m[10] * v.z};
 }
 
+/// The difference of two vectors of a frame, as its axes see it.
+[[nodiscard]] inline Vec3 turned_back(const Pose& pose, const Vec3& v) {
+  const auto& m = pose.m;
+  return {(m[0] * v.x + m[4] * v.y) + m[8] * v.z, (m[1] * v.x + m[5] * v.y) + m[9] * v.z,
+          (m[2] * v.x + m[6] * v.y) + m[10] * v.z};
+}
+
 [[nodiscard]] inline Vec3 mapped(const Pose& map, const Vec3& v) {
   return turned(map, v) + map.shift();
 }

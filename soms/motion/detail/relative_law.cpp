@@ -17,13 +17,6 @@ static_assert(kShiftedSlack >= 1.5 * (256 + 4) * kMotionUnit, "both slacks and a
 static_assert(kSeenSlack >= 2 * (1600 + 256) * kMotionUnit, "a product with an inverse, twice");
 static_assert(kSeenTurnMargin >= 4 * 300 * kMotionUnit, "rounding of a difference of products");
 
-/// The difference of two vectors of a frame, as its axes see it.
-Vec3 turned_back(const Pose& pose, const Vec3& v) {
-  const auto& m = pose.m;
-  return {(m[0] * v.x + m[4] * v.y) + m[8] * v.z, (m[1] * v.x + m[5] * v.y) + m[9] * v.z,
-          (m[2] * v.x + m[6] * v.y) + m[10] * v.z};
-}
-
 /// The place of the pivot.
 Vec3 pivot_at(const RigidMotion& motion, double t) {
   return motion.pivot_from() + (motion.pivot_to() - motion.pivot_from()) * t;

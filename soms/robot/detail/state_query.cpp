@@ -49,25 +49,32 @@ const std::optional<ClosedBody>& solid_of(const RobotBody& body) {
 
 }  // namespace
 
+BroadPhase broad_phase_of(const RobotModel& model) {
+  std::vector<std::uint32_t> groups;
+  for (std::size_t i = 0; i < model.bodies(); ++i) {
+    groups.push_back(i < model.link_bodies().size() ? model.body(i).owner + 2 : 1);
+  }
+  BroadPhase broad_phase;
+  broad_phase.set_filter(std::move(groups), {});
+  return broad_phase;
+}
+
 StateQuery::StateQuery(const RobotModel& model, const RobotOptions& options, const Limits& limits)
     : model_(model),
       options_(options),
       alone_(limits.alone()),
+      broad_phase_(broad_phase_of(model)),
       boxes_(model.bodies()),
       closed_(model.bodies()),
       was_closed_(model.bodies(), 0),
       exact_boxes_(model.bodies()) {
-  std::vector<std::uint32_t> groups;
   for (std::size_t i = 0; i < model.bodies(); ++i) {
-    const bool is_cell = i >= model.link_bodies().size();
     bodies_.push_back(model.body(i).part.body);
-    groups.push_back(is_cell ? 1 : model.body(i).owner + 2);
-    if (is_cell) {
+    if (i >= model.link_bodies().size()) {
       boxes_[i] = bodies_[i].shape.bounds();
       closed_[i] = solid_of(model.body(i));
     }
   }
-  broad_phase_.set_filter(std::move(groups), {});
 }
 
 RobotAnswer StateQuery::answer(std::span<const double> state) {

@@ -16,6 +16,10 @@
 
 namespace soms::detail {
 
+/// A broad phase over the bodies of a model: bodies of one link do not meet each other, nor do
+/// those of the cell.
+[[nodiscard]] BroadPhase broad_phase_of(const RobotModel& model);
+
 /// One thread's share of `robot_contacts`.
 class StateQuery {
  public:
