@@ -33,7 +33,8 @@
   topic(part_bodies) \
   topic(clash) \
   topic(robots) \
-  topic(robot_model)
+  topic(robot_model) \
+  topic(robot_path)
 // clang-format on
 #define SOMS_DECLARE(topic) void bind_##topic(pybind11::module_& module);
 #define SOMS_BIND(topic) bind_##topic(module);

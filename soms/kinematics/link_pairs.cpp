@@ -4,26 +4,34 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <optional>
 
 namespace soms {
 
-std::vector<LinkPair> neighbor_pairs(const Robot& robot) {
-  std::vector<std::optional<std::uint32_t>> above(robot.links.size());
-  for (const Joint& joint : robot.joints) {
-    above[joint.child] = joint.parent;
+std::vector<std::optional<std::uint32_t>> links_above(const std::vector<Joint>& joints,
+                                                      const std::vector<std::uint8_t>& has_meshes) {
+  std::vector<std::optional<std::uint32_t>> parents(has_meshes.size());
+  for (const Joint& joint : joints) {
+    parents[joint.child] = joint.parent;
   }
+  std::vector<std::optional<std::uint32_t>> above = parents;
+  for (std::optional<std::uint32_t>& other : above) {
+    while (other && has_meshes[*other] == 0) {
+      other = parents[*other];
+    }
+  }
+  return above;
+}
+
+std::vector<LinkPair> neighbor_pairs(const Robot& robot) {
+  std::vector<std::uint8_t> has_meshes;
+  for (const Link& link : robot.links) {
+    has_meshes.push_back(link.collisions.empty() ? 0 : 1);
+  }
+  const auto above = links_above(robot.joints, has_meshes);
   std::vector<LinkPair> pairs;
   for (std::uint32_t link = 0; link < robot.links.size(); ++link) {
-    if (robot.links[link].collisions.empty()) {
-      continue;
-    }
-    std::optional<std::uint32_t> other = above[link];
-    while (other && robot.links[*other].collisions.empty()) {
-      other = above[*other];
-    }
-    if (other) {
-      pairs.push_back({std::min(link, *other), std::max(link, *other)});
+    if (has_meshes[link] != 0 && above[link]) {
+      pairs.push_back({std::min(link, *above[link]), std::max(link, *above[link])});
     }
   }
   std::sort(pairs.begin(), pairs.end());

@@ -4,9 +4,16 @@
 
 #include "soms/kinematics/robot.h"
 
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace soms {
+
+/// The nearest link above each link that has collision meshes: what it hangs from.
+/// \param  has_meshes A flag for each link. \pre The joints make a tree.
+[[nodiscard]] std::vector<std::optional<std::uint32_t>> links_above(
+    const std::vector<Joint>& joints, const std::vector<std::uint8_t>& has_meshes);
 
 /// Pairs of a link that has collision meshes and the nearest links below it that have some, sorted:
 /// those that a joint connects, where a link without meshes is passed, as a flange is. They touch

@@ -48,6 +48,16 @@ std::ostream& operator<<(std::ostream& out, const RobotModelOptions& value) {
                     .item(printed_count(value.off_cell.size(), "link", "links") + " off the cell");
 }
 
+std::ostream& operator<<(std::ostream& out, const RobotAttachment& value) {
+  return out << PrintedFields("RobotAttachment")
+                    .add("name", value.name)
+                    .add("link", value.link)
+                    .item(printed_count(value.meshes.size(), "mesh", "meshes"))
+                    .add("pose", value.pose)
+                    .item(printed_count(value.touching.size(), "link", "links") +
+                          " that it may touch");
+}
+
 std::ostream& operator<<(std::ostream& out, const RobotMeshPart& value) {
   PrintedFields fields("RobotMeshPart");
   fields.add("mesh", value.mesh);

@@ -11,6 +11,7 @@ namespace soms {
 
 enum class RobotVerdict : unsigned char;
 struct RobotAnswer;
+struct RobotAttachment;
 struct RobotBody;
 struct RobotMeshPart;
 struct RobotContact;
@@ -24,6 +25,7 @@ struct RobotSegment;
 
 /// One line, as in soms/base/print.h. Lists are counted, not listed.
 std::ostream& operator<<(std::ostream& out, const RobotAnswer& value);
+std::ostream& operator<<(std::ostream& out, const RobotAttachment& value);
 std::ostream& operator<<(std::ostream& out, const RobotMeshPart& value);
 std::ostream& operator<<(std::ostream& out, const RobotBody& value);
 std::ostream& operator<<(std::ostream& out, const RobotContact& value);

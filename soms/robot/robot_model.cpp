@@ -6,6 +6,7 @@
 #include "soms/query/detail/closed_surface.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 
 namespace soms {
@@ -13,7 +14,7 @@ namespace soms {
 namespace {
 
 /// All their pairs are listed.
-constexpr std::uint32_t kMostLinks = 4096;
+constexpr std::ptrdiff_t kMostLinks = 4096;
 
 /// Meshes as one, and where its parts are from.
 struct OneMesh {
@@ -103,6 +104,25 @@ void check_link(std::uint32_t link, std::size_t links) {
   }
 }
 
+/// \param has_meshes A flag for each link
+void check_links(const std::vector<std::uint8_t>& has_meshes) {
+  const auto count = std::count(has_meshes.begin(), has_meshes.end(), 1);
+  if (count > kMostLinks) {
+    throw Error(ErrorKind::out_of_range,
+                "the robot has " + std::to_string(count) + " links with meshes",
+                "give it at most " + std::to_string(kMostLinks));
+  }
+}
+
+/// A name that no joint has.
+std::string free_name(const std::vector<Joint>& joints, std::string name) {
+  while (std::any_of(joints.begin(), joints.end(),
+                     [&](const Joint& joint) { return joint.name == name; })) {
+    name += "'";
+  }
+  return name;
+}
+
 }  // namespace
 
 RobotModel::RobotModel(const Robot& robot, std::span<const Mesh> cell,
@@ -131,36 +151,10 @@ void RobotModel::add_cell(std::span<const Mesh> cell, const Limits& limits) {
 
 void RobotModel::choose_pairs(const Robot& robot, const RobotModelOptions& options) {
   const std::size_t n = robot.links.size();
-  rows_.assign(n, 0);
-  for (std::uint32_t link = 0; link < n; ++link) {
-    rows_[link] = with_meshes_;
-    with_meshes_ += robot.links[link].collisions.empty() ? 0U : 1U;
-  }
-  if (with_meshes_ > kMostLinks) {
-    throw Error(ErrorKind::out_of_range,
-                "the robot has " + std::to_string(with_meshes_) + " links with meshes",
-                "give it at most " + std::to_string(kMostLinks));
-  }
-  skipped_ = skipped_pairs(robot);
-  const std::vector<LinkPair> all = compared_pairs(robot);
-  for (const LinkPair& pair : options.ignored) {
-    check_link(std::max(pair.a, pair.b), n);
-    const LinkPair ordered{std::min(pair.a, pair.b), std::max(pair.a, pair.b)};
-    if (std::binary_search(all.begin(), all.end(), ordered)) {
-      skipped_.push_back(ordered);
-    }
-  }
-  std::sort(skipped_.begin(), skipped_.end());
-  skipped_.erase(std::unique(skipped_.begin(), skipped_.end()), skipped_.end());
-  std::set_difference(all.begin(), all.end(), skipped_.begin(), skipped_.end(),
-                      std::back_inserter(compared_));
-  is_compared_.assign(std::size_t{with_meshes_} * with_meshes_, 0);
-  for (const LinkPair& pair : compared_) {
-    is_compared_[std::size_t{rows_[pair.a]} * with_meshes_ + rows_[pair.b]] = 1;
-  }
   is_on_cell_.assign(n, 0);
   for (std::uint32_t link = 0; link < n; ++link) {
-    is_on_cell_[link] = robot.links[link].collisions.empty() ? 0 : 1;
+    has_meshes_.push_back(robot.links[link].collisions.empty() ? 0 : 1);
+    is_on_cell_[link] = has_meshes_[link];
   }
   for (const std::uint32_t link : options.off_cell) {
     check_link(link, n);
@@ -171,6 +165,95 @@ void RobotModel::choose_pairs(const Robot& robot, const RobotModelOptions& optio
       on_cell_.push_back(link);
     }
   }
+  check_links(has_meshes_);
+  skipped_ = skipped_pairs(robot);
+  compared_ = compared_pairs(robot);
+  ignore(options.ignored);
+}
+
+/// Makes pairs that are compared ones that are not.
+void RobotModel::ignore(std::span<const LinkPair> pairs) {
+  std::vector<LinkPair> given;
+  for (const LinkPair& pair : pairs) {
+    check_link(std::max(pair.a, pair.b), has_meshes_.size());
+    given.push_back({std::min(pair.a, pair.b), std::max(pair.a, pair.b)});
+  }
+  std::sort(given.begin(), given.end());
+  given.erase(std::unique(given.begin(), given.end()), given.end());
+  std::vector<LinkPair> all;
+  std::swap(all, compared_);
+  std::set_difference(all.begin(), all.end(), given.begin(), given.end(),
+                      std::back_inserter(compared_));
+  std::set_intersection(all.begin(), all.end(), given.begin(), given.end(),
+                        std::back_inserter(skipped_));
+  std::sort(skipped_.begin(), skipped_.end());
+  flag_pairs();
+}
+
+void RobotModel::flag_pairs() {
+  rows_.clear();
+  with_meshes_ = 0;
+  for (const std::uint8_t has : has_meshes_) {
+    rows_.push_back(with_meshes_);
+    with_meshes_ += has;
+  }
+  is_compared_.assign(std::size_t{with_meshes_} * with_meshes_, 0);
+  for (const LinkPair& pair : compared_) {
+    is_compared_[std::size_t{rows_[pair.a]} * with_meshes_ + rows_[pair.b]] = 1;
+  }
+}
+
+RobotModel RobotModel::with_cell(std::span<const Mesh> cell, const Limits& limits) const {
+  RobotModel model = *this;
+  model.cell_bodies_.clear();
+  model.add_cell(cell, limits);
+  return model;
+}
+
+RobotModel RobotModel::with_ignored(std::span<const LinkPair> pairs) const {
+  RobotModel model = *this;
+  model.ignore(pairs);
+  return model;
+}
+
+RobotModel RobotModel::with_attached(const RobotAttachment& object, const Limits& limits) const {
+  check_link(object.link, link_names_.size());
+  const auto link = static_cast<std::uint32_t>(link_names_.size());
+  Robot robot{.joints = kinematics_.joints()};
+  for (const std::string& name : link_names_) {
+    robot.links.push_back({.name = name});
+  }
+  robot.links.push_back({.name = object.name});
+  robot.joints.push_back({.name = free_name(robot.joints, object.name),
+                          .parent = object.link,
+                          .child = link,
+                          .origin = object.pose});
+  RobotModel model = *this;
+  model.kinematics_ = Kinematics(robot);
+  model.link_names_.push_back(object.name);
+  model.has_meshes_.push_back(object.meshes.empty() ? 0 : 1);
+  model.is_on_cell_.push_back(model.has_meshes_.back());
+  check_links(model.has_meshes_);
+  if (model.is_on_cell_.back() != 0) {
+    model.on_cell_.push_back(link);
+  }
+  std::vector<RobotBody> bodies = bodies_among(object.meshes, link, limits);
+  std::move(bodies.begin(), bodies.end(), std::back_inserter(model.link_bodies_));
+  std::vector<LinkPair> ignored;
+  if (const auto holder = links_above(robot.joints, model.has_meshes_)[link]) {
+    ignored.push_back({*holder, link});
+  }
+  for (const std::uint32_t other : object.touching) {
+    ignored.push_back({other, link});
+  }
+  for (std::uint32_t other = 0; other < link; ++other) {
+    if (model.has_meshes_[other] != 0 && model.has_meshes_[link] != 0) {
+      model.compared_.push_back({other, link});
+    }
+  }
+  std::sort(model.compared_.begin(), model.compared_.end());
+  model.ignore(ignored);
+  return model;
 }
 
 bool RobotModel::compares(std::size_t i, std::size_t j) const {

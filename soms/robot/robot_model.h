@@ -81,6 +81,17 @@ struct RobotPair {
   [[nodiscard]] auto operator<=>(const RobotPair&) const = default;
 };
 
+/// Something that a link carries, such as a part in a gripper: a link of its own, by a fixed joint.
+struct RobotAttachment {
+  std::string name;
+  std::uint32_t link = 0;                    ///< that carries it
+  std::vector<Mesh> meshes = {};             ///< in its own frame
+  Pose pose = {};                            ///< of its frame, in that of the link
+  std::vector<std::uint32_t> touching = {};  ///< further links that it may touch
+
+  [[nodiscard]] bool operator==(const RobotAttachment&) const = default;
+};
+
 /// The bodies of a robot's links and of its cell, and which of them are compared: pairs of links
 /// but `skipped_pairs`, and each link with each part of the cell. Bodies of one link are not, nor
 /// parts of the cell. Meshes are divided into their parts. Parts that close each other are one
@@ -94,6 +105,22 @@ class RobotModel {
   /// \threads `limits` gives cancellation, and threads for the trees.
   explicit RobotModel(const Robot& robot, std::span<const Mesh> cell = {},
                       const RobotModelOptions& options = {}, const Limits& limits = {});
+
+  /// This robot in another cell. Bodies of links are shared, with their trees.
+  /// \errors As the constructor. \cost Trees of the cell.
+  [[nodiscard]] RobotModel with_cell(std::span<const Mesh> cell, const Limits& limits = {}) const;
+
+  /// This robot with something attached: the last of its links, which adds nothing to a state. It
+  /// is compared with the cell, and with all links but those of `touching` and the nearest link
+  /// with meshes that it hangs from. The model without it is what this was called of.
+  /// \errors As the constructor; ErrorKind::bad_file for a name that is taken or empty.
+  /// \cost   Trees of its meshes.
+  [[nodiscard]] RobotModel with_attached(const RobotAttachment& object,
+                                         const Limits& limits = {}) const;
+
+  /// This robot without comparing these pairs of links, in either order.
+  /// \errors ErrorKind::out_of_range for a link that does not exist. \cost No tree is built.
+  [[nodiscard]] RobotModel with_ignored(std::span<const LinkPair> pairs) const;
 
   [[nodiscard]] const Kinematics& kinematics() const { return kinematics_; }
 
@@ -134,6 +161,8 @@ class RobotModel {
   void add_links(const Robot& robot, const Limits& limits);
   void add_cell(std::span<const Mesh> cell, const Limits& limits);
   void choose_pairs(const Robot& robot, const RobotModelOptions& options);
+  void ignore(std::span<const LinkPair> pairs);
+  void flag_pairs();
 
   Kinematics kinematics_;
   Pose base_;
@@ -143,6 +172,7 @@ class RobotModel {
   std::vector<LinkPair> compared_;
   std::vector<LinkPair> skipped_;
   std::vector<std::uint32_t> on_cell_;
+  std::vector<std::uint8_t> has_meshes_;   ///< a flag for each link
   std::vector<std::uint32_t> rows_;        ///< of each link, its number among those with meshes
   std::uint32_t with_meshes_ = 0;          ///< links
   std::vector<std::uint8_t> is_compared_;  ///< flags of pairs of links with meshes

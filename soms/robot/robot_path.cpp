@@ -14,7 +14,7 @@ namespace soms {
 namespace {
 
 /// Segments that a thread takes at a time.
-constexpr std::size_t kSegmentsOfAChunk = 4;
+constexpr std::size_t kSegmentsOfAChunk = 32;
 
 /// The first segment that is not free; later ones are of no interest.
 void lower_to(std::atomic<std::size_t>& first, std::size_t segment) {

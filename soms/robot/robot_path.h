@@ -70,6 +70,10 @@ struct RobotPath {
   Cost cost = {};                                     ///< of states and segments
 
   [[nodiscard]] bool operator==(const RobotPath&) const = default;
+
+  [[nodiscard]] std::size_t size() const { return segments.size(); }
+
+  [[nodiscard]] const RobotSegment& at(std::size_t segment) const { return segments.at(segment); }
 };
 
 /// Options of `robot_path`.
@@ -88,8 +92,9 @@ struct RobotPathOptions {
 ///
 /// `free` holds at every time, for the robot in real numbers and in every `state_between`;
 /// `contact` says that the state at `t.upper` is in contact by the library's exact decision.
-/// `grazing` is what remains: surfaces nearer than some 2^-40 of the robot's size times its joints
-/// at `t.lower`, in contact at no time that was looked at. Treat it as a contact.
+/// `grazing` is what remains: at `t.lower` surfaces are nearer than the rounding of poses, some
+/// 2^-40 of the robot's size for each joint, and no time was found with a contact. Treat it as a
+/// contact.
 ///
 /// What starts outside of a closed body comes inside through its surface alone, so between free
 /// states surfaces decide. What an open body encloses is looked at in states only: something may

@@ -109,7 +109,7 @@ struct RobotAnswer {
 ///
 /// All this is exact for the vertices where `Kinematics::link_poses` moves them, rounded. The
 /// answer but for `cost` does not depend on threads, trees, layouts or instruction sets; with a
-/// deadline it may. Between two states nothing is checked.
+/// deadline it may. `robot_path` proves what is between two states.
 ///
 /// \shape   `states`: n x k, row by row, for k joints of `model.kinematics().movable()`.
 /// \errors  ErrorKind::usage unless the numbers are whole rows, and for an `at_most` that is

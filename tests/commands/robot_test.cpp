@@ -91,7 +91,17 @@ TEST(RobotVerb, AnswersInTheSchema) {
   EXPECT_EQ(lines.totals.at("out_of_limits"), 1);
   EXPECT_EQ(lines.totals.at("joints_out_of_limits"), Json({{"lift", 1}}));
   EXPECT_EQ(lines.totals.at("pairs").at(0).at("states"), 2);
+  EXPECT_FALSE(first.contains("way"));
+  EXPECT_EQ(second.at("way").at("verdict"), "started");
+  const Json& way = lines.states[2].at("way");
+  EXPECT_EQ(way.at("from"), 1);
+  EXPECT_EQ(way.at("verdict"), "contact");
+  EXPECT_LT(way.at("lower").get<double>(), way.at("upper").get<double>());
+  EXPECT_EQ(way.at("a").at("link"), "right");
+  EXPECT_EQ(way.at("b").at("cell").at("part"), "wall");
   EXPECT_EQ(lines.totals.at("path").at("first_contact"), 0);
+  EXPECT_EQ(lines.totals.at("path").at("contact"), 2);
+  EXPECT_EQ(lines.totals.at("path").at("blocked").at("from"), 0);
   EXPECT_EQ(lines.totals.at("least_gap").at("state"), 0);
   EXPECT_EQ(lines.totals.at("compared").at("link_pairs"), 5);
   EXPECT_EQ(lines.totals.at("compared").at("not_compared_by"), "srdf");
@@ -113,10 +123,45 @@ TEST(RobotVerb, SaysItInWords) {
             "not closed, so that what lies in it is undecided: wall of the cell\n"
             "state 0: contact: boom and cell: wall\n"
             "state 1: free\n"
+            "  from state 1: contact at 0.614646724 of the way: right and cell: wall\n"
             "state 2: contact: boom and cell: wall; out of limits: lift\n"
             "3 states: 1 free, 2 with contact; 1 out of limits\n"
             "  boom and cell: wall: 2 states\n"
             "path: blocked at state 0\n");
+}
+
+TEST(RobotVerb, ProvesWhatIsBetweenStates) {
+  const Wall wall;
+  const auto path = [&](const std::string& states, const std::string& option) {
+    return robot_run({"--cell", wall.path(), "--off-cell", "base", "--path", option},
+                     "turn,lift,wrist,grip\n" + states);
+  };
+  // From one side of the wall to the other, by free states.
+  const std::string both = "3,0.1,0,0.03\n1.8,0.1,0,0.03\n-1.8,0.1,0,0.03\n";
+  const RunResult through = path(both, "--fail-if=contact");
+  EXPECT_EQ(through.status, 1);
+  EXPECT_NE(through.out.find("3 states: 3 free"), std::string::npos) << through.out;
+  EXPECT_NE(through.out.find("path: blocked between states 1 and 2, at 0."), std::string::npos);
+  const RunResult free = path("3,0.1,0,0.03\n1.8,0.1,0,0.03\n", "--fail-if=contact");
+  EXPECT_EQ(free.status, 0);
+  EXPECT_NE(free.out.find("path: free, between its states too\n"), std::string::npos) << free.out;
+  EXPECT_EQ(path("3,0.1,0,0.03\n", "--fail-if=contact").status, 0);
+}
+
+// A block of rows ends anywhere: the way to the first state of a block begins in the one before.
+TEST(RobotVerb, FollowsAPathThroughBlocks) {
+  std::string states = "turn,lift,wrist,grip\n";
+  for (int k = 0; k < 3000; ++k) {
+    states += k % 2 == 0 ? "1.8,0.1,0,0.03\n" : "-1.8,0.1,0,0.03\n";
+  }
+  const Wall wall;
+  const RobotLines lines = robot_lines(
+      robot_run({"--cell", wall.path(), "--off-cell", "base", "--path", "--json"}, states));
+  ASSERT_EQ(lines.states.size(), 3000U);
+  EXPECT_EQ(lines.totals.at("path").at("contact"), 2999);
+  for (std::size_t k = 1; k < 3000; ++k) {
+    ASSERT_EQ(lines.states[k].at("way").at("from"), k - 1);
+  }
 }
 
 TEST(RobotVerb, TakesStatesOfManyForms) {

@@ -99,7 +99,8 @@ def answers_of_robots():
     robot, model = robot_model()
     one = soms.robot_contacts(model, [0.0], distance=True)
     yield from (one, one.gap, soms.robot_contacts(model, [[0.0], [1.5]], distance=True))
-    yield from (robot.joints[0], robot.links[1], robot.states[0])
+    path = soms.robot_path(model, [[3.0], [1.5], [0.0]])
+    yield from (path, path.at(1), robot.joints[0], robot.links[1], robot.states[0])
 
 
 def every_answer():

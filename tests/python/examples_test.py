@@ -12,6 +12,7 @@ CLASH = pathlib.Path(__file__).resolve().parents[1] / "data/clash"
 ARGUMENTS = {
     "robot_cell": ["300"],
     "robot_states": ["300"],
+    "robot_path": ["60", "20000"],
     "inside_or_not": ["2000"],
     "city_clashes": ["20000"],
     "many_poses": ["3000", "{folder}/poses"],
@@ -21,6 +22,7 @@ PRINTS = {
     "robot_cell": r"(\d+) of 300 positions are free",
     "inside_or_not": r"(\d+) of 2000 points are inside",
     "robot_states": r"(\d+) of 300 states are free",
+    "robot_path": r"(\d+) of 59 segments are free",
     "city_clashes": r"(\d+) pairs of triangles",
     "many_poses": r"(\d+) of 3000 poses are free",
     "building_clashes": r"(\d+) pairs of parts clash",

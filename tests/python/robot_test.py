@@ -172,6 +172,42 @@ class Robots(unittest.TestCase):
         self.assertFalse((states == robot.random_states(COUNT, seed=2)).any())
 
 
+class Paths(unittest.TestCase):
+    def test_what_is_between_two_states(self):
+        robot = arm()
+        model = soms.RobotModel(robot, wall(), off_cell=["base"])
+        states = np.array([[3, .1, 0, .03], [1.8, .1, 0, .03], [-1.8, .1, 0, .03], [0, .1, 0, .03],
+                           [3, .1, 0, .03]])
+        path = soms.robot_path(model, states, threads=2)
+        self.assertEqual(len(path), 4)
+        names = [soms.ContactVerdict(code).name for code in path.verdict]
+        self.assertEqual(names, ["free", "contact", "contact", "started"])
+        self.assertEqual(path.free.tolist(), [True, False, False, False])
+        self.assertEqual(path.blocked, 1)
+        self.assertEqual(path.states, soms.robot_contacts(model, states))
+        self.assertEqual(path.upper[0], np.inf)
+        self.assertEqual(path.at(0).pair, None)
+        self.assertEqual(path.at(0).point, None)
+        self.assertEqual(path.pairs[0].tolist(), [-1, -1, -1])
+        self.assertTrue(np.isnan(path.point[0]).all())
+        hit = path.at(1)
+        self.assertEqual((hit.lower, hit.upper), (path.lower[1], path.upper[1]))
+        self.assertEqual(path.pairs[1].tolist(), [2, 0, 1])
+        self.assertEqual(hit.pair, (2, 0, True))
+        self.assertAlmostEqual(hit.point[0], 0.7)
+        at = states[1] + hit.upper * (states[2] - states[1])
+        before = states[1] + (hit.lower - 1e-9) * (states[2] - states[1])
+        self.assertEqual(soms.robot_contacts(model, [at, before]).free.tolist(), [False, True])
+        first = soms.robot_path(model, states, first_blocked=True)
+        self.assertEqual(len(first), 2)
+        self.assertEqual(first.at(1), hit)
+
+    def test_errors_name_the_segment(self):
+        model = soms.RobotModel(arm(), wall(), off_cell=["base"])
+        with self.assertRaisesRegex(soms.Error, "segment 1: joint turn turns"):
+            soms.robot_path(model, [[3, .1, 0, .03], [2.9, .1, 0, .03], [1e7, .1, 0, .03]])
+
+
 class Contacts(unittest.TestCase):
     def test_surfaces_meet_as_overlap_says(self):
         robot = arm(srdf=False)

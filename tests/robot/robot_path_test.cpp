@@ -171,8 +171,8 @@ TEST(RobotPath, MayEndAtTheFirstThatIsBlocked) {
 
 TEST(RobotPath, ADeadlineLeavesSegmentsCut) {
   const RobotModel model(test::sliding_robot({test::cube(0.5), test::cube(0.5)}));
-  const RobotPath path =
-      robot_path(model, rows({{0, 2}, {4, 2}}), {}, {.deadline = std::chrono::steady_clock::now()});
+  const RobotPath path = robot_path(model, rows({{0, 2}, {4, 2}}), {},
+                                    {.deadline = std::chrono::steady_clock::time_point::min()});
   EXPECT_EQ(path.segments[0].verdict, ContactVerdict::grazing);
   EXPECT_EQ(path.segments[0].coverage, Coverage::cut);
   EXPECT_EQ(path.segments[0].t, (Bracket{0, kNever}));
@@ -197,9 +197,9 @@ TEST(RobotPath, RefusesWhatItCannotFollow) {
   EXPECT_EQ(kind({0, std::nan("")}), ErrorKind::not_finite);
   StopSource stop;
   stop.request_stop();
-  EXPECT_THROW(
-      static_cast<void>(robot_path(model, std::vector<double>{0, 1}, {}, {.stop = stop.get_token()})),
-      Error);
+  EXPECT_THROW(static_cast<void>(
+                   robot_path(model, std::vector<double>{0, 1}, {}, {.stop = stop.get_token()})),
+               Error);
 }
 
 /// What was seen of segments, so that no test passes by seeing one kind alone.

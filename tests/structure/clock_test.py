@@ -39,6 +39,7 @@ ALLOWED = {
     "tests/query/closest_test.cpp": (("clock",), "deadlines, each later than the one before, until the query is complete"),
     "tests/query/solid_test.cpp": (("clock",), "the least moment there is"),
     "tests/clash/clash_test.cpp": (("clock",), "the least moment there is"),
+    "tests/robot/robot_path_test.cpp": (("clock",), "the least moment there is"),
     "tests/robot/robot_query_test.cpp": (("clock",), "the least moment there is"),
     "tests/query/contains_parts_test.cpp": (("clock",), "the least moment there is"),
     "tests/query/contains_test.cpp": (("clock",), "the least moment there is"),

@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 #include "soms/base/parallel.h"
 #include "soms/robot/reference/robot_query.h"
+#include "soms/robot/robot_path.h"
 
 #include "apps/cli/console.h"
 #include "apps/cli/parse.h"
@@ -20,6 +21,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -38,7 +40,10 @@ class RobotQuestion : public Rows, public Question {
         models_(std::move(models)),
         console_(console),
         states_(options, models_, console),
-        report_{.models = models_, .path = options.path, .distance = options.distance} {
+        report_{.models = models_, .distance = options.distance} {
+    if (options.path) {
+      report_.path.emplace();
+    }
     for (const RobotBody& body : models_.model.cell_bodies()) {
       cell_box_.grow(body.part.body.shape.bounds());
     }
@@ -70,21 +75,30 @@ class RobotQuestion : public Rows, public Question {
 
   std::uint64_t answer(const ShowProgress&) override {
     answers_.clear();
+    ways_.assign(boxes_.size(), std::nullopt);
     if (boxes_.empty()) {
       return 0;
     }
     const RobotOptions query{
         .first_contact = options_.any, .distance = options_.distance, .at_most = options_.at_most};
-    answers_ = robot_contacts(models_.model, block_, query, console_.limits());
+    if (options_.path) {
+      follow(query);
+    } else {
+      answers_ = robot_contacts(models_.model, block_, query, console_.limits());
+    }
     // Without movable joints, rows are empty, and all the same.
     answers_.resize(boxes_.size(), answers_.front());
     return 0;
   }
 
   [[nodiscard]] RowOutcome outcome(std::size_t k) const override {
-    return {.found = answers_[k].verdict == RobotVerdict::contact,
-            .undecided = answers_[k].verdict == RobotVerdict::undecided,
-            .cut = answers_[k].coverage == Coverage::cut};
+    const RobotAnswer& state = answers_[k];
+    const std::optional<RobotSegment>& way = ways_[k];
+    const bool found = state.verdict == RobotVerdict::contact || (way && touches(*way));
+    return {
+        .found = found,
+        .undecided = !found && (state.verdict == RobotVerdict::undecided || (way && is_open(*way))),
+        .cut = state.coverage == Coverage::cut || (way && way->coverage == Coverage::cut)};
   }
 
   /// The twins of a block are found together, so that threads share them.
@@ -112,21 +126,34 @@ class RobotQuestion : public Rows, public Question {
   void report(const AnsweredRow& row) override {
     boxes_watched_.look(boxes_[row.k], cell_box_);
     report_.totals.add(answers_[row.k]);
+    if (report_.path) {
+      report_.path->add(row.number, answers_[row.k]);
+      if (const auto way = way_of(row)) {
+        report_.path->add(*way);
+        report_.totals.cost += way->segment.cost;
+      }
+    }
     report_.timed_out = report_.timed_out || row.last;
     all_right_ = all_right_ && row.right;
     ++reported_;
   }
 
   void json(const AnsweredRow& row, JsonRows& rows) const override {
-    rows.put(json_text(answer_as_json(models_, row.number, answers_[row.k],
-                                      options_.verify ? std::optional(row.right) : std::nullopt)));
+    Json json = answer_as_json(models_, row.number, answers_[row.k],
+                               options_.verify ? std::optional(row.right) : std::nullopt);
+    if (const auto way = way_of(row)) {
+      json["way"] = way_as_json(models_, *way);
+    }
+    rows.put(json_text(json));
     rows.end_row();
   }
 
   [[nodiscard]] Json json_totals() const override { return totals_as_json(report_); }
 
   [[nodiscard]] std::string text(const AnsweredRow& row) const override {
-    return answer_in_text(models_, row.number, answers_[row.k]);
+    const auto way = way_of(row);
+    return (way ? way_in_text(models_, *way) : std::string()) +
+           answer_in_text(models_, row.number, answers_[row.k]);
   }
 
   [[nodiscard]] std::string left_out(const std::string& states) const override {
@@ -137,10 +164,15 @@ class RobotQuestion : public Rows, public Question {
     return totals_in_text(report_);
   }
 
-  [[nodiscard]] std::string csv_head() const override { return robot_csv_header(); }
+  [[nodiscard]] std::string csv_head() const override {
+    return robot_csv_header() + (options_.path ? way_csv_header() : std::string());
+  }
 
   void csv(const AnsweredRow& row, CsvFile& file) const override {
     file.line() += answer_as_csv(models_, row.number, answers_[row.k]);
+    if (options_.path) {
+      file.line() += way_as_csv(models_, way_of(row));
+    }
     file.end_line();
   }
 
@@ -166,6 +198,25 @@ class RobotQuestion : public Rows, public Question {
   }
 
  private:
+  /// The block as a path, which goes on from the last state of the block before.
+  void follow(const RobotOptions& query) {
+    std::vector<double> numbers = last_;
+    numbers.insert(numbers.end(), block_.begin(), block_.end());
+    RobotPath path = robot_path(models_.model, numbers, {.states = query}, console_.limits());
+    const std::size_t before = last_.empty() ? 0 : 1;
+    answers_.assign(path.states.begin() + static_cast<std::ptrdiff_t>(before), path.states.end());
+    for (std::size_t k = 0; k < path.segments.size(); ++k) {
+      ways_[k + 1 - before] = std::move(path.segments[k]);
+    }
+    const std::size_t width = models_.model.kinematics().size();
+    last_.assign(block_.end() - static_cast<std::ptrdiff_t>(width), block_.end());
+  }
+
+  /// How the robot comes to a state.
+  [[nodiscard]] std::optional<RobotWay> way_of(const AnsweredRow& row) const {
+    return ways_[row.k] ? std::optional<RobotWay>({row.number - 1, *ways_[row.k]}) : std::nullopt;
+  }
+
   const RobotVerbOptions& options_;
   RobotModels models_;
   Console& console_;
@@ -174,6 +225,8 @@ class RobotQuestion : public Rows, public Question {
   std::vector<double> block_;
   std::vector<Box> boxes_;  ///< of the robot in each state of the block
   std::vector<RobotAnswer> answers_;
+  std::vector<std::optional<RobotSegment>> ways_;  ///< to each state of the block
+  std::vector<double> last_;                       ///< state of the block before
   std::vector<RobotAnswer> twins_;
   Box cell_box_;
   BoxWatch boxes_watched_;
@@ -267,7 +320,10 @@ void add_robot_questions(Parser& parser, RobotVerbOptions& options) {
   add_length(parser, "--at-most", options.at_most, "beyond this distance, say no more than that")
       ->option_text("D")
       ->group(kQuestionGroup);
-  parser.add_flag("--path", options.path, "the states are a path: say which one is blocked first")
+  parser
+      .add_flag("--path", options.path,
+                "the states are a path: also prove what is between them, and say where it is "
+                "blocked first")
       ->group(kQuestionGroup);
   add_choice<bool>(parser, "--fail-if", options.fail_if_contact, {{"contact", true}},
                    "exit with status 1 if anything touches in any state")

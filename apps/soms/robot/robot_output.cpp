@@ -29,11 +29,6 @@ std::string other_label(const RobotModels& models, const RobotPair& pair) {
   return "cell: " + models.cell_names[pair.other];
 }
 
-std::string pair_in_text(const RobotModels& models, const RobotPair& pair) {
-  return printable(models.model.link_names()[pair.link]) + " and " +
-         printable(other_label(models, pair));
-}
-
 Json other_as_json(const RobotModels& models, const RobotPair& pair) {
   if (!pair.cell) {
     return {{"link", models.model.link_names()[pair.other]}};
@@ -42,11 +37,6 @@ Json other_as_json(const RobotModels& models, const RobotPair& pair) {
            {{"file", models.cell_files[pair.other]},
             {"part", models.cell_names[pair.other]},
             {"index", pair.other}}}};
-}
-
-Json pair_as_json(const RobotModels& models, const RobotPair& pair) {
-  return {{"a", {{"link", models.model.link_names()[pair.link]}}},
-          {"b", other_as_json(models, pair)}};
 }
 
 Json number_or_null(double x) {
@@ -105,18 +95,23 @@ std::string why_skipped(const RobotModels& models) {
                               : "joint neighbors, or excluded by an option";
 }
 
-std::string path_in_text(const RobotTotals& totals) {
-  if (totals.first_contact &&
-      (!totals.first_undecided || *totals.first_contact < *totals.first_undecided)) {
-    return fmt::format("path: blocked at state {}\n", *totals.first_contact);
-  }
-  if (totals.first_undecided) {
-    return fmt::format("path: undecided from state {} on\n", *totals.first_undecided);
-  }
-  return "path: free at each of its states; between two states nothing is checked\n";
+}  // namespace
+
+std::string pair_in_text(const RobotModels& models, const RobotPair& pair) {
+  return printable(models.model.link_names()[pair.link]) + " and " +
+         printable(other_label(models, pair));
 }
 
-}  // namespace
+Json pair_as_json(const RobotModels& models, const RobotPair& pair) {
+  return {{"a", {{"link", models.model.link_names()[pair.link]}}},
+          {"b", other_as_json(models, pair)}};
+}
+
+std::string pair_as_csv(const RobotModels& models, const std::optional<RobotPair>& pair) {
+  return pair ? fmt::format("{},{}", csv_field(models.model.link_names()[pair->link]),
+                            csv_field(other_label(models, *pair)))
+              : ",";
+}
 
 void RobotTotals::add(const RobotAnswer& answer) {
   const std::uint64_t state = states++;
@@ -243,7 +238,7 @@ std::string totals_in_text(const RobotReport& report) {
                         gap_in_text(report.models, totals.least_free->second),
                         totals.least_free->first);
   }
-  return text + (report.path ? path_in_text(totals) : std::string());
+  return text + (report.path ? path_in_text(report.models, *report.path) : std::string());
 }
 
 Json answer_as_json(const RobotModels& models, std::uint64_t state, const RobotAnswer& answer,
@@ -319,9 +314,10 @@ Json totals_as_json(const RobotReport& report) {
     json["least_free_gap"]["state"] = totals.least_free->first;
   }
   if (report.path) {
-    json["path"] = {
-        {"first_contact", totals.first_contact ? Json(*totals.first_contact) : Json()},
-        {"first_undecided", totals.first_undecided ? Json(*totals.first_undecided) : Json()}};
+    json["path"] = path_as_json(models, *report.path);
+    json["path"]["first_contact"] = totals.first_contact ? Json(*totals.first_contact) : Json();
+    json["path"]["first_undecided"] =
+        totals.first_undecided ? Json(*totals.first_undecided) : Json();
   }
   json["compared"] = {{"link_pairs", models.model.compared().size()},
                       {"link_pairs_not_compared", models.model.skipped().size()},
@@ -330,8 +326,10 @@ Json totals_as_json(const RobotReport& report) {
                       {"links_on_cell", models.model.on_cell().size()}};
   json["open"] = models.open;
   json["round_error"] = models.robot.tessellation_error;
-  json["coverage"] =
-      totals.cut == 0 && !report.timed_out && !report.interrupted ? "complete" : "cut";
+  json["coverage"] = totals.cut == 0 && (!report.path || report.path->cut == 0) &&
+                             !report.timed_out && !report.interrupted
+                         ? "complete"
+                         : "cut";
   json["cost"] = {{"node_tests", totals.cost.node_tests},
                   {"triangle_tests", totals.cost.triangle_tests},
                   {"exact_tests", totals.cost.exact_tests}};
@@ -370,10 +368,8 @@ std::string answer_as_csv(const RobotModels& models, std::uint64_t state,
   std::string gap = ",,,";
   if (answer.gap) {
     const RobotGap& found = *answer.gap;
-    gap = fmt::format(
-        "{},{},{},{}", shortest(found.distance.lower), shortest(found.distance.upper),
-        found.pair ? csv_field(models.model.link_names()[found.pair->link]) : std::string(),
-        found.pair ? csv_field(other_label(models, *found.pair)) : std::string());
+    gap = fmt::format("{},{},{}", shortest(found.distance.lower), shortest(found.distance.upper),
+                      pair_as_csv(models, found.pair));
   }
   return fmt::format("{},{},{},{},{},{}", state, name(answer.verdict), answer.contacts.size(),
                      csv_field(pairs), csv_field(joints), gap);

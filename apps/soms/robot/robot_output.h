@@ -7,6 +7,7 @@
 
 #include "apps/output/json.h"
 #include "apps/soms/robot/robot_models.h"
+#include "apps/soms/robot/robot_way.h"
 
 #include <cstdint>
 #include <map>
@@ -41,7 +42,7 @@ struct RobotTotals {
 struct RobotReport {
   const RobotModels& models;
   RobotTotals totals = {};
-  bool path = false;
+  std::optional<PathTotals> path = std::nullopt;  ///< of a path
   bool distance = false;
   bool verified = false;  ///< every answer was compared with brute force, and is equal
   bool interrupted = false;
@@ -51,6 +52,12 @@ struct RobotReport {
 /// "joint elbow is 3.2, outside of its limits -3 and 3". The state has one value a movable joint.
 [[nodiscard]] std::string limit_in_words(const RobotModels& models, std::uint32_t joint,
                                          std::span<const double> state);
+
+/// The two of a pair: "arm and cell: wall", as `a` and `b`, and as two columns, which may be empty.
+[[nodiscard]] std::string pair_in_text(const RobotModels& models, const RobotPair& pair);
+[[nodiscard]] Json pair_as_json(const RobotModels& models, const RobotPair& pair);
+[[nodiscard]] std::string pair_as_csv(const RobotModels& models,
+                                      const std::optional<RobotPair>& pair);
 
 /// What is compared, for people: some lines.
 [[nodiscard]] std::string models_in_text(const RobotModels& models);

@@ -12,7 +12,7 @@
 #include "python/src/part_set.h"
 #include "python/src/poses.h"
 #include "python/src/scene/record_columns.h"
-#include "python/src/scene/robots.h"
+#include "python/src/scene/robot_models.h"
 #include "python/src/text.h"
 
 #include <pybind11/stl.h>
@@ -62,7 +62,7 @@ constexpr const char* kContactsDoc =
 
 Which links touch each other or the cell in given states, and how near are they? Decided exactly for
 the poses of Robot.link_poses: surfaces that share a point touch, and so does what is inside of a closed
-body. Between two states nothing is checked.
+body. robot_path proves what is between two states.
 
 model: RobotModel. states: (k,) for one, (n, k) for n, radians and meters. first_contact: stop a state
 at its first pair. distance: also measure the least distance; at_most: only up to it. timeout, threads,
@@ -71,41 +71,7 @@ progress: as for overlap.
 Returns RobotAnswer, or RobotAnswerBatch for n states. Raises Error of kind usage, not_finite,
 out_of_range; names the state.)";
 
-/// A model with what its numbers name.
-struct HeldRobotModel {
-  SharedRobot robot;
-  RobotModel model;
-  std::vector<std::string> cell_names;
-  std::vector<PosedMesh> cell;  ///< what it was made of, beside the robot
-  RobotModelOptions options;
-};
-
-using SharedModel = std::shared_ptr<HeldRobotModel>;
-
-/// Answers of n states.
-struct RobotAnswerBatch {
-  std::vector<RobotAnswer> answers;
-  std::vector<RobotContact> contacts;
-  std::vector<std::uint64_t> offsets;
-  Cost cost;
-
-  explicit RobotAnswerBatch(std::vector<RobotAnswer> given) : answers(std::move(given)) {
-    offsets.push_back(0);
-    for (const RobotAnswer& answer : answers) {
-      contacts.insert(contacts.end(), answer.contacts.begin(), answer.contacts.end());
-      offsets.push_back(contacts.size());
-      cost += answer.cost;
-    }
-  }
-
-  [[nodiscard]] std::size_t size() const { return answers.size(); }
-
-  [[nodiscard]] RobotAnswer at(std::size_t state) const { return answers[state]; }
-
-  [[nodiscard]] bool operator==(const RobotAnswerBatch& other) const {
-    return answers == other.answers;
-  }
-};
+}  // namespace
 
 std::ostream& operator<<(std::ostream& out, const RobotAnswerBatch& batch) {
   std::size_t free = 0;
@@ -115,18 +81,6 @@ std::ostream& operator<<(std::ostream& out, const RobotAnswerBatch& batch) {
   return out << "RobotAnswerBatch{" << batch.size() << " states, " << free << " free, "
              << batch.contacts.size() << " contacts}";
 }
-
-}  // namespace
-
-/// All else of a batch follows from its answers.
-template <>
-struct Packing<RobotAnswerBatch> {
-  static void put(Packer& to, const RobotAnswerBatch& batch) { to.put(batch.answers); }
-
-  static RobotAnswerBatch get(Unpacker& from) {
-    return RobotAnswerBatch(from.get<std::vector<RobotAnswer>>());
-  }
-};
 
 namespace {
 
@@ -266,10 +220,6 @@ void bind_model(py::module_& module) {
   });
 }
 
-py::object pair_of(const std::optional<RobotPair>& pair) {
-  return pair ? py::make_tuple(pair->link, pair->other, pair->cell) : py::object(py::none());
-}
-
 void bind_robot_answer(py::module_& module) {
   AnswerClass<RobotGap> gap(module, "RobotGap", "The least distance of what is compared.");
   gap.derived(
@@ -399,6 +349,10 @@ py::object query_robot(const SharedModel& held, const py::object& given, bool fi
 }
 
 }  // namespace
+
+py::object pair_of(const std::optional<RobotPair>& pair) {
+  return pair ? py::make_tuple(pair->link, pair->other, pair->cell) : py::object(py::none());
+}
 
 void bind_robot_model(py::module_& module) {
   bind_model(module);

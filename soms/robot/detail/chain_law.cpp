@@ -4,6 +4,7 @@
 #include "soms/motion/detail/rigid_law.h"
 #include "soms/query/detail/relative_pose.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -11,6 +12,7 @@ namespace soms::detail {
 
 namespace {
 
+constexpr double kMeasured = 4;
 constexpr double kSeenFromLink = 0x1p-42;
 constexpr double kSeenTurn = 0x1p-44;
 
@@ -73,20 +75,37 @@ void ChainLaw::bound_curvature() {
     rests_ = rests_ && rate == 0;
     stretch *= motion_->chains().lengths(step.joint).stretch + kLengthMargin;
   }
-  double length = 0;  // from the axis of the joint to the origin of the link
+  double length = 0;  // from the joint to the origin of the link
+  double speed = 0;   // of the origin, seen from the joint
   for (std::size_t k = steps_.size(); k-- > 0;) {
     const std::uint32_t joint = steps_[k].joint;
     const double offset = motion_->chains().lengths(joint).shift;
+    const double rate = std::abs(motion_->rate(joint));
     length += steps_[k].up ? offset : 0;
-    if (turns(joints[joint])) {
-      curvature_.all += weights[k] * length;
+    if (rate != 0 && turns(joints[joint])) {
+      const double apart = (distance_half_way(joint) + speed / 2) * (stretch * kMotionUp);
+      const double reach = std::min(length, apart);
+      curvature_.all += weights[k] * reach;
       curvature_.by_arm += weights[k];
+      speed += rate * reach;
     } else {
       curvature_.all += weights[k];
+      speed += rate;
     }
     length += motion_->extension(joint) + (steps_[k].up ? 0 : offset);
   }
   curvature_ = curvature_ * stretch;
+}
+
+double ChainLaw::distance_half_way(std::uint32_t joint) const {
+  const Joint& turning = motion_->chains().kinematics().joints()[joint];
+  const Pose axis = motion_->pose(turning.child, 0.5);
+  const Vec3 origin = motion_->pose(link_, 0.5).shift();
+  const double apart =
+      length_of(cross(turned(axis, direction_of(turning.axis)), origin - axis.shift()));
+  const double stretch =
+      motion_->reach(link_).stretch * (other_ ? motion_->reach(*other_).stretch : 1);
+  return (apart * kMotionUp + kMeasured * slack()) * (stretch * stretch);
 }
 
 Pose ChainLaw::at(double t) const {

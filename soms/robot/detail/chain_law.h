@@ -13,10 +13,15 @@
 /// j, d2x/dq_i dq_j is that vector under the derivative of the motion of i: a turn makes a vector
 /// of no greater length of it, a shift 0. For i = j a turn gives rho_j, a shift 0. So
 ///   |x''| <= sum over j of |v_j| rho_j (|v_j| [j turns] + 2 sum of |v_i|, i before j, i turns).
-/// rho_j is at most |q_j|, so at most the sum of the lengths of shifts between j and A, with the
-/// greatest prismatic values, and of |a|. That is `all` + `by_arm` |a|: the arm of a point is its
-/// distance from the origin of its link. `stretch` of all poses is a factor, as each vector passes
-/// each pose once.
+/// For a point a at the distance |a| from the origin o of its link, rho_j is at most |a| more than
+/// that of o. That one is at most the sum of the lengths of shifts between j and A, with the
+/// greatest prismatic values. It is also at most the distance at 1/2 and half of how far o goes,
+/// seen from j, in the time 1: at most the sum of |v_k| rho_k over the joints k between j and A.
+/// The distance at 1/2 is measured at decided poses in world, which stretch it and the direction of
+/// the axis. Both links are off by `slack`, and that direction by `turn`: `kMeasured` slacks in
+/// all, with room for a product. So a joint that turns a stretched arm about itself counts by its
+/// width. The bound is `all` + `by_arm` |a|: the arm of a point is its distance from the origin of
+/// its link. `stretch` of all poses is a factor, as each vector passes each pose once.
 ///
 /// From the cell. `at` is the pose that is decided, and the cell rests at its own. `slack` is that
 /// of state_motion.h, for the farthest corner of the body.
@@ -79,6 +84,9 @@ class ChainLaw final : public MotionLaw {
 
  private:
   void bound_curvature();
+
+  /// At least the distance of the link's origin from the axis of a joint, half way.
+  [[nodiscard]] double distance_half_way(std::uint32_t joint) const;
 
   const StateMotion* motion_;
   std::uint32_t link_;
