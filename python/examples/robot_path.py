@@ -61,7 +61,7 @@ def seconds(function):
 
 def main():
     given = sys.argv[1:] + [None] * 3
-    count, triangles, step = int(given[0] or 1000), int(given[1] or 300_000), float(given[2] or 0.05)
+    count, triangles, step = int(given[0] or 1000), int(given[1] or 300_000), float(given[2] or 0.02)
     rng = np.random.default_rng(1)
     model = soms.RobotModel(six_links(), knots(triangles, rng))
     states = free_path(model, count, step, rng)

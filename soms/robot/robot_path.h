@@ -92,9 +92,9 @@ struct RobotPathOptions {
 ///
 /// `free` holds at every time, for the robot in real numbers and in every `state_between`;
 /// `contact` says that the state at `t.upper` is in contact by the library's exact decision.
-/// `grazing` is what remains: at `t.lower` surfaces are nearer than the rounding of poses, some
-/// 2^-40 of the robot's size for each joint, and no time was found with a contact. Treat it as a
-/// contact.
+/// `grazing` is what remains: at `t.lower` surfaces are nearer than the rounding of poses, and no
+/// time was found with a contact. That rounding is some 2^-40 of the robot's size for each joint.
+/// Treat `grazing` as a contact.
 ///
 /// What starts outside of a closed body comes inside through its surface alone, so between free
 /// states surfaces decide. What an open body encloses is looked at in states only: something may
@@ -102,9 +102,9 @@ struct RobotPathOptions {
 ///
 /// \shape   `states`: n x k, row by row, as `robot_contacts`. One state has no segment.
 /// \errors  As `robot_contacts`. ErrorKind::out_of_range for a segment, which is named by its
-/// index,
-///          where a joint turns by more than 2^20 radians or has an angle beyond 2^40, or where a
-///          body may come beyond 2^300.
+/// index:
+///          a joint turns by more than 2^20 radians or has an angle beyond 2^40; a body may come
+///          beyond 2^300.
 /// \cost    That of the states, and a few times as much. A deadline leaves segments `cut`.
 /// \threads Any number of callers; segments are shared by as many threads as `limits` says.
 /// \source  Schwarzer, Saha and Latombe 2005 (lengths of ways); `first_contact` has the others.
