@@ -1433,6 +1433,15 @@ class RobotModel:
         base: PoseLike | None = None, ignored: Iterable[tuple[int | str, int | str]] = (),
         off_cell: Iterable[int | str] = (), threads: int = 1, progress: Progress = None,
     ) -> None: ...
+    def with_cell(
+        self, cell: BodyLike | Sequence[BodyLike], *, threads: int = 1, progress: Progress = None,
+    ) -> RobotModel: ...
+    def with_attached(
+        self, name: str, link: int | str, mesh: BodyLike | Sequence[BodyLike],
+        pose: PoseLike | None = None, *, touching: Iterable[int | str] = (), threads: int = 1,
+        progress: Progress = None,
+    ) -> RobotModel: ...
+    def with_ignored(self, pairs: Iterable[tuple[int | str, int | str]]) -> RobotModel: ...
 
 class RobotGap:
     @property

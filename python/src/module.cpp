@@ -34,6 +34,7 @@
   topic(clash) \
   topic(robots) \
   topic(robot_model) \
+  topic(robot_contacts) \
   topic(robot_path)
 // clang-format on
 #define SOMS_DECLARE(topic) void bind_##topic(pybind11::module_& module);

@@ -2,6 +2,7 @@
 import json
 import os
 import pathlib
+import pickle
 import signal
 import subprocess
 import tempfile
@@ -206,6 +207,38 @@ class Paths(unittest.TestCase):
         model = soms.RobotModel(arm(), wall(), off_cell=["base"])
         with self.assertRaisesRegex(soms.Error, "segment 1: joint turn turns"):
             soms.robot_path(model, [[3, .1, 0, .03], [2.9, .1, 0, .03], [1e7, .1, 0, .03]])
+
+
+class Attached(unittest.TestCase):
+    def test_a_part_in_the_gripper(self):
+        robot = arm()
+        model = soms.RobotModel(robot, off_cell=["base"])
+        part = soms.generate("sphere", 80)
+        held = model.with_attached("part", "flange", part, [0, 0, 1.2], touching=["left", "right"])
+        self.assertEqual(held.link_names, [*model.link_names, "part"])
+        self.assertEqual(held.robot.links[6].name, "part")
+        self.assertEqual(len(model.link_names), 6)
+        self.assertIn([4, 6], held.skipped.tolist())
+        self.assertIn([0, 6], held.compared.tolist())
+        self.assertNotIn([5, 6], held.compared.tolist())
+        states = robot.random_states(100)
+        near = soms.Body(wall(), [0.8, 0, 0])
+        alone = soms.robot_contacts(model.with_cell(near), states)
+        both = soms.robot_contacts(held.with_cell(near), states)
+        self.assertTrue((both.free <= alone.free).all())
+        self.assertGreater(np.count_nonzero(alone.free), np.count_nonzero(both.free))
+        again = pickle.loads(pickle.dumps(held.with_cell(near)))
+        self.assertEqual(soms.robot_contacts(again, states), both)
+        self.assertEqual(again.skipped.tolist(), held.skipped.tolist())
+        with self.assertRaisesRegex(soms.Error, "name"):
+            held.with_attached("part", 0, part)
+
+    def test_pairs_that_may_touch(self):
+        model = soms.RobotModel(arm())
+        less = model.with_ignored([("right", "left")])
+        self.assertEqual(len(less.compared), len(model.compared) - 1)
+        self.assertIn([4, 5], less.skipped.tolist())
+        self.assertEqual(pickle.loads(pickle.dumps(less)).compared.tolist(), less.compared.tolist())
 
 
 class Contacts(unittest.TestCase):
