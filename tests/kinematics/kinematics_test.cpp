@@ -254,6 +254,21 @@ TEST(Kinematics, RefusesStatesThatAreNone) {
   EXPECT_EQ(kind({std::numeric_limits<double>::infinity(), 0}), ErrorKind::not_finite);
 }
 
+TEST(Kinematics, GoesStraightFromStateToState) {
+  const std::vector<double> from{0.1, -3};
+  const std::vector<double> to{0.45, 5};
+  EXPECT_EQ(state_between(from, to, 0), from);
+  EXPECT_EQ(state_between(from, to, 1), to);  // not 0.1 + (0.45 - 0.1), which is rounded
+  EXPECT_EQ(state_between(from, to, 0.25), (std::vector<double>{0.1 + 0.25 * (0.45 - 0.1), -1}));
+}
+
+TEST(Kinematics, ListsJointsOfParentsFirst) {
+  Robot robot{.links = {{.name = "a"}, {.name = "b"}, {.name = "c"}}};
+  robot.joints = {{.name = "low", .parent = 1, .child = 0},
+                  {.name = "top", .parent = 2, .child = 1}};
+  EXPECT_EQ(Kinematics(robot).order(), (std::vector<std::uint32_t>{1, 0}));
+}
+
 TEST(Kinematics, DrawsStatesInsideTheLimits) {
   Robot robot = small_robot();
   robot.joints[0].lower = -1e308;

@@ -169,6 +169,37 @@ TEST(ChainLaw, TurnsOfOneChainBendTogether) {
   EXPECT_GT(share_of_bound({prismatic, revolute}, {0, 0}, {5, 0.02}), 0.1);
 }
 
+// An arm that is folded half way has its end on the axis then, and a quarter from it in both
+// states.
+TEST(ChainLaw, AnEndOnTheAxisHalfWayIsFarFromItBefore) {
+  Robot robot{.links = {{.name = "root"}, {.name = "upper"}, {.name = "fore"}, {.name = "end"}}};
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    robot.joints.push_back({.name = std::to_string(k),
+                            .type = k < 2 ? JointType::continuous : JointType::fixed,
+                            .parent = k,
+                            .child = k + 1,
+                            .origin = Pose::translation(k == 0 ? 0 : (k == 1 ? 1 : -1), 0, 0),
+                            .axis = {0, 0, 1}});
+  }
+  const Kinematics kinematics(robot);
+  const RobotChains chains(kinematics, {});
+  const std::vector<double> from{-10, -0.25};
+  const std::vector<double> to{10, 0.25};
+  const StateMotion motion(chains, from, to);
+  const ChainLaw law(motion, 3, Box{{}, {}}, Pose());
+  const auto place = [&](long double t) {
+    return far_apply(test::far_link_poses(kinematics, from, to, {}, t)[3], {0, 0, 0});
+  };
+  constexpr long double kStep = 1e-4L;
+  FarPoint bend{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    bend[k] = (place(0)[k] + place(2 * kStep)[k] - 2 * place(kStep)[k]) / (kStep * kStep);
+  }
+  const double found = distance_from(bend, {});
+  EXPECT_LE(found, law.curvature(0, 1).of(0));
+  EXPECT_GT(found, 0.5 * law.curvature(0, 1).of(0));
+}
+
 TEST(ChainLaw, VelocitiesAreThoseOfTheCurves) {
   test::for_each_case("chain-law/twist", 300, [](Rng& rng) {
     const ChainCase c(rng, 1, 1);

@@ -98,21 +98,24 @@ void PathQuery::follow(const StateMotion& motion, const RobotAnswer& last, Robot
 }
 
 /// A body stays in the hull of its boxes at both ends, but for what its curves leave their chords
-/// by, the slack of both, and an end's rounding, which the slack is far above.
+/// by, the slack of both, and an end's rounding, which the slack is far above. Nor does it leave
+/// its reach, which keeps the ends in range.
 void PathQuery::sweep_boxes(const StateMotion& motion) {
   for (std::uint32_t i = 0; i < model_.link_bodies().size(); ++i) {
     const Box& bounds = shape(i).bounds();
     if (bounds.empty()) {
       continue;
     }
-    const std::uint32_t link = model_.body(i).owner;
-    const ChainLaw law(motion, link, bounds, Pose());
-    boxes_[i] = moved_bounds(law.at(0), bounds);
-    boxes_[i].grow(moved_bounds(law.at(1), bounds));
+    const ChainLaw law(motion, model_.body(i).owner, bounds, Pose());
+    Box& box = boxes_[i];
+    box = moved_bounds(law.at(0), bounds);
+    box.grow(moved_bounds(law.at(1), bounds));
     const double arm = law.arm(farthest(bounds));
-    const double more = (MotionBounds::bow(law.curvature(0, 1).of(arm), 1) + 4 * law.slack());
-    boxes_[i].lower = boxes_[i].lower - Vec3{more, more, more};
-    boxes_[i].upper = boxes_[i].upper + Vec3{more, more, more};
+    const double more = MotionBounds::bow(law.curvature(0, 1).of(arm), 1) + 4 * law.slack();
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.lower[k] = std::max(box.lower[k] - more, -law.reach());
+      box.upper[k] = std::min(box.upper[k] + more, law.reach());
+    }
   }
 }
 

@@ -1,11 +1,11 @@
 #include "soms/robot/detail/state_motion.h"
 
 #include "soms/base/error.h"
+#include "soms/base/portable.h"
 #include "soms/motion/detail/motion_law.h"
 #include "soms/motion/detail/rigid_law.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <string>
 
@@ -102,7 +102,7 @@ void StateMotion::look_at_links() {
 }
 
 Pose StateMotion::pose(std::uint32_t link, double t) const {
-  const auto bits = std::bit_cast<std::uint64_t>(t);
+  const auto bits = bit_cast<std::uint64_t>(t);
   Known& known = known_[(bits * 0x9e3779b97f4a7c15U) >> 58U];
   if (known.t != t) {
     known.poses = chains_->kinematics().link_poses(state_between(from_, to_, t), chains_->base());
