@@ -326,7 +326,7 @@ void add_robot_questions(Parser& parser, RobotVerbOptions& options) {
                 "blocked first")
       ->group(kQuestionGroup);
   add_choice<bool>(parser, "--fail-if", options.fail_if_contact, {{"contact", true}},
-                   "exit with status 1 if anything touches in any state")
+                   "exit with status 1 if anything touches in any state, or on the way of a path")
       ->group(kQuestionGroup);
   parser
       .add_flag("--verify", options.verify,
