@@ -129,6 +129,17 @@ Vec3 moved(const Pose& pose, const Vec3& v) {
           ((m[8] * v.x + m[9] * v.y) + m[10] * v.z) + m[11]};
 }
 
+/// Of a box whose origin is its center; the half sides, rounded up, reach both ends.
+MovedNumbers numbers_of(const Box& box) {
+  MovedNumbers numbers{box.center(), farthest(box), {}};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double half =
+        std::max(box.upper[k] - numbers.origin[k], numbers.origin[k] - box.lower[k]);
+    numbers.half[k] = std::nextafter(half, kInfinity);
+  }
+  return numbers;
+}
+
 using Real = double;
 using Flag = bool;
 using std::abs;
@@ -178,10 +189,19 @@ MovedNumbers moved_numbers(const WideTree& tree) {
 }
 
 RelativePose::RelativePose(const WideTree& x, const Pose& pose_x, const ReferenceFrame& y)
-    : residual_(y.residual), exponents_(y.tree->exponent() - x.exponent()) {
+    : RelativePose(moved_numbers(x), pose_x, y, y.tree->exponent() - x.exponent()) {
+}
+
+RelativePose::RelativePose(const Box& x, const ReferenceFrame& y)
+    : RelativePose(numbers_of(x), Pose(), y, 0) {
+}
+
+RelativePose::RelativePose(const MovedNumbers& x, const Pose& pose_x, const ReferenceFrame& y,
+                           int exponents)
+    : residual_(y.residual), exponents_(exponents) {
   std::array<bool, 3> apart;
-  const double slack = find_relative(moved_numbers(x), y, pose_x.m, matrix_, numbers_.shift.data(),
-                                     half_seen_, apart);
+  const double slack =
+      find_relative(x, y, pose_x.m, matrix_, numbers_.shift.data(), half_seen_, apart);
   apart_ = (static_cast<unsigned>(apart[0]) | static_cast<unsigned>(apart[1]) |
             static_cast<unsigned>(apart[2])) != 0;
   numbers_.scale = y.tree->scale();

@@ -72,6 +72,7 @@
 /// two that is at most 1, d is at most 2^42 once the roots meet, and five factors stay in range.
 #pragma once
 
+#include "soms/base/box.h"
 #include "soms/base/pose.h"
 #include "soms/query/detail/kernels/kernels.h"
 #include "soms/query/detail/single_box_descent.h"
@@ -148,6 +149,10 @@ class RelativePose {
   /// \pre  Both trees have a node; x.exponent() >= y.exponent(); the poses passed their checks.
   RelativePose(const WideTree& x, const Pose& pose_x, const ReferenceFrame& y);
 
+  /// A box in the world in place of x: that of a body at the identity, whose origin is the center.
+  /// \pre  y has a node, the box is not empty, and its ends are within kMaxCoordinate.
+  RelativePose(const Box& x, const ReferenceFrame& y);
+
   /// The same of one found among others.
   RelativePose(const WideTree& x, const WideTree& y, const RelativePoses& poses, std::size_t i);
 
@@ -186,6 +191,9 @@ class RelativePose {
   }
 
  private:
+  /// \param exponents By which the units of the layouts differ.
+  RelativePose(const MovedNumbers& x, const Pose& pose_x, const ReferenceFrame& y, int exponents);
+
   /// M and Q_y^T d for nodes with axes of their own.
   void turn(const layout::Axes& x, const layout::Axes& y, BoxRelation& relation) const;
 
