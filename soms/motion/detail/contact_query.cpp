@@ -25,14 +25,14 @@ constexpr double kDepth = 16;
 class ContactQuery {
  public:
   ContactQuery(const MotionLaw& law, const Shape& mover, const Shape& other,
-               const FirstContactOptions& options, const Limits& limits, EndsOfWay ends)
+               const FirstContactOptions& options, const Limits& limits, const KnownOfWay& known)
       : law_(law),
         mover_(mover),
         other_(other),
         clearance_(options.within),
         parting_(options.parting),
         limits_(limits),
-        ends_(ends),
+        known_(known),
         bounds_(law, other, options.within) {}
 
   [[nodiscard]] FirstContact ask() {
@@ -61,7 +61,7 @@ class ContactQuery {
  private:
   /// Decides poses of the caller, at 0 and 1, as they are.
   [[nodiscard]] bool in_contact_at(double t) {
-    if (ends_ == EndsOfWay::free) {
+    if (known_.ends == EndsOfWay::free) {
       return false;
     }
     const Within found =
@@ -106,7 +106,7 @@ class ContactQuery {
   template <class Source>
   [[nodiscard]] double traverse_by(ContactGoal& goal) {
     Limit limit(limits_);
-    ContactTraversal<Source> traversal(bounds_, mover_, other_, goal);
+    ContactTraversal<Source> traversal(bounds_, mover_, other_, known_.nodes, goal);
     const bool complete = traversal.run(limit);
     answer_.cost += traversal.cost();
     answer_.coverage = complete ? Coverage::complete : Coverage::cut;
@@ -162,7 +162,7 @@ class ContactQuery {
   double clearance_;
   bool parting_;
   const Limits& limits_;
-  EndsOfWay ends_;
+  KnownOfWay known_;
   MotionBounds bounds_;
   FirstContact answer_;
 };
@@ -171,8 +171,8 @@ class ContactQuery {
 
 FirstContact first_contact_by(const MotionLaw& law, const Shape& mover, const Shape& other,
                               const FirstContactOptions& options, const Limits& limits,
-                              EndsOfWay ends) {
-  return ContactQuery(law, mover, other, options, limits, ends).ask();
+                              const KnownOfWay& known) {
+  return ContactQuery(law, mover, other, options, limits, known).ask();
 }
 
 }  // namespace soms::detail

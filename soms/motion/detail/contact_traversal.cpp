@@ -49,7 +49,8 @@ Item popped(std::vector<Item>& heap) {
 
 template <class Source>
 ContactTraversal<Source>::ContactTraversal(const MotionBounds& bounds, const Shape& mover,
-                                           const Shape& other, ContactGoal& goal)
+                                           const Shape& other, std::span<const std::uint32_t> nodes,
+                                           ContactGoal& goal)
     : bounds_(bounds),
       mover_(mover),
       resting_(other, bounds.law().resting_pose()),
@@ -59,7 +60,9 @@ ContactTraversal<Source>::ContactTraversal(const MotionBounds& bounds, const Sha
       kernels_(motion_kernels()),
       unfinished_(kNever) {
   intervals_.emplace_back(bounds, 0.0, 1.0);
-  push({0, kRootId, kRootId, 0, 0});
+  for (const std::uint32_t node : nodes) {
+    push({0, kRootId, node, 0, 0});
+  }
 }
 
 template <class Source>

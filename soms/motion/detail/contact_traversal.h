@@ -14,6 +14,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -27,9 +28,10 @@ namespace soms::detail {
 template <class Source>
 class ContactTraversal {
  public:
-  /// \pre No mesh is empty. Refers to what it is given.
+  /// `nodes` are ids of nodes and leaves of the other body: what is below none of them is of no
+  /// interest. \pre No mesh is empty. Refers to what it is given.
   ContactTraversal(const MotionBounds& bounds, const Shape& mover, const Shape& other,
-                   ContactGoal& goal);
+                   std::span<const std::uint32_t> nodes, ContactGoal& goal);
 
   /// Runs to the end, or until the limit is spent. True if it came to the end.
   [[nodiscard]] bool run(Limit& limit);
