@@ -54,7 +54,7 @@ inline constexpr bool kIsArray<std::array<T, N>> = true;
 template <class T, class Function>
 decltype(auto) with_fields(T& value, Function&& function) {
   constexpr std::size_t kCount = field_count<std::remove_const_t<T>>();
-  static_assert(kCount > 0 && kCount < 14, "more fields than there are cases here");
+  static_assert(kCount > 0 && kCount < 18, "more fields than there are cases here");
   // clang-format off
   if constexpr (kCount == 1) { auto& [a] = value; return function(a); }
   else if constexpr (kCount == 2) { auto& [a, b] = value; return function(a, b); }
@@ -69,6 +69,10 @@ decltype(auto) with_fields(T& value, Function&& function) {
   else if constexpr (kCount == 11) { auto& [a, b, c, d, e, f, g, h, i, j, k] = value; return function(a, b, c, d, e, f, g, h, i, j, k); }
   else if constexpr (kCount == 12) { auto& [a, b, c, d, e, f, g, h, i, j, k, l] = value; return function(a, b, c, d, e, f, g, h, i, j, k, l); }
   else if constexpr (kCount == 13) { auto& [a, b, c, d, e, f, g, h, i, j, k, l, m] = value; return function(a, b, c, d, e, f, g, h, i, j, k, l, m); }
+  else if constexpr (kCount == 14) { auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n] = value; return function(a, b, c, d, e, f, g, h, i, j, k, l, m, n); }
+  else if constexpr (kCount == 15) { auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o] = value; return function(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o); }
+  else if constexpr (kCount == 16) { auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p] = value; return function(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p); }
+  else if constexpr (kCount == 17) { auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q] = value; return function(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q); }
   // clang-format on
 }
 
