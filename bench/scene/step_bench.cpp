@@ -1,6 +1,6 @@
 // Steps of a scene: 1,000 cars on the streets of a city of a million triangles, 60 frames a second.
-// With what the steps before left against from nothing, in turns, by processor time; then two
-// threads against one by the clock, beside a plain loop that needs no memory.
+// With what the steps before left against from nothing, and plain against swept, in turns, by
+// processor time; then two threads against one by the clock, beside a loop that needs no memory.
 #include "soms/base/hash.h"
 #include "soms/base/parallel.h"
 #include "soms/generate/city.h"
@@ -11,6 +11,7 @@
 #include "bench/measure.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -57,31 +58,27 @@ struct Traffic {
   }
 };
 
-void compare_coherence(Traffic& traffic, const StepOptions& options, const char* name) {
-  StepOptions rebuilt = options;
-  rebuilt.coherent = false;
-  std::vector<double> kept_seconds;
-  std::vector<double> anew_seconds;
-  Fnv1a kept_hash;
-  Fnv1a anew_hash;
-  for (int frame = 0; frame < kFrames; ++frame) {
-    traffic.drive(traffic.kept, frame);
-    traffic.drive(traffic.rebuilt, frame);
-    for (int turn = 0; turn < 2; ++turn) {
-      const bool is_kept = (turn + frame) % 2 == 0;
+/// Two kinds of steps and what they are called, in turns: both scenes take the same way.
+void compare(Traffic& traffic, const char* name,
+             const std::array<std::pair<StepOptions, const char*>, 2>& kinds) {
+  std::array<std::vector<double>, 2> seconds;
+  std::array<Fnv1a, 2> hash;
+  for (std::size_t frame = 0; frame < kFrames; ++frame) {
+    traffic.drive(traffic.kept, static_cast<int>(frame));
+    traffic.drive(traffic.rebuilt, static_cast<int>(frame));
+    for (std::size_t turn = 0; turn < 2; ++turn) {
+      const std::size_t k = (turn + frame) % 2;
       const double begin = processor_seconds();
-      const StepReport report =
-          is_kept ? traffic.kept.step(options) : traffic.rebuilt.step(rebuilt);
-      (is_kept ? kept_seconds : anew_seconds).push_back(processor_seconds() - begin);
-      (is_kept ? kept_hash : anew_hash).add(report.hash());
+      const auto report = (k == 0 ? traffic.kept : traffic.rebuilt).step(kinds[k].first);
+      seconds[k].push_back(processor_seconds() - begin);
+      hash[k].add(report.hash());
     }
   }
-  const double k = median(kept_seconds);
-  const double a = median(anew_seconds);
-  std::printf("%-24s %8.3f ms kept %8.3f ms from nothing: ratio %.2f, answers %s (%016llx)\n", name,
-              1e3 * k, 1e3 * a, a / k,
-              kept_hash.value() == anew_hash.value() ? "the same" : "DIFFER",
-              static_cast<unsigned long long>(kept_hash.value()));
+  const double a = 1e3 * median(seconds[0]);
+  const double b = 1e3 * median(seconds[1]);
+  std::printf("%-24s %8.3f ms %s %8.3f ms %s: ratio %.2f, answers %s\n", name, a, kinds[0].second,
+              b, kinds[1].second, b / a,
+              hash[0].value() == hash[1].value() ? "the same" : "DIFFER");
 }
 
 /// Seconds of `body` on one thread and on two, the better of some runs in turn.
@@ -119,8 +116,11 @@ void plain_loop(const Limits& limits) {
 int main() {
   using namespace soms;
   const auto traffic = std::make_unique<bench::Traffic>();
-  bench::compare_coherence(*traffic, {}, "all pairs");
-  bench::compare_coherence(*traffic, {.mode = OverlapMode::any}, "any pair");
+  bench::compare(*traffic, "all pairs", {{{{}, "kept"}, {{.coherent = false}, "from nothing"}}});
+  constexpr OverlapMode kAny = OverlapMode::any;
+  bench::compare(*traffic, "any pair",
+                 {{{{.mode = kAny}, "kept"}, {{.mode = kAny, .coherent = false}, "from nothing"}}});
+  bench::compare(*traffic, "ways", {{{{}, "plain"}, {{.swept = true}, "swept"}}});
   bench::compare_threads("plain loop", bench::plain_loop);
   bench::compare_threads("60 steps", [&](const Limits& limits) {
     for (int frame = 0; frame < 60; ++frame) {

@@ -5,8 +5,8 @@
 #include "soms/base/parallel.h"
 #include "soms/clash/detail/open_parts.h"
 #include "soms/clash/detail/pair_of_parts.h"
+#include "soms/motion/detail/widened.h"
 #include "soms/scene/broad_phase.h"
-#include "soms/scene/detail/widened.h"
 
 #include <cmath>
 #include <cstddef>

@@ -36,9 +36,7 @@ set(SOMS_SOURCES
   detail/kernels/sweep_avx2.cpp
   detail/larger_box.cpp
   detail/motion_segment.cpp
-  detail/moved_bounds.cpp
   detail/narrow_phase.cpp
-  detail/near_phase.cpp
   detail/pair_filter.cpp
   detail/pair_order.cpp
   detail/pair_rows.cpp
@@ -50,7 +48,7 @@ set(SOMS_SOURCES
   detail/search/clearance_search.cpp
   detail/search/point_search.cpp
   detail/search/ray_search.cpp
-  detail/widened.cpp
+  detail/swept_phase.cpp
   motion_path.cpp
   print.cpp
   recording.cpp

@@ -140,7 +140,11 @@ std::ostream& operator<<(std::ostream& out, const StepReport& value) {
                     .add("clearance", value.clearance)
                     .add("environment_gaps", value.environment_gaps.size())
                     .add("mover_gaps", value.mover_gaps.size())
-                    .add("gap_queries", value.gap_queries);
+                    .add("gap_queries", value.gap_queries)
+                    .add("swept", value.swept)
+                    .add("environment_passages", value.environment_passages.size())
+                    .add("mover_passages", value.mover_passages.size())
+                    .add("passage_queries", value.passage_queries);
 }
 
 std::ostream& operator<<(std::ostream& out, const StepOptions& value) {
@@ -149,7 +153,8 @@ std::ostream& operator<<(std::ostream& out, const StepOptions& value) {
       .add("scope", value.scope)
       .add("mover_mover", value.mover_mover)
       .add("coherent", value.coherent)
-      .add("clearance", value.clearance);
+      .add("clearance", value.clearance)
+      .add("swept", value.swept);
   if (value.method != nullptr) {
     fields.item("method set");
   }

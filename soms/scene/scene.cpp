@@ -23,7 +23,7 @@ EnvironmentId Scene::add_environment(Body body) {
   const PlainArithmetic plain;
   const Box box = detail::world_box(body, body.shape, body.pose, "new part of the environment");
   state_->parts_changed = true;
-  return state_->parts.add({std::move(body), box, 0, {}, {}});
+  return state_->parts.add({std::move(body), box, 0, {}, {}, {}});
 }
 
 void Scene::remove_environment(EnvironmentId id) {
@@ -41,7 +41,8 @@ MoverId Scene::add_mover(Body body, std::uint32_t group) {
   const Box box = detail::world_box(body, body.shape, body.pose, "new mover");
   state_->filter_changed = state_->filter_changed || group != 0;
   state_->movers_changed = true;
-  return state_->movers.add({std::move(body), box, group, {}, {}});
+  return state_->movers.add(
+      {std::move(body), box, group, {}, {}, detail::LastPlace(state_->steps)});
 }
 
 void Scene::remove_mover(MoverId id) {
@@ -106,6 +107,7 @@ void Scene::set_pose(MoverId id, const Pose& pose) {
   const PlainArithmetic plain;
   Resident& resident = state_->movers.at(id);
   resident.box = detail::world_box(resident.body, resident.body.shape, pose, "mover", id);
+  resident.last.leave(resident.body.pose, state_->steps);
   resident.body.pose = pose;
   state_->movers_changed = true;
 }
@@ -115,6 +117,7 @@ void Scene::set_shape(MoverId id, Shape shape) {
   Resident& resident = state_->movers.at(id);
   resident.box = detail::world_box(resident.body, shape, resident.body.pose, "mover", id);
   resident.body.shape = std::move(shape);
+  resident.last = detail::LastPlace(state_->steps);
   state_->movers_changed = true;
   ++state_->shapes_set;
 }
@@ -134,9 +137,9 @@ std::size_t Scene::memory() const {
   return sizeof(State) + detail::memory_of(state.movers) + detail::memory_of(state.parts) +
          state.part_set.memory() + state.mover_set.memory() + state.broad_phase.memory() +
          detail::bytes(state.boxes) + detail::bytes(state.met) + detail::bytes(state.candidates) +
-         detail::bytes(state.near) + detail::bytes(state.questions) +
+         detail::bytes(state.near) + detail::bytes(state.passing) + detail::bytes(state.questions) +
          state.first_contacts.memory() + state.environment.memory() + state.mutual.memory() +
-         state.near_phase.memory();
+         state.distances.memory() + state.swept_phase.memory();
 }
 
 const Body& Scene::mover(MoverId id) const {

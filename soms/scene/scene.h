@@ -1,6 +1,6 @@
 /// \file
-/// Many movers in a static environment: who touches whom, and who is near, step by step; and what
-/// is nearest to a point or first on a ray.
+/// Many movers in a static environment, step by step: who touches whom, who is near, and who passes
+/// through what. And what is nearest to a point or first on a ray.
 ///
 /// \code
 /// soms::Scene scene;
@@ -14,11 +14,16 @@
 ///   std::cout << report.environment.size() << " pairs of triangles with the environment, "
 ///             << report.movers.size() << " among movers\n";
 /// }
+/// scene.set_pose(a, soms::Pose::translation(-9, -3, 0));  // a long step
+/// const soms::StepReport swept = scene.step({.swept = true});
+/// std::cout << swept.environment.size() << " pairs, " << swept.environment_passages.size()
+///           << " passage\n";
 /// \endcode
 /// It prints:
 /// \verbatim
 /// 74 pairs of triangles with the environment, 0 among movers
 /// 0 pairs of triangles with the environment, 40 among movers
+/// 0 pairs, 1 passage
 /// \endverbatim
 #pragma once
 
@@ -52,6 +57,9 @@ struct StepOptions {
   /// Pairs of bodies that do not touch but are at most this far apart are reported as gaps; 0: none
   /// are searched for, at no cost. Needs StepScope::every_pair.
   double clearance = 0;
+  /// Report passages, too: who touches whom on the way from the last step to this one. Needs
+  /// StepScope::every_pair.
+  bool swept = false;
 
   [[nodiscard]] bool operator==(const StepOptions&) const = default;
 };
@@ -130,11 +138,26 @@ class Scene : public BodyQueries<Scene, SceneBody, SceneFilter> {
   /// With a clearance D the least distance of each pair of bodies within D is reported as well. It
   /// is the answer of `distance` for the two, decided exactly, wherever the bodies lie. Groups and
   /// ignored pairs are left out as for contacts, and contacts are those of a step without it.
-  /// \errors  ErrorKind::cancelled; usage for a clearance that is negative, not finite,
-  ///          or with StepScope::first_contact; what StepOptions::method throws.
+  ///
+  /// A swept step reports passages as well, so nothing passes through anything unseen. The way of a
+  /// mover is RigidMotion::between of its poses at the last step, swept or not, and now. The pivot
+  /// is the center of its shape's bounds. No mover has a way at the first step, nor one that was
+  /// added or given another shape since the last. Such a mover, one that rests, and the environment
+  /// are for all the way as they are now.
+  ///
+  /// Each pair of bodies of which one has a way is answered as by `first_contact`; boxes that hold
+  /// whole ways may prove more to be free. It is reported unless it is free, also where it touches
+  /// now. Where it touched at the begin (`started`), it is reported if it does not touch now. So a
+  /// pair that is compared and in no list is proved free from the last step to now. Groups and
+  /// ignored pairs are left out as for contacts. While two bodies touch from begin to end, no
+  /// passage through other triangles of the two is reported.
+  /// \errors  ErrorKind::cancelled, timed_out. usage for a clearance that is negative or not
+  ///          finite, and for one, or a swept step, with StepScope::first_contact. out_of_range for
+  ///          a way next to 2^300, as `first_contact`. What StepOptions::method throws. After an
+  ///          error the last step is the one before.
   /// \cost    Time and memory linear in the pairs of bodies whose boxes meet, or, with a clearance,
   ///          are within it. Where many movers of no group, or of many groups, are in one place,
-  ///          that is quadratic in the movers.
+  ///          that is quadratic in the movers. Boxes of a swept step hold whole ways.
   [[nodiscard]] StepReport step(const StepOptions& options = {}, const Limits& limits = {});
 
  private:

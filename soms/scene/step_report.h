@@ -1,5 +1,6 @@
 /// \file
-/// What a step of a scene finds: who touches whom, and with which triangles; who is near whom.
+/// What a step of a scene finds: who touches whom, and with which triangles; who is near whom; who
+/// touched whom on the way to here.
 #pragma once
 
 #include "soms/base/bracket.h"
@@ -7,6 +8,7 @@
 #include "soms/base/words.h"
 #include "soms/describe/fields.h"
 #include "soms/geometry/mesh.h"
+#include "soms/motion/first_contact.h"
 #include "soms/query/answer.h"
 
 #include <compare>
@@ -118,6 +120,65 @@ struct Fields<MoverGap> {
       field("point_b", &MoverGap::point_b, "The other end."));
 };
 
+/// A mover touches a body of the environment on the way from the last step to this one, or is not
+/// proved free there.
+struct EnvironmentPassage {
+  MoverId mover = 0;
+  EnvironmentId part = 0;  ///< number of the body, not of a part of its mesh
+  TriangleId i = 0;        ///< triangle of the mover, of the pair that FirstContact names
+  TriangleId j = 0;        ///< triangle of that body
+  /// contact, grazing, or started, as of FirstContact. The last says that the two touched at the
+  /// begin of the way and do not now.
+  ContactVerdict verdict = ContactVerdict::contact;
+  Bracket t = {};   ///< of the first contact, in parts of the way; as of FirstContact
+  Vec3 point = {};  ///< where that is, in world
+
+  [[nodiscard]] bool operator==(const EnvironmentPassage&) const = default;
+};
+
+template <>
+struct Fields<EnvironmentPassage> {
+  static constexpr const char* kName = "EnvironmentPassage";
+  static constexpr const char* kMeaning =
+      "A mover touches a body of the environment on the way from the last step.";
+  static constexpr auto kList =
+      std::tuple(field("mover", &EnvironmentPassage::mover, "The mover."),
+                 field("part", &EnvironmentPassage::part, "Number of the body of the environment."),
+                 field("i", &EnvironmentPassage::i, "Triangle of the mover."),
+                 field("j", &EnvironmentPassage::j, "Triangle of that body."),
+                 field("verdict", &EnvironmentPassage::verdict, "What is proved."),
+                 field("t", &EnvironmentPassage::t, "The part of the way at the first contact"),
+                 field("point", &EnvironmentPassage::point, "Where it is, in world."));
+};
+
+/// Two movers touch on their ways from the last step to this one, or are not proved free there; `a`
+/// is less than `b`.
+struct MoverPassage {
+  MoverId a = 0;
+  MoverId b = 0;
+  TriangleId i = 0;                                  ///< triangle of a
+  TriangleId j = 0;                                  ///< triangle of b
+  ContactVerdict verdict = ContactVerdict::contact;  ///< as of EnvironmentPassage
+  Bracket t = {};                                    ///< likewise
+  Vec3 point = {};                                   ///< likewise
+
+  [[nodiscard]] bool operator==(const MoverPassage&) const = default;
+};
+
+template <>
+struct Fields<MoverPassage> {
+  static constexpr const char* kName = "MoverPassage";
+  static constexpr const char* kMeaning = "Two movers touch on their ways from the last step.";
+  static constexpr auto kList =
+      std::tuple(field("a", &MoverPassage::a, "The mover of the lesser number."),
+                 field("b", &MoverPassage::b, "The other mover."),
+                 field("i", &MoverPassage::i, "Triangle of a."),
+                 field("j", &MoverPassage::j, "Triangle of b."),
+                 field("verdict", &MoverPassage::verdict, "What is proved."),
+                 field("t", &MoverPassage::t, "The part of the way at the first contact"),
+                 field("point", &MoverPassage::point, "Where it is, in world."));
+};
+
 /// Which pairs of bodies a step compares.
 enum class StepScope {
   every_pair,  ///< all whose boxes meet: every pair of bodies that touch is reported
@@ -150,14 +211,19 @@ struct StepReport {
   std::vector<EnvironmentGap> environment_gaps;  ///< by mover, then part; empty without clearance
   std::vector<MoverGap> mover_gaps;              ///< by a, then b; likewise
   std::uint64_t gap_queries = 0;  ///< distances of two bodies queried; not in `queries`
+  bool swept = false;             ///< as of StepOptions
+  std::vector<EnvironmentPassage>
+      environment_passages;                  ///< by mover, then part; empty unless swept
+  std::vector<MoverPassage> mover_passages;  ///< by a, then b; likewise
+  std::uint64_t passage_queries = 0;         ///< ways of two bodies queried; not in `queries`
 
   [[nodiscard]] bool operator==(const StepReport&) const = default;
 
   /// Movers that touch anything, ascending. \cost O(n log n), n contacts.
   [[nodiscard]] std::vector<MoverId> touching_movers() const;
 
-  /// FNV-1a 64 over both lists of contacts as little-endian u32. Gaps do not count, so a step with
-  /// a clearance has the hash of one without.
+  /// FNV-1a 64 over both lists of contacts as little-endian u32. Gaps and passages do not count, so
+  /// a step with a clearance, or a swept one, has the hash of one without.
   [[nodiscard]] std::uint64_t hash() const;
 };
 
@@ -183,7 +249,14 @@ struct Fields<StepReport> {
       list("mover_gaps", &StepReport::mover_gaps, "n",
            "Movers within the clearance of each other, a < b."),
       field("gap_queries", &StepReport::gap_queries,
-            "Pairs of bodies whose distance was computed; not in queries."));
+            "Pairs of bodies whose distance was computed; not in queries."),
+      field("swept", &StepReport::swept, "Ways from the last step were looked at."),
+      list("environment_passages", &StepReport::environment_passages, "n",
+           "Movers that touch the environment on their way."),
+      list("mover_passages", &StepReport::mover_passages, "n",
+           "Movers that touch each other on their way, a < b."),
+      field("passage_queries", &StepReport::passage_queries,
+            "Pairs of bodies whose ways were compared; not in queries."));
 };
 
 }  // namespace soms

@@ -2,11 +2,11 @@
 #include "soms/base/arithmetic.h"
 #include "soms/describe/columns.h"
 #include "soms/geometry/detail/pair_distance.h"
+#include "soms/motion/detail/moved_bounds.h"
 #include "soms/query/detail/check_options.h"
 #include "soms/query/detail/engine/batch.h"
 #include "soms/query/detail/moved_triangle.h"
 #include "soms/scene/detail/box_bounds.h"
-#include "soms/scene/detail/moved_bounds.h"
 #include "soms/tiles/detail/nearest_tile.h"
 #include "soms/tiles/tiled_queries.h"
 

@@ -1,9 +1,9 @@
 // Which triangles of a mover touch those of tiles: the pairs of each tile, put together.
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
+#include "soms/motion/detail/moved_bounds.h"
 #include "soms/query/detail/check_options.h"
 #include "soms/query/detail/engine/batch.h"
-#include "soms/scene/detail/moved_bounds.h"
 #include "soms/tiles/detail/tile_boxes.h"
 #include "soms/tiles/tiled_queries.h"
 

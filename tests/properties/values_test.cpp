@@ -56,8 +56,8 @@ static_assert(kValues<BodyClosest, BodyClosestBatch, BodyHit, BodyHitBatch, Body
 static_assert(kValues<Clearance, ClearanceOptions, ClearanceStation, ClearanceStretch,
                       ClearanceVerdict, PathContact, MotionPath>);
 static_assert(kValues<EnvironmentContact, MoverContact, EnvironmentGap, MoverGap, StepReport,
-                      StepOptions, RecordedMesh, RecordedBody, RecordingHead, RecordedFrame,
-                      RecordingEnding, RecordingEnd>);
+                      EnvironmentPassage, MoverPassage, StepOptions, RecordedMesh, RecordedBody,
+                      RecordingHead, RecordedFrame, RecordingEnding, RecordingEnd>);
 static_assert(kValues<Column, ReadOptions, ReadableFormat, WritableFormat, MeshFormat, Rounding>);
 static_assert(kValues<City, CityOptions, Route, SpreadOptions, MoverKind, UrbanScene>);
 // An exception is copied by its constructor alone where it is thrown.
@@ -353,6 +353,9 @@ TEST(Values, PrintAndCompareWhatHappensInAScene) {
             "1}, point_b: Vec3{0, 0, 2}}");
   EXPECT_EQ(printed(EnvironmentGap{}).rfind("EnvironmentGap{mover: 0, part: 0, i: 0, j: 0, ", 0),
             0U);
+  EXPECT_EQ(printed(MoverPassage{1, 2, 3, 4, ContactVerdict::grazing, {0.5, 1}, {0, 0, 1}}),
+            "MoverPassage{a: 1, b: 2, i: 3, j: 4, verdict: grazing, t: Bracket{lower: 0.5, upper: "
+            "1}, point: Vec3{0, 0, 1}}");
   EXPECT_EQ(printed(StepOptions{}).rfind("StepOptions{mode: all, scope: every_pair, ", 0), 0U);
 }
 

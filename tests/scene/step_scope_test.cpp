@@ -1,7 +1,7 @@
 // Steps that stop at each mover's first contact.
 #include "soms/generate/shapes.h"
+#include "soms/motion/detail/moved_bounds.h"
 #include "soms/query/overlap.h"
-#include "soms/scene/detail/moved_bounds.h"
 #include "soms/scene/scene.h"
 
 #include "tests/scene/random_bodies.h"

@@ -1,11 +1,11 @@
 #include "soms/robot/detail/state_query.h"
 
 #include "soms/base/error.h"
+#include "soms/motion/detail/moved_bounds.h"
 #include "soms/query/contains.h"
 #include "soms/query/detail/moved_triangle.h"
 #include "soms/query/distance.h"
 #include "soms/query/overlap.h"
-#include "soms/scene/detail/moved_bounds.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 /// The order of comparisons where each mover is done at its first contact.
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -14,7 +15,7 @@ struct Candidate {
   std::uint32_t mover = 0;
   std::uint32_t other = 0;
 
-  [[nodiscard]] bool operator==(const Candidate&) const = default;
+  [[nodiscard]] auto operator<=>(const Candidate&) const = default;
 };
 
 /// Rounds of comparisons. In each round every mover that touches nothing yet has the first of its

@@ -1,8 +1,8 @@
 #include "soms/scene/detail/residents.h"
 
 #include "soms/base/error.h"
+#include "soms/motion/detail/moved_bounds.h"
 #include "soms/scene/detail/kept_memory.h"
-#include "soms/scene/detail/moved_bounds.h"
 
 #include <algorithm>
 #include <string>

@@ -5,6 +5,7 @@
 #include "soms/base/box.h"
 #include "soms/query/body.h"
 #include "soms/scene/detail/id_list.h"
+#include "soms/scene/detail/last_place.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -24,6 +25,8 @@ struct Resident {
   std::vector<std::uint32_t> ignored_movers;
   /// Mover: parts not compared with. Part: the movers that ignore it.
   std::vector<std::uint32_t> ignored_others;
+  /// Mover: where it was at the last step.
+  LastPlace last = {};
 };
 
 using Residents = IdList<Resident>;

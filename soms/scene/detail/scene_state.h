@@ -2,12 +2,14 @@
 /// What a scene holds: its bodies, and the memory of its steps.
 #pragma once
 
+#include "soms/query/distance.h"
 #include "soms/scene/broad_phase.h"
 #include "soms/scene/detail/first_contacts.h"
 #include "soms/scene/detail/narrow_phase.h"
-#include "soms/scene/detail/near_phase.h"
+#include "soms/scene/detail/pair_answers.h"
 #include "soms/scene/detail/residents.h"
 #include "soms/scene/detail/search/body_search.h"
+#include "soms/scene/detail/swept_phase.h"
 #include "soms/scene/scene.h"
 
 #include <cstddef>
@@ -17,6 +19,14 @@
 
 namespace soms {
 
+/// Where a step puts what it finds of movers and other bodies.
+template <typename Contact, typename Gap, typename Passage>
+struct FoundLists {
+  std::vector<Contact>& contacts;
+  std::vector<Gap>& gaps;
+  std::vector<Passage>& passages;
+};
+
 struct Scene::State {
   detail::Residents movers{"mover"};
   detail::Residents parts{"part of the environment"};
@@ -25,6 +35,7 @@ struct Scene::State {
   bool filter_changed = false;
   bool has_filter = false;
   std::uint64_t shapes_set = 0;
+  std::uint64_t steps = 0;  ///< that are done
   detail::BodySet part_set;
   detail::BodySet mover_set;  ///< for queries of points and rays alone
   BroadPhase broad_phase;
@@ -34,13 +45,16 @@ struct Scene::State {
   std::vector<std::uint32_t> met;
   std::vector<detail::Candidate> candidates;  ///< pairs of bodies whose boxes meet
   std::vector<detail::Candidate> near;        ///< within the clearance: `candidates` and more
+  std::vector<detail::Candidate> passing;     ///< whose boxes over the way meet, one of them moves
   std::vector<detail::BodyPair> questions;
   std::size_t most_candidates = 0;  ///< of this step
   std::size_t most_near = 0;        ///< of this step
+  std::size_t most_passing = 0;     ///< of this step
   detail::FirstContacts first_contacts;
   detail::NarrowPhase environment;
   detail::NarrowPhase mutual;
-  detail::NearPhase near_phase;
+  detail::PairAnswers<Distance, detail::kFewQuestions> distances;
+  detail::SweptPhase swept_phase;
 
   [[nodiscard]] StepReport step(const StepOptions& options, const Limits& limits);
 
@@ -50,12 +64,13 @@ struct Scene::State {
 
  private:
   void refresh_filter();
-  void find_environment_candidates(double clearance, StepReport& report);
-  void find_mover_candidates(double clearance, StepReport& report);
-  template <typename Contact, typename Gap>
+  void find_environment_candidates(const StepOptions& options, StepReport& report);
+  void find_mover_candidates(const StepOptions& options, StepReport& report);
+  void add_candidate(const detail::Candidate& pair, bool meets, bool is_near, bool passes);
+  template <typename Lists>
   void compare(detail::NarrowPhase& narrow_phase, const detail::Residents& others,
-               const StepOptions& options, const Limits& limits, std::vector<Contact>& contacts,
-               std::vector<Gap>& gaps, StepReport& report);
+               const StepOptions& options, const Limits& limits, const Lists& lists,
+               StepReport& report);
   template <typename Contact>
   void ask(detail::NarrowPhase& narrow_phase, const detail::Residents& others,
            const detail::PairQuery& query, const Limits& limits, std::vector<Contact>& contacts,
@@ -71,6 +86,9 @@ struct Scene::State {
   template <typename Gap>
   void measure(const detail::Residents& others, double clearance, const Limits& limits,
                std::vector<Gap>& gaps, StepReport& report);
+  template <typename Passage>
+  void pass(const detail::NarrowPhase& narrow_phase, const detail::Residents& others,
+            const Limits& limits, std::vector<Passage>& passages, StepReport& report);
 
   [[nodiscard]] detail::BodyPair question(const detail::Candidate& candidate,
                                           const detail::Residents& others) const {

@@ -2,6 +2,8 @@
 
 #include "soms/query/distance.h"
 
+#include <cstddef>
+
 namespace soms::reference {
 
 namespace {
@@ -20,23 +22,35 @@ void add(std::vector<Gap>& gaps, std::uint32_t a, const Body& first, std::uint32
 
 }  // namespace
 
-Gaps gaps(const Scene& scene, double clearance, const ComparedPairs& compared) {
-  Gaps found;
-  const std::vector<MoverId> movers = scene.movers();
-  for (std::size_t k = 0; k < movers.size(); ++k) {
-    const MoverId mover = movers[k];
+void for_each_compared_pair(
+    const Scene& scene, const ComparedPairs& compared,
+    const std::function<void(MoverId mover, EnvironmentId part)>& environment,
+    const std::function<void(MoverId a, MoverId b)>& movers) {
+  const std::vector<MoverId> ids = scene.movers();
+  for (std::size_t k = 0; k < ids.size(); ++k) {
     for (const EnvironmentId part : scene.environments()) {
-      if (!compared.environment || compared.environment(mover, part)) {
-        add(found.environment, mover, scene.mover(mover), part, scene.environment(part), clearance);
+      if (!compared.environment || compared.environment(ids[k], part)) {
+        environment(ids[k], part);
       }
     }
-    for (std::size_t l = k + 1; l < movers.size(); ++l) {
-      const MoverId other = movers[l];
-      if (!compared.movers || compared.movers(mover, other)) {
-        add(found.movers, mover, scene.mover(mover), other, scene.mover(other), clearance);
+    for (std::size_t l = k + 1; l < ids.size(); ++l) {
+      if (!compared.movers || compared.movers(ids[k], ids[l])) {
+        movers(ids[k], ids[l]);
       }
     }
   }
+}
+
+Gaps gaps(const Scene& scene, double clearance, const ComparedPairs& compared) {
+  Gaps found;
+  for_each_compared_pair(
+      scene, compared,
+      [&](MoverId mover, EnvironmentId part) {
+        add(found.environment, mover, scene.mover(mover), part, scene.environment(part), clearance);
+      },
+      [&](MoverId a, MoverId b) {
+        add(found.movers, a, scene.mover(a), b, scene.mover(b), clearance);
+      });
   return found;
 }
 

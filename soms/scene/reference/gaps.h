@@ -15,6 +15,13 @@ struct ComparedPairs {
   std::function<bool(MoverId a, MoverId b)> movers = {};  ///< `a` is less than `b`
 };
 
+/// Calls `environment` or `movers` for each compared pair of bodies: by mover, then part; by a,
+/// then b.
+void for_each_compared_pair(
+    const Scene& scene, const ComparedPairs& compared,
+    const std::function<void(MoverId mover, EnvironmentId part)>& environment,
+    const std::function<void(MoverId a, MoverId b)>& movers);
+
 /// Gaps as of StepReport.
 struct Gaps {
   std::vector<EnvironmentGap> environment;

@@ -1,7 +1,7 @@
 #include "soms/tiles/detail/tile_boxes.h"
 
 #include "soms/base/parallel.h"
-#include "soms/scene/detail/moved_bounds.h"
+#include "soms/motion/detail/moved_bounds.h"
 
 #include <algorithm>
 #include <numeric>

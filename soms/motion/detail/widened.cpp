@@ -1,4 +1,4 @@
-#include "soms/scene/detail/widened.h"
+#include "soms/motion/detail/widened.h"
 
 #include "soms/base/pose.h"
 
@@ -9,7 +9,7 @@
 
 namespace soms::detail {
 
-Box widened(const Box& box, double margin) {
+Box widened(const Box& box, const Vec3& margin) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (box.empty()) {
     return box;
@@ -17,11 +17,15 @@ Box widened(const Box& box, double margin) {
   Box wide;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     wide.lower[axis] =
-        std::max(std::nextafter(box.lower[axis] - margin, -kInfinity), -kMaxCoordinate);
+        std::max(std::nextafter(box.lower[axis] - margin[axis], -kInfinity), -kMaxCoordinate);
     wide.upper[axis] =
-        std::min(std::nextafter(box.upper[axis] + margin, kInfinity), kMaxCoordinate);
+        std::min(std::nextafter(box.upper[axis] + margin[axis], kInfinity), kMaxCoordinate);
   }
   return wide;
+}
+
+Box widened(const Box& box, double margin) {
+  return widened(box, Vec3{margin, margin, margin});
 }
 
 }  // namespace soms::detail

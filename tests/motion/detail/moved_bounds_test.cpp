@@ -1,4 +1,4 @@
-#include "soms/scene/detail/moved_bounds.h"
+#include "soms/motion/detail/moved_bounds.h"
 
 #include "tests/scene/random_bodies.h"
 #include "tests/support/support.h"

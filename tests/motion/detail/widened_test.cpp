@@ -1,4 +1,4 @@
-#include "soms/scene/detail/widened.h"
+#include "soms/motion/detail/widened.h"
 
 #include "soms/base/pose.h"
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "soms/base/box.h"
+#include "soms/base/vector.h"
 
 namespace soms::detail {
 
@@ -17,5 +18,8 @@ namespace soms::detail {
 /// Ends stop at kMaxCoordinate: no surface lies beyond.
 /// \pre  `margin` is finite and at least 0; the ends of `box` are within kMaxCoordinate.
 [[nodiscard]] Box widened(const Box& box, double margin);
+
+/// The same with a margin for each axis.
+[[nodiscard]] Box widened(const Box& box, const Vec3& margin);
 
 }  // namespace soms::detail

@@ -1,4 +1,4 @@
-#include "soms/scene/detail/moved_bounds.h"
+#include "soms/motion/detail/moved_bounds.h"
 
 #include <algorithm>
 #include <cstddef>
