@@ -1059,7 +1059,7 @@ class Scene:
     def set_environment_shape(self, number: int, shape: Shape | MeshLike) -> None: ...
     def step(
         self, *, mode: OverlapMode | str = "all", scope: StepScope | str = "every_pair",
-        mover_mover: bool = True, clearance: float = 0.0, threads: int = 1,
+        mover_mover: bool = True, clearance: float = 0.0, swept: bool = False, threads: int = 1,
         progress: Progress = None,
     ) -> StepReport: ...
     @overload

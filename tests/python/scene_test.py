@@ -54,6 +54,20 @@ class Scenes(unittest.TestCase):
         self.assertEqual((gap["lower"], gap["upper"]), (8, 8))
         self.assertEqual(gap["point_a"][0] - gap["point_b"][0], 8)
 
+    def test_passages(self):
+        self.scene.step()
+        before = self.scene.mover(self.movers[2]).pose
+        self.scene.set_pose(self.movers[2], [-10, 0, 0])
+        report = self.scene.step(swept=True, threads=2)
+        rows = report.environment_passages
+        self.assertEqual((report.swept, rows["mover"].tolist()), (True, [self.movers[2]]))
+        self.assertEqual(soms.ContactVerdict(int(rows["verdict"][0])), soms.ContactVerdict.contact)
+        found = soms.first_contact(
+            self.scene.mover(self.movers[2]).shape, before, [-10, 0, 0], self.scene.environment(self.floor),
+            pivot=[0.5, 0.5, 0.5])
+        self.assertEqual((rows["lower"][0], rows["upper"][0]), (found.lower, found.upper))
+        self.assertEqual(set(report.mover_passages["b"]), {self.movers[2]})
+
     def test_ignored_pairs_and_groups(self):
         self.scene.ignore(self.movers[0], self.movers[1])
         self.assertEqual(len(self.scene.step().movers), 0)

@@ -24,13 +24,15 @@ Bodies are numbered when they are added; numbers are never used again. given_mov
 given_environment(number) return the very objects that were added.)";
 
 constexpr const char* kStepDoc =
-    R"(step(*, mode='all', scope='every_pair', mover_mover=True, clearance=0.0, threads=1, progress=None)
+    R"(step(*, mode='all', scope='every_pair', mover_mover=True, clearance=0.0, swept=False, threads=1,
+     progress=None)
 
 All overlaps at the present poses: who touches whom, and with which triangles.
 
 mode: 'all' pairs of triangles; 'any' one for each pair of bodies; 'first' the least. scope:
 'first_contact' compares each mover up to its first contact. mover_mover: compare movers with each
-other. clearance: report the gaps of bodies that are at most so far apart and do not touch.
+other. clearance: report the gaps of bodies that are at most so far apart and do not touch. swept:
+report passages: who touches whom on the way from the last step to this one.
 
 Returns StepReport: the same bytes for any number of threads. Raises Error of kind usage.)";
 
@@ -64,12 +66,13 @@ void set_poses(HeldScene& held, const py::object& given, const py::object& mover
 }
 
 StepReport step(HeldScene& held, const py::object& mode, const py::object& scope, bool mover_mover,
-                double clearance, int threads, const py::object& progress) {
+                double clearance, bool swept, int threads, const py::object& progress) {
   const SceneUse use(held);
   const StepOptions options{.mode = enum_of<OverlapMode>(mode, "mode"),
                             .scope = enum_of<StepScope>(scope, "scope"),
                             .mover_mover = mover_mover,
-                            .clearance = clearance};
+                            .clearance = clearance,
+                            .swept = swept};
   return run(Work::many, threads, progress,
              [&](const Limits& limits) { return use.scene().step(options, limits); });
 }
@@ -202,8 +205,8 @@ void bind_scene(py::module_& module) {
   bind_given(scene);
   bind_changes(scene);
   scene.def("step", &step, py::kw_only(), py::arg("mode") = "all", py::arg("scope") = "every_pair",
-            py::arg("mover_mover") = true, py::arg("clearance") = 0.0, py::arg("threads") = 1,
-            py::arg("progress") = py::none(), kStepDoc);
+            py::arg("mover_mover") = true, py::arg("clearance") = 0.0, py::arg("swept") = false,
+            py::arg("threads") = 1, py::arg("progress") = py::none(), kStepDoc);
   bind_scene_queries(module, scene);
   def_notebook_page(scene);
   scene.def("__repr__", [](HeldScene& held) {
