@@ -92,7 +92,7 @@ void note_long_steps(World& world, bool strict, const Console& console) {
                     count == 1 ? "1 mover" : with_commas(count) + " movers",
                     count == 1 ? "goes" : "go", first->speed / kFramesASecond, first->name,
                     first->shape.bounds().extent().x, count == 1 ? "it" : "they"),
-        "give a route of poses in smaller steps", strict, console);
+        "give a route of poses in smaller steps, or --swept", strict, console);
   }
 }
 

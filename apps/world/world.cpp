@@ -300,6 +300,14 @@ Model make_model(Shape shape, std::string name, Kind kind) {
   return model;
 }
 
+const std::string& model_name(const World& world, MoverId mover) {
+  return world.models[world.routes[mover].model].name;
+}
+
+std::string mover_name(const World& world, MoverId mover) {
+  return model_name(world, mover) + " " + std::to_string(mover);
+}
+
 std::string short_name(const std::string& path) {
   if (path == "-") {
     return std::string(kStandardInputName);

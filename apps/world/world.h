@@ -119,6 +119,11 @@ class CityParts {
   std::vector<PartsOf> parts_;  ///< of each body
 };
 
+[[nodiscard]] const std::string& model_name(const World& world, MoverId mover);
+
+/// "car 17".
+[[nodiscard]] std::string mover_name(const World& world, MoverId mover);
+
 /// Name of a file without folder and extension.
 [[nodiscard]] std::string short_name(const std::string& path);
 

@@ -162,7 +162,7 @@ int status_of(const Outcome& outcome, const SimulateOptions& options, int drawn)
   if (options.fail_if == FailIf::never) {
     return 0;
   }
-  if (!outcome.contacts.contacts().empty() ||
+  if (!outcome.contacts.contacts().empty() || !outcome.passages.events().empty() ||
       (options.fail_if == FailIf::near && !outcome.near.events().empty())) {
     return kConditionHolds;
   }
@@ -209,7 +209,9 @@ void settle_frames(World& world, SimulateOptions& options, const Console& consol
   }
   check_picture_frame(options);
   note_unused_rows(world, options.frames, strict, console);
-  note_long_steps(world, strict, console);
+  if (!options.swept) {
+    note_long_steps(world, strict, console);
+  }
 }
 
 /// Draws the picture, then tells and writes what was found, whatever became of the picture.
@@ -249,7 +251,7 @@ int run_window(const SimulateOptions& options, const Console& console) {
   if (answers || !options.report.empty() || !options.map.empty() || !options.events.empty() ||
       !options.contacts.empty() || !options.record.empty() || !options.picture.empty() ||
       !options.answer.empty() || options.picture_frame || !options.between_movers ||
-      !options.ignored.empty() || options.clearance > 0) {
+      !options.ignored.empty() || options.clearance > 0 || options.swept) {
     throw Error(ErrorKind::usage, "--view cannot be combined with an option of outputs or contacts",
                 "leave out --view, or the other option");
   }

@@ -18,8 +18,8 @@ namespace soms::command {
 /// What ends `simulate` with status 1.
 enum class FailIf {
   never,
-  contact,
-  near,  ///< a near event; a contact is one
+  contact,  ///< or a passage
+  near,     ///< a near event; a contact is one
 };
 
 /// Options of the verb `simulate`.
@@ -40,6 +40,7 @@ struct SimulateOptions {
   std::string picture = {};                  ///< empty: none
   std::optional<std::uint64_t> picture_frame = std::nullopt;  ///< unset: the last
   double clearance = 0;  ///< pairs at most this far apart are near; 0: none are
+  bool swept = false;    ///< what is touched between two frames counts, too
   FailIf fail_if = FailIf::never;
   bool between_movers = true;             ///< test movers against each other
   std::vector<std::string> ignored = {};  ///< pairs of movers that are not, "A,B"

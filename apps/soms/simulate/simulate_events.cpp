@@ -4,12 +4,15 @@
 
 #include "apps/model/georeference.h"
 #include "apps/soms/simulate/simulate_near_report.h"
+#include "apps/soms/simulate/simulate_passage_report.h"
+#include "apps/soms/simulate/simulate_report.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <tuple>
 
 namespace soms::command {
@@ -29,7 +32,7 @@ WhoTouches who_touches(const ContactSpan& event) {
 }
 
 std::string model_field(const World& world, MoverId mover) {
-  return csv_field(world.models[world.routes[mover].model].name);
+  return csv_field(model_name(world, mover));
 }
 
 }  // namespace
@@ -80,9 +83,12 @@ void write_events(std::ostream& out, const World& world, const Outcome& outcome,
   }
   const CityParts parts(world);
   const bool with_near = options.clearance > 0;
+  const std::string_view of_near = with_near ? kNearFieldsOfContact : "";
+  const std::string_view of_passage = options.swept ? kPassageFieldsOfOthers : "";
   const GeoreferenceColumn georeference(world.georeference);
   out << "event,mover,model,touched,part,begin,end,frames,contacts,most_pairs,most_frame,x,y,z"
-      << (with_near ? kNearColumns : "") << georeference.head() << '\n';
+      << (with_near ? kNearColumns : "") << (options.swept ? kPassageColumns : "")
+      << georeference.head() << '\n';
   for (std::size_t k = 0; k < events.size(); ++k) {
     const ContactSpan& event = events[k];
     out << "contact," << event.a.body.id << ',' << model_field(world, event.a.body.id) << ',';
@@ -95,10 +101,13 @@ void write_events(std::ostream& out, const World& world, const Outcome& outcome,
     out << fmt::format(",{},{},{},{},{},{},{},{},{}", event.begin, event.end, event.steps,
                        counts[k], event.most_pairs, event.most_step, event.place.x, event.place.y,
                        event.place.z)
-        << (with_near ? kNearFieldsOfContact : "") << georeference.field() << '\n';
+        << of_near << of_passage << georeference.field() << '\n';
   }
   if (with_near) {
-    write_near_events(out, world, outcome);
+    write_near_events(out, world, outcome, of_passage);
+  }
+  if (options.swept) {
+    write_passages(out, world, outcome, of_near);
   }
 }
 

@@ -33,7 +33,8 @@ namespace soms::command {
 
 /// CSV, a row an event: columns of docs/simulate.md. `event_of` is that of `events_of_contacts`,
 /// here and below. With a clearance there are the columns `kNearColumns`, too, and behind the
-/// contacts a row for each time that two bodies are near.
+/// contacts a row for each time that two bodies are near. Swept steps add `kPassageColumns` and a
+/// row for each passage.
 void write_events(std::ostream& out, const World& world, const Outcome& outcome,
                   std::span<const std::size_t> event_of, const SimulateOptions& options);
 

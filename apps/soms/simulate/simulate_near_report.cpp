@@ -14,14 +14,6 @@ namespace soms::command {
 
 namespace {
 
-const std::string& model_name(const World& world, MoverId mover) {
-  return world.models[world.routes[mover].model].name;
-}
-
-std::string mover_name(const World& world, MoverId mover) {
-  return fmt::format("{} {}", model_name(world, mover), mover);
-}
-
 /// The number in its file of the triangle of the other body.
 TriangleId other_triangle(const World& world, const NearEvent& event) {
   return event.between_movers() ? event.j : world.numbers[event.part](event.j);
@@ -32,14 +24,26 @@ std::string other_name(const World& world, const NearEvent& event) {
                                 : part_name(world, event.part, event.j);
 }
 
-Json point_json(const Vec3& point) {
-  return Json::array({point.x, point.y, point.z});
-}
-
 }  // namespace
 
 std::string meters_in_text(double meters) {
   return four_digits(meters) + " m";
+}
+
+Json point_json(const Vec3& point) {
+  return Json::array({point.x, point.y, point.z});
+}
+
+Json bodies_json(const World& world, const NamedBodies& bodies) {
+  Json row{{"mover", bodies.mover}, {"model", model_name(world, bodies.mover)}};
+  if (bodies.part == Contact::kMover) {
+    row["other_mover"] = bodies.other;
+    row["other_model"] = model_name(world, bodies.other);
+  } else {
+    row["city"] = world.city[bodies.part].name;
+    row["part"] = part_name(world, bodies.part, bodies.j);
+  }
+  return row;
 }
 
 void add_near_figures(Figures& figures, const World& world, const Outcome& outcome,
@@ -79,14 +83,8 @@ void add_near_json(Json& json, const World& world, const Outcome& outcome,
   json["nearest"] = Json::array();
   for (const std::size_t k : outcome.near.nearest(kMostTouched)) {
     const NearEvent& event = outcome.near.events()[k];
-    Json row{{"mover", event.mover}, {"model", model_name(world, event.mover)}};
-    if (event.between_movers()) {
-      row["other_mover"] = event.other;
-      row["other_model"] = model_name(world, event.other);
-    } else {
-      row["city"] = world.city[event.part].name;
-      row["part"] = part_name(world, event.part, event.j);
-    }
+    Json row = bodies_json(
+        world, {.mover = event.mover, .part = event.part, .other = event.other, .j = event.j});
     row["begin"] = event.begin;
     row["end"] = event.end;
     row["frame"] = event.nearest;
@@ -98,17 +96,25 @@ void add_near_json(Json& json, const World& world, const Outcome& outcome,
   }
 }
 
-void write_near_events(std::ostream& out, const World& world, const Outcome& outcome) {
+void write_bodies(std::ostream& out, const World& world, const CityParts& parts,
+                  const NamedBodies& bodies) {
+  out << bodies.mover << ',' << csv_field(model_name(world, bodies.mover)) << ',';
+  if (bodies.part == Contact::kMover) {
+    out << "mover " << bodies.other << ',' << csv_field(model_name(world, bodies.other));
+  } else {
+    out << csv_field(world.city[bodies.part].name) << ','
+        << csv_field(parts.name(bodies.part, bodies.j));
+  }
+}
+
+void write_near_events(std::ostream& out, const World& world, const Outcome& outcome,
+                       std::string_view behind) {
   const CityParts parts(world);
   const GeoreferenceColumn georeference(world.georeference);
   for (const NearEvent& event : outcome.near.events()) {
-    out << "near," << event.mover << ',' << csv_field(model_name(world, event.mover)) << ',';
-    if (event.between_movers()) {
-      out << "mover " << event.other << ',' << csv_field(model_name(world, event.other));
-    } else {
-      out << csv_field(world.city[event.part].name) << ','
-          << csv_field(parts.name(event.part, event.j));
-    }
+    out << "near,";
+    write_bodies(out, world, parts,
+                 {.mover = event.mover, .part = event.part, .other = event.other, .j = event.j});
     out << fmt::format(",{},{},{},,,,,,,{},{},{},{},{}", event.begin, event.end,
                        event.end - event.begin + 1, event.distance.lower, event.distance.upper,
                        event.nearest, event.i, other_triangle(world, event));
@@ -119,7 +125,7 @@ void write_near_events(std::ostream& out, const World& world, const Outcome& out
       const Vec3& b = event.point_b;
       out << fmt::format(",{},{},{},{},{},{}", a.x, a.y, a.z, b.x, b.y, b.z);
     }
-    out << georeference.field() << '\n';
+    out << behind << georeference.field() << '\n';
   }
 }
 

@@ -36,9 +36,28 @@ void add_near_figures(Figures& figures, const World& world, const Outcome& outco
 void add_near_json(Json& json, const World& world, const Outcome& outcome,
                    const SimulateOptions& options);
 
+/// A mover and what it comes to: triangle `j` of a body of the city, or mover `other`, as of
+/// NearEvent.
+struct NamedBodies {
+  MoverId mover = 0;
+  EnvironmentId part = 0;
+  MoverId other = 0;
+  TriangleId j = 0;
+};
+
+/// What JSON says of them: mover, model, and other_mover, other_model or city, part.
+[[nodiscard]] Json bodies_json(const World& world, const NamedBodies& bodies);
+
+[[nodiscard]] Json point_json(const Vec3& point);
+
+/// The fields mover, model, touched and part of an event.
+void write_bodies(std::ostream& out, const World& world, const CityParts& parts,
+                  const NamedBodies& bodies);
+
 /// Rows of events, after those of contacts; `nearest` is the frame of the least distance, and
-/// there are no points where the two touch in it.
-void write_near_events(std::ostream& out, const World& world, const Outcome& outcome);
+/// there are no points where the two touch in it. `behind` are the fields of further columns.
+void write_near_events(std::ostream& out, const World& world, const Outcome& outcome,
+                       std::string_view behind);
 
 /// Adds to a page the events without a touch, the nearest first, as many as it has room for: as a
 /// table, and as gaps of the scene. \pre `page.scene.bodies` are those of the city, then the

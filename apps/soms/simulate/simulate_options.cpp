@@ -74,6 +74,9 @@ Action add_simulate(Parser& parser, Shared&) {
   add_positive(parser, "--clearance", options->clearance,
                "report what comes within this distance (above 0), too, and how\n"
                "near; maps, pages and pictures draw it, --record keeps it");
+  parser.add_flag("--swept", options->swept,
+                  "report what is touched between two frames, too, so that nothing\n"
+                  "passes through anything unseen");
   add_outputs(parser, simulate_files(*options), "Options",
               "write a file, by its extension; may be repeated:\n");
   add_output(parser, "--contacts", options->contacts,
@@ -94,7 +97,8 @@ Action add_simulate(Parser& parser, Shared&) {
   add_choice<FailIf>(
       parser, "--fail-if", options->fail_if,
       {{"overlap", FailIf::contact}, {"contact", FailIf::contact}, {"near", FailIf::near}},
-      "exit with status 1 if anything touches, or comes within the\n--clearance");
+      "exit with status 1 if anything touches (with --swept, between\nframes, too), or comes "
+      "within the --clearance");
   parser.footer(kFooter);
   return [options, frames, &parser](Console& console) {
     options->frames_given = frames->count() > 0;

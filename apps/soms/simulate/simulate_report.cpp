@@ -9,6 +9,7 @@
 #include "apps/output/json.h"
 #include "apps/soms/simulate/simulate_events.h"
 #include "apps/soms/simulate/simulate_near_report.h"
+#include "apps/soms/simulate/simulate_passage_report.h"
 #include "apps/world/route_notes.h"
 
 #include <fmt/format.h>
@@ -151,6 +152,9 @@ Figures figures_of(const World& world, const Outcome& outcome, const SimulateOpt
   if (options.clearance > 0) {
     add_near_figures(figures, world, outcome, options);
   }
+  if (options.swept) {
+    add_passage_figures(figures, world, outcome);
+  }
   if (outcome.verified) {
     const Verified& v = *outcome.verified;
     figures.emplace_back(
@@ -241,6 +245,9 @@ std::string json_of(const World& world, const Outcome& outcome, const SimulateOp
   }
   if (options.clearance > 0) {
     add_near_json(json, world, outcome, options);
+  }
+  if (options.swept) {
+    add_passage_json(json, world, outcome);
   }
   return json_line(json);
 }

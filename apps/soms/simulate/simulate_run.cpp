@@ -116,7 +116,8 @@ class Run {
     const StepReport report = run_frame(scene_, world_, frame,
                                         {.mover_mover = world_.filter.between,
                                          .method = method_.get(),
-                                         .clearance = options_.clearance},
+                                         .clearance = options_.clearance,
+                                         .swept = options_.swept},
                                         limits, poses_, lines_, seconds);
     VerifiedGaps gaps;
     if (gap_verifier_) {
@@ -134,10 +135,11 @@ class Run {
     if (options_.clearance > 0) {
       outcome_.near.add(report, frame);
     }
+    outcome_.passages.add(report, frame);
     if (outcome_.verified_gaps) {
       *outcome_.verified_gaps += gaps;
     }
-    outcome_.queries += report.queries + report.gap_queries;
+    outcome_.queries += report.queries + report.gap_queries + report.passage_queries;
     outcome_.cost += report.cost;
     outcome_.frame_seconds.push_back(seconds);
     if (frame % pause_ == 0 || frame + 1 == options_.frames) {

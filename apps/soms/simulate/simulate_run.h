@@ -10,6 +10,7 @@
 #include "apps/soms/simulate/simulate.h"
 #include "apps/soms/simulate/simulate_contacts.h"
 #include "apps/soms/simulate/simulate_near.h"
+#include "apps/soms/simulate/simulate_passages.h"
 #include "apps/soms/simulate/simulate_record.h"
 #include "apps/soms/simulate/simulate_verify.h"
 #include "apps/soms/simulate/simulate_verify_near.h"
@@ -40,6 +41,7 @@ struct Outcome {
   ContactLog contacts;
   ContactSpans events;  ///< of a mover and a part of the city, or another mover
   NearLog near;         ///< filled with a clearance alone
+  PassageLog passages;  ///< filled by swept steps alone
   std::optional<Verified> verified = std::nullopt;
   std::optional<VerifiedGaps> verified_gaps = std::nullopt;
   std::vector<std::vector<Place>> tracks;  ///< where each mover was, at some hundred frames
