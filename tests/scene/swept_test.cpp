@@ -1,6 +1,7 @@
 // Swept steps: who touches whom between two frames.
 #include "soms/base/error.h"
 #include "soms/base/stop_token.h"
+#include "soms/generate/shapes.h"
 #include "soms/scene/scene.h"
 
 #include "tests/scene/passages_twin.h"
@@ -393,6 +394,52 @@ TEST(Swept, EqualsTheFirstContactOfEachPair) {
   });
   EXPECT_GT(verdicts[ContactVerdict::contact], 100U);
   EXPECT_GT(verdicts[ContactVerdict::started], 10U);
+  EXPECT_GT(free, 100U);
+}
+
+// Here ways go down the tree of the knot as boxes first.
+TEST(Swept, EqualsTheFirstContactOfEachMoverWithALargeBody) {
+  std::size_t passages = 0;
+  std::size_t free = 0;
+  test::for_each_case("scene/swept-large", 12, [&](Rng& rng) {
+    const Layout layout = rng.below(3) == 0 ? Layout::compact : Layout::wide;
+    const Shape knot(generate_knot(3000), {.layout = layout});
+    const double away = rng.below(2) == 0 ? 0 : 1e6;
+    const Shape chip = brick({{-0.04, -0.02, -0.01}, {0.04, 0.02, 0.01}});
+    const auto pose = [&] {
+      Pose turned = test::random_pose(rng, 0);
+      turned.m[3] = away + rng.uniform(-3, 3);
+      turned.m[7] = rng.uniform(-3, 3) - away;
+      turned.m[11] = rng.uniform(-1, 1);
+      return turned;
+    };
+    Pose place = test::random_pose(rng, 0);
+    place.m[3] = away;
+    place.m[7] = -away;
+    Scenes scenes;
+    scenes.change([&](Scene& scene) { scene.add_environment(Body(knot, place)); });
+    std::map<MoverId, Pose> before;
+    for (MoverId id = 0; id < 40; ++id) {
+      before[id] = pose();
+      scenes.change([&](Scene& scene) { scene.add_mover(Body(chip, before[id]), 1); });
+    }
+    static_cast<void>(scenes.step());
+    for (MoverId id = 0; id < 40; ++id) {
+      Pose next = pose();
+      if (rng.below(2) == 0) {
+        next = before[id];
+        next.m[3] += rng.uniform(-0.3, 0.3);
+      }
+      scenes.change([&](Scene& scene) { scene.set_pose(id, next); });
+    }
+    const StepReport report = scenes.step();
+    const auto no_movers = [](MoverId, MoverId) { return false; };
+    ASSERT_EQ(passages_of(report),
+              test::passages(scenes.front(), before, {.environment = {}, .movers = no_movers}));
+    passages += report.environment_passages.size();
+    free += report.passage_queries - report.environment_passages.size();
+  });
+  EXPECT_GT(passages, 50U);
   EXPECT_GT(free, 100U);
 }
 
