@@ -27,6 +27,10 @@ struct FoundLists {
   std::vector<Passage>& passages;
 };
 
+template <typename Contact, typename Gap, typename Passage>
+FoundLists(std::vector<Contact>&, std::vector<Gap>&, std::vector<Passage>&)
+    -> FoundLists<Contact, Gap, Passage>;
+
 struct Scene::State {
   detail::Residents movers{"mover"};
   detail::Residents parts{"part of the environment"};
