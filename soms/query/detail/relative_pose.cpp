@@ -130,7 +130,7 @@ Vec3 moved(const Pose& pose, const Vec3& v) {
 }
 
 /// Of a box whose origin is its center; the half sides, rounded up, reach both ends.
-MovedNumbers numbers_of(const Box& box) {
+MovedNumbers numbers_of_box(const Box& box) {
   MovedNumbers numbers{box.center(), farthest(box), {}};
   for (std::size_t k = 0; k < 3; ++k) {
     const double half =
@@ -193,7 +193,7 @@ RelativePose::RelativePose(const WideTree& x, const Pose& pose_x, const Referenc
 }
 
 RelativePose::RelativePose(const Box& x, const ReferenceFrame& y)
-    : RelativePose(numbers_of(x), Pose(), y, 0) {
+    : RelativePose(numbers_of_box(x), Pose(), y, 0) {
 }
 
 RelativePose::RelativePose(const MovedNumbers& x, const Pose& pose_x, const ReferenceFrame& y,
