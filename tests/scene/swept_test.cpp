@@ -1,22 +1,16 @@
 // Swept steps: who touches whom between two frames.
 #include "soms/base/error.h"
 #include "soms/base/stop_token.h"
-#include "soms/generate/shapes.h"
 #include "soms/scene/scene.h"
 
-#include "tests/scene/passages_twin.h"
 #include "tests/scene/random_bodies.h"
 #include "tests/scene/scenes.h"
+#include "tests/scene/swept_scenes.h"
 #include "tests/support/support.h"
 
-#include <cmath>
-#include <cstdint>
-#include <map>
 #include <numbers>
-#include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace soms {
 
@@ -34,41 +28,6 @@ Shape small_cube() {
 Shape thin_wall() {
   return brick({{0, -5, -5}, {0.001, 5, 5}});
 }
-
-test::Passages passages_of(const StepReport& report) {
-  return {report.environment_passages, report.mover_passages};
-}
-
-/// Scenes that have the same done to them, one for each way to take a step.
-class Scenes {
- public:
-  template <typename Change>
-  void change(const Change& change) {
-    for (Scene& scene : scenes_) {
-      change(scene);
-    }
-  }
-
-  [[nodiscard]] Scene& front() { return scenes_.front(); }
-
-  /// The same for any threads, coherent or not.
-  StepReport step(const StepOptions& given = {.swept = true}) {
-    std::optional<StepReport> report;
-    for (std::size_t k = 0; k < scenes_.size(); ++k) {
-      StepOptions options = given;
-      options.coherent = k % 2 == 0;
-      const StepReport found = scenes_[k].step(options, {.threads = k < 2 ? 1 : 2});
-      if (report) {
-        EXPECT_EQ(found, *report) << k;
-      }
-      report = found;
-    }
-    return *report;
-  }
-
- private:
-  std::vector<Scene> scenes_ = std::vector<Scene>(4);
-};
 
 TEST(Swept, FindsAThinWallBetweenTwoFrames) {
   Scene scene;
@@ -187,7 +146,7 @@ TEST(Swept, SaysWhoParts) {
 }
 
 TEST(Swept, GivesNoWayToNewMoversAndShapes) {
-  Scenes scenes;
+  test::Scenes scenes;
   MoverId first = 0;
   scenes.change([&](Scene& scene) {
     scene.add_environment(Body(thin_wall()));
@@ -202,7 +161,7 @@ TEST(Swept, GivesNoWayToNewMoversAndShapes) {
     scene.set_shape(first, small_cube());
     scene.set_pose(first, Pose::translation(6, 0, 0));
   });
-  EXPECT_EQ(passages_of(scenes.step()), test::Passages());
+  EXPECT_EQ(test::passages_of(scenes.step()), test::Passages());
   scenes.change([&](Scene& scene) {
     scene.set_pose(first, Pose::translation(-5, 0, 0));
     scene.set_pose(second, Pose::translation(-5, 3, 0));
@@ -219,7 +178,7 @@ TEST(Swept, GivesNoWayToNewMoversAndShapes) {
 }
 
 TEST(Swept, TakesTheEnvironmentAsItIsNow) {
-  Scenes scenes;
+  test::Scenes scenes;
   EnvironmentId wall = 0;
   MoverId mover = 0;
   scenes.change([&](Scene& scene) {
@@ -290,157 +249,6 @@ TEST(Swept, ChangesNothingElse) {
       }
     }
   });
-}
-
-/// What a test does to scenes between two steps, and the ways that follow.
-class Changes {
- public:
-  Changes(Rng& rng, double reach, const Vec3& origin) : rng_(rng), reach_(reach), origin_(origin) {}
-
-  [[nodiscard]] Pose pose() const {
-    Pose pose = test::random_pose(rng_, reach_);
-    for (std::size_t row = 0; row < 3; ++row) {
-      pose.m[4 * row + 3] += origin_[row];
-    }
-    return pose;
-  }
-
-  void begin(Scenes& scenes) {
-    const std::uint64_t bodies = 2 + rng_.below(6);
-    for (std::uint64_t k = 0; k < bodies; ++k) {
-      const Body body(Shape(test::random_mesh(rng_)), pose());
-      const bool moves = rng_.below(4) != 0;
-      scenes.change([&](Scene& scene) {
-        if (moves) {
-          scene.add_mover(body);
-        } else {
-          scene.add_environment(body);
-        }
-      });
-    }
-  }
-
-  void move(Scenes& scenes) {
-    before.clear();
-    for (const MoverId id : scenes.front().movers()) {
-      const Pose last = scenes.front().mover(id).pose;
-      const std::uint64_t kind = rng_.below(6);
-      if (kind == 0) {
-        continue;
-      }
-      before[id] = last;
-      Pose next = pose();
-      if (kind == 1) {  // a short way, which turns a little or not
-        next = rng_.below(2) == 0 ? Pose::about_z(0.2, {0, 0, 0}) * last : last;
-        next.m[3] += rng_.uniform(-2, 2);
-      }
-      scenes.change([&](Scene& scene) { scene.set_pose(id, next); });
-    }
-  }
-
-  void come_and_go(Scenes& scenes) {
-    const std::vector<MoverId> movers = scenes.front().movers();
-    const Body body(Shape(test::random_mesh(rng_)), pose());
-    const std::uint64_t kind = rng_.below(4);
-    if (movers.empty() || kind == 0) {
-      scenes.change([&](Scene& scene) { scene.add_mover(body); });
-      return;
-    }
-    const MoverId id = movers[rng_.below(movers.size())];
-    if (kind == 3) {
-      return;
-    }
-    before.erase(id);
-    scenes.change([&](Scene& scene) {
-      if (kind == 1) {
-        scene.remove_mover(id);
-      } else {
-        scene.set_shape(id, body.shape);
-      }
-    });
-  }
-
-  std::map<MoverId, Pose> before;
-
- private:
-  Rng& rng_;
-  double reach_;
-  Vec3 origin_;
-};
-
-TEST(Swept, EqualsTheFirstContactOfEachPair) {
-  std::map<ContactVerdict, std::size_t> verdicts;
-  std::size_t free = 0;
-  test::for_each_case("scene/swept", 60, [&](Rng& rng) {
-    const Vec3 origin = rng.below(4) == 0 ? Vec3{5e5, 4.5e6, 100} : Vec3();
-    Changes changes(rng, rng.uniform(4, 20), origin);
-    Scenes scenes;
-    changes.begin(scenes);
-    for (int step = 0; step < 4; ++step) {
-      const StepReport report = scenes.step();
-      const test::Passages expected = test::passages(scenes.front(), changes.before);
-      ASSERT_EQ(passages_of(report), expected);
-      for (const EnvironmentPassage& passage : report.environment_passages) {
-        ++verdicts[passage.verdict];
-      }
-      for (const MoverPassage& passage : report.mover_passages) {
-        ++verdicts[passage.verdict];
-      }
-      free += report.passage_queries - report.environment_passages.size() -
-              report.mover_passages.size();
-      changes.move(scenes);
-      changes.come_and_go(scenes);
-    }
-  });
-  EXPECT_GT(verdicts[ContactVerdict::contact], 100U);
-  EXPECT_GT(verdicts[ContactVerdict::started], 10U);
-  EXPECT_GT(free, 100U);
-}
-
-// Here ways go down the tree of the knot as boxes first.
-TEST(Swept, EqualsTheFirstContactOfEachMoverWithALargeBody) {
-  std::size_t passages = 0;
-  std::size_t free = 0;
-  test::for_each_case("scene/swept-large", 12, [&](Rng& rng) {
-    const Layout layout = rng.below(3) == 0 ? Layout::compact : Layout::wide;
-    const Shape knot(generate_knot(3000), {.layout = layout});
-    const double away = rng.below(2) == 0 ? 0 : 1e6;
-    const Shape chip = brick({{-0.04, -0.02, -0.01}, {0.04, 0.02, 0.01}});
-    const auto pose = [&] {
-      Pose turned = test::random_pose(rng, 0);
-      turned.m[3] = away + rng.uniform(-3, 3);
-      turned.m[7] = rng.uniform(-3, 3) - away;
-      turned.m[11] = rng.uniform(-1, 1);
-      return turned;
-    };
-    Pose place = test::random_pose(rng, 0);
-    place.m[3] = away;
-    place.m[7] = -away;
-    Scenes scenes;
-    scenes.change([&](Scene& scene) { scene.add_environment(Body(knot, place)); });
-    std::map<MoverId, Pose> before;
-    for (MoverId id = 0; id < 40; ++id) {
-      before[id] = pose();
-      scenes.change([&](Scene& scene) { scene.add_mover(Body(chip, before[id]), 1); });
-    }
-    static_cast<void>(scenes.step());
-    for (MoverId id = 0; id < 40; ++id) {
-      Pose next = pose();
-      if (rng.below(2) == 0) {
-        next = before[id];
-        next.m[3] += rng.uniform(-0.3, 0.3);
-      }
-      scenes.change([&](Scene& scene) { scene.set_pose(id, next); });
-    }
-    const StepReport report = scenes.step();
-    const auto no_movers = [](MoverId, MoverId) { return false; };
-    ASSERT_EQ(passages_of(report),
-              test::passages(scenes.front(), before, {.environment = {}, .movers = no_movers}));
-    passages += report.environment_passages.size();
-    free += report.passage_queries - report.environment_passages.size();
-  });
-  EXPECT_GT(passages, 50U);
-  EXPECT_GT(free, 100U);
 }
 
 TEST(Swept, RefusesScopesThatLeavePairsOut) {
