@@ -103,19 +103,20 @@ bool edges_meet(const TriangleFeatures& of, const IntegerCorners& one,
 /// (V x W).(U x V) / |U x V|^2 of itself.
 class EdgeCrossing {
  public:
-  EdgeCrossing(const PolynomialVec& w, const PolynomialVec& u, const IntegerVec& v)
-      : from_v_(cross(w, v)), across_(cross(u, v)), volume_(dot(w, across_)) {}
+  EdgeCrossing(PolynomialVec w, const PolynomialVec& u, IntegerVec v)
+      : w_(std::move(w)), v_(std::move(v)), across_(cross(u, v_)), volume_(dot(w_, across_)) {}
 
   [[nodiscard]] const IntegerPolynomial& volume() const { return volume_; }
 
   [[nodiscard]] IntegerPolynomial part() const {
-    return IntegerPolynomial() - dot(from_v_, across_);
+    return IntegerPolynomial() - dot(cross(w_, v_), across_);
   }
 
   [[nodiscard]] IntegerPolynomial whole() const { return dot(across_, across_); }
 
  private:
-  PolynomialVec from_v_;  ///< W x V
+  PolynomialVec w_;
+  IntegerVec v_;
   PolynomialVec across_;  ///< U x V
   IntegerPolynomial volume_;
 };
