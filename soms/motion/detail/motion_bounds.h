@@ -47,6 +47,9 @@
 /// nor that of the poses that are decided by another slack. `pair_margin` is 2 slack + 2^-46 S =
 /// 128 u S more.
 ///
+/// Gaps below that are decided for x(t) itself, in whole numbers (exact_motion.h), where one body
+/// moves and there is no clearance. Of poses nothing is proved then but those that are looked at.
+///
 /// Underflow. Products of an entry up to 1 and a length are off by 2^-1075, of which no sum has
 /// more than 2^10; `box_margin` and `pair_margin` end in 2^-1050.
 ///
