@@ -134,8 +134,8 @@ void check_twin(const FirstContact& found, const Shape& mover, const RigidMotion
 }
 
 /// Layouts, batches, threads, a clearance, and a second body whose motion is to rest.
-void check_ways(const FirstContact& found, const Shape& mover, const RigidMotion& motion,
-                const Body& fixed) {
+void check_kinds(const FirstContact& found, const Shape& mover, const RigidMotion& motion,
+                 const Body& fixed) {
   const std::vector<RigidMotion> twice{motion, motion};
   const FirstContactBatch batch = first_contact(mover, twice, fixed, {}, {.threads = 2});
   require(batch.at(0) == found && batch.at(1) == found, "a batch");
@@ -159,7 +159,7 @@ void check_motion_input(Bytes& bytes) {
   const FirstContact found = first_contact(mover, motion, fixed);
   require(found.coverage == Coverage::complete, "complete without a deadline");
   check_poses(found, mover, motion, fixed);
-  check_ways(found, mover, motion, fixed);
+  check_kinds(found, mover, motion, fixed);
   check_twin(found, mover, motion, fixed);
 }
 

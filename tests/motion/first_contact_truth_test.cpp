@@ -2,6 +2,7 @@
 #include "soms/io/read_mesh.h"
 #include "soms/motion/first_contact.h"
 #include "soms/query/overlap.h"
+#include "soms/tree/rule/rules.h"
 
 #include "tests/motion/known_motion.h"
 #include "tests/support/bodies.h"
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace soms {
@@ -24,15 +26,16 @@ using test::MotionTable;
 
 constexpr std::array<Layout, 2> kMotionLayouts{Layout::wide, Layout::compact};
 
-const Shape& motion_shape(const std::string& name, Layout layout) {
-  static std::map<std::pair<std::string, Layout>, Shape> shapes;
-  const auto known = shapes.find({name, layout});
+const Shape& motion_shape(const std::string& name, Layout layout, Rule rule = Rule::fast) {
+  static std::map<std::tuple<std::string, Layout, Rule>, Shape> shapes;
+  const auto known = shapes.find({name, layout, rule});
   if (known != shapes.end()) {
     return known->second;
   }
   const auto file = test::data("motion/meshes/" + name + ".ply");
   const Mesh mesh = std::filesystem::exists(file) ? read_mesh(file) : *test::truth_mesh(name);
-  return shapes.emplace(std::pair(name, layout), Shape(mesh, {.layout = layout})).first->second;
+  const ShapeOptions options{.build = {.rule = rule}, .layout = layout};
+  return shapes.emplace(std::tuple(name, layout, rule), Shape(mesh, options)).first->second;
 }
 
 /// What a row says, in the time of the motion.
@@ -137,6 +140,30 @@ TEST(FirstContactTruth, ShiftsHereHold) {
 
 // A kiss lasts no time, so no pose that is looked at need be in contact. Next to it, one may be by
 // its rounding.
+// Exact times, and the least of all pairs that touch first, by trees of every rule.
+TEST(FirstContactTruth, ShiftsOfMeshesHold) {
+  const MotionTable table(test::data("motion/mesh_sweeps.csv"));
+  ASSERT_EQ(table.size(), 500U);
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    SCOPED_TRACE("row " + std::to_string(row) + ", " + table.text(row, "kind"));
+    const RigidMotion motion = RigidMotion::along(table.pose(row, "a"), table.vector(row, "d"));
+    const MotionFact fact{table.text(row, "answer"), table.number(row, "t_lo"),
+                          table.number(row, "t_hi")};
+    const Rule rule = rules()[row % rules().size()].rule;
+    for (const Layout layout : kMotionLayouts) {
+      const FirstContact found =
+          first_contact(motion_shape(table.text(row, "meshA"), layout, rule), motion,
+                        Body(motion_shape(table.text(row, "meshB"), layout), table.pose(row, "b")));
+      ASSERT_NO_FATAL_FAILURE(expect_fact(found, fact));
+      if (fact.answer == "contact") {
+        ASSERT_EQ(found.t, (Bracket{fact.lower, fact.upper}));
+        ASSERT_EQ(found.triangles->a, table.number(row, "i"));
+        ASSERT_EQ(found.triangles->b, table.number(row, "j"));
+      }
+    }
+  }
+}
+
 TEST(FirstContactTruth, KissesHold) {
   const MotionTable table(test::data("motion/kisses.csv"));
   ASSERT_EQ(table.size(), 184U);

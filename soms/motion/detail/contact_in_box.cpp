@@ -18,7 +18,7 @@ FirstContact first_contact_in_box(const Shape& mover, const RigidMotion& way, co
   FirstContact answer{.t = {1, kInfinity}};
   if (!nodes.empty()) {
     const RigidLaw law(mover, way, rests);
-    answer = first_contact_by(law, mover, rests.shape, {}, limits, nodes);
+    answer = first_contact_by(law, mover, rests.shape, {}, limits, {.nodes = nodes});
     const bool decided =
         answer.verdict == ContactVerdict::free || answer.verdict == ContactVerdict::started;
     if (!decided && nodes.front() != kRootId) {

@@ -34,7 +34,6 @@ struct KnownOfWay {
 /// \errors As `first_contact`.
 [[nodiscard]] FirstContact first_contact_by(const MotionLaw& law, const Shape& mover,
                                             const Shape& other, const FirstContactOptions& options,
-                                            const Limits& limits,
-                                            const KnownOfWay& known = {});
+                                            const Limits& limits, const KnownOfWay& known = {});
 
 }  // namespace soms::detail

@@ -4,8 +4,8 @@
 #include "soms/base/error.h"
 #include "soms/motion/detail/contact_query.h"
 #include "soms/motion/detail/motion_bounds.h"
+#include "soms/motion/detail/moved_bounds.h"
 #include "soms/query/detail/relative_pose.h"
-#include "soms/scene/detail/moved_bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,7 +89,7 @@ void PathQuery::follow(const StateMotion& motion, const RobotAnswer& last, Robot
       continue;  // at the same pose, bit by bit, as in the first state
     }
     const FirstContact found =
-        first_contact_by(law, shape(near.i), shape(near.j), {}, alone_, ends);
+        first_contact_by(law, shape(near.i), shape(near.j), {}, alone_, {.ends = ends});
     fold_in(segment, found);
     if (found.verdict != ContactVerdict::free) {
       add(near, found, segment);
