@@ -8,10 +8,19 @@
 #include "bench/motion/motion_cases.h"
 #include "bench/motion/motion_peers.h"
 
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <string_view>
+#include <vector>
 
 namespace soms::bench {
 namespace {
@@ -24,8 +33,12 @@ constexpr int kSamplesOfCheck = 256;
 /// Peers take long: they answer the first motions of a set, once.
 constexpr std::size_t kMotionsOfPeers = 12;
 
-/// Sets that peers are not given: a step in a city of a million takes them too long.
-constexpr std::uint64_t kMostOfPeers = 100'000;
+/// Peers are called so often for a motion, and get this much processor time for it.
+constexpr int kCallsOfPeers = 3;
+constexpr rlim_t kMostSeconds = 4;
+
+/// Larger bodies are not given to peers: conservative advancement takes up to seconds for a motion.
+constexpr std::uint64_t kMostOfPeers = 10'000;
 
 bool in_contact(const MotionSet& set, const RigidMotion& motion, double t) {
   return overlap(Body(set.mover, motion.pose_at(t)), set.fixed, {.mode = OverlapMode::any}).any;
@@ -113,6 +126,48 @@ std::vector<Times> times_of(const MotionSet& set) {
   return times;
 }
 
+/// What a peer says, and how long it takes.
+struct PeerAnswer {
+  PeerContact found;
+  double seconds = 0;
+};
+
+/// The clock: a new process knows too little of its own processor time.
+double clock_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// In a process of its own: FCL's conservative advancement reads memory that it has not written,
+/// and then may not end. The least time of some calls; nothing after kMostSeconds.
+std::optional<PeerAnswer> answer_apart(const MotionPeer& peer, const RigidMotion& motion,
+                                       const Pose& fixed) {
+  int ends[2];
+  if (pipe(ends) != 0) {
+    return std::nullopt;
+  }
+  PeerAnswer answer;
+  const pid_t child = fork();
+  if (child == 0) {
+    const rlimit most{kMostSeconds, kMostSeconds};
+    setrlimit(RLIMIT_CPU, &most);
+    const int nowhere = open("/dev/null", O_WRONLY);
+    dup2(nowhere, STDOUT_FILENO);
+    dup2(nowhere, STDERR_FILENO);
+    answer.seconds = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < kCallsOfPeers; ++k) {
+      const double begin = clock_seconds();
+      answer.found = peer.find(motion.start(), motion.end(), fixed);
+      answer.seconds = std::min(answer.seconds, clock_seconds() - begin);
+    }
+    _exit(write(ends[1], &answer, sizeof answer) == sizeof answer ? 0 : 1);
+  }
+  close(ends[1]);
+  const bool answered = read(ends[0], &answer, sizeof answer) == sizeof answer;
+  close(ends[0]);
+  waitpid(child, nullptr, 0);
+  return answered ? std::optional(answer) : std::nullopt;
+}
+
 /// How long a peer takes beside us for the same motions, and which contacts it misses.
 void compare(const MotionSet& set, const MotionPeerMaker& maker, const Answers& answers,
              const std::vector<Times>& times) {
@@ -122,14 +177,17 @@ void compare(const MotionSet& set, const MotionPeerMaker& maker, const Answers& 
   std::size_t contacts = 0;
   std::size_t missed = 0;
   std::size_t more = 0;
+  std::size_t stuck = 0;
   double latest = 0;
   double apart = 0;
   for (std::size_t k = 0; k < std::min(kMotionsOfPeers, set.motions.size()); ++k) {
-    PeerContact found;
-    theirs.push_back(1e6 * seconds_of([&] {
-                       found =
-                           peer->find(set.motions[k].start(), set.motions[k].end(), set.fixed.pose);
-                     }));
+    const auto answer = answer_apart(*peer, set.motions[k], set.fixed.pose);
+    if (!answer) {
+      ++stuck;
+      continue;
+    }
+    const PeerContact& found = answer->found;
+    theirs.push_back(1e6 * answer->seconds);
     ours.push_back(1e6 * median(times[k].motion));
     const bool contact = answers.found[k].verdict == ContactVerdict::contact;
     contacts += contact ? 1U : 0U;
@@ -143,11 +201,15 @@ void compare(const MotionSet& set, const MotionPeerMaker& maker, const Answers& 
       latest = std::max(latest, found.at - answers.found[k].t.upper);
     }
   }
+  if (theirs.empty()) {
+    std::printf("  %-17s does not end\n", maker.name.c_str());
+    return;
+  }
   std::printf(
       "  %-17s %10.0f us, %7.1f times ours; of %zu contacts %zu missed, found late by up to "
-      "%.2g; %zu more, up to %.2g apart\n",
+      "%.2g; %zu more, up to %.2g apart; %zu without an end\n",
       maker.name.c_str(), median(theirs), median(theirs) / median(ours), contacts, missed, latest,
-      more, apart);
+      more, apart, stuck);
 }
 
 void run(const MotionSet& set, std::uint64_t triangles) {
