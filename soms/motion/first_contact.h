@@ -172,8 +172,8 @@ struct Fields<FirstContact> {
 /// the earliest proof, not always the first one to touch where several do so within the bracket.
 ///
 /// \errors  ErrorKind::not_rigid, not_finite, out_of_range for a pose, or where the body may come
-///          beyond 2^300 on its way; usage for a `within` that is negative or not a number, or
-///          with `parting`;
+///          beyond 2^300 on its way. Usage for a `within` that is negative, not a number, or with
+///          `parting`;
 ///          cancelled.
 /// \cost    Typically a few times `distance` of the start. A deadline ends it with coverage `cut`
 ///          and what is proved until then. Bodies that slide along each other for long at next to

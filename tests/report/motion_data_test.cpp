@@ -16,7 +16,7 @@ namespace soms::report {
 
 namespace {
 
-using nlohmann::json;
+using MotionJson = nlohmann::json;
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
@@ -39,14 +39,14 @@ Scene two_motions() {
   return scene;
 }
 
-json motions_of(const Scene& scene, const MotionFrame& frame) {
-  return json::parse("{" + motions_json(scene, frame).substr(1) + "}");
+MotionJson motions_of(const Scene& scene, const MotionFrame& frame) {
+  return MotionJson::parse("{" + motions_json(scene, frame).substr(1) + "}");
 }
 
 /// Where the law of the page has the middle of the body, as motions.js works it out.
-Vec3 middle_at(const json& motion, double t) {
+Vec3 middle_at(const MotionJson& motion, double t) {
   const auto between = [&](const char* key, std::size_t part) {
-    const json& ends = motion.at(key);
+    const MotionJson& ends = motion.at(key);
     const double from = ends.at(0).at(part);
     return from + t * (ends.at(1).at(part).get<double>() - from);
   };
@@ -54,7 +54,7 @@ Vec3 middle_at(const json& motion, double t) {
                                   between("turns", 2)};
   const double size = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
   const Pose turn = Pose::from_quaternion(q[0] / size, q[1] / size, q[2] / size, q[3] / size);
-  const json& arm = motion.at("arm");
+  const MotionJson& arm = motion.at("arm");
   return Vec3{between("way", 0), between("way", 1), between("way", 2)} +
          turn.apply({arm.at(0), arm.at(1), arm.at(2)});
 }
@@ -62,7 +62,7 @@ Vec3 middle_at(const json& motion, double t) {
 TEST(MotionData, MovesTheBodyAsTheMotionDoes) {
   const MotionFrame frame{.middle = {3, -1, 2}, .origin = {1000, 0, 0}, .scale = 0.25};
   const Scene scene = two_motions();
-  const json motions = motions_of(scene, frame).at("motions");
+  const MotionJson motions = motions_of(scene, frame).at("motions");
   for (std::size_t k = 0; k < 2; ++k) {
     for (const double t : {0.0, 0.125, 0.5, 0.9, 1.0}) {
       const Vec3 found = middle_at(motions.at(k), t);
@@ -78,17 +78,17 @@ TEST(MotionData, MovesTheBodyAsTheMotionDoes) {
 TEST(MotionData, SaysWhatIsKnownOfEach) {
   const std::string text = motions_json(two_motions(), {});
   EXPECT_EQ(text.find('<'), std::string::npos);
-  const json all = json::parse("{" + text.substr(1) + "}");
+  const MotionJson all = MotionJson::parse("{" + text.substr(1) + "}");
   EXPECT_EQ(all.at("motions_in_all"), 9);
-  const json& first = all.at("motions").at(0);
+  const MotionJson& first = all.at("motions").at(0);
   EXPECT_EQ(first.at("number"), 7);
   EXPECT_EQ(first.at("blocked"), true);
   EXPECT_EQ(first.at("lower"), 0.25);
   EXPECT_EQ(first.at("upper"), 0.5);
   EXPECT_EQ(first.at("row"), 0);
-  EXPECT_EQ(first.at("place"), json({1001, 2, 3}));
+  EXPECT_EQ(first.at("place"), MotionJson({1001, 2, 3}));
   EXPECT_EQ(first.at("words"), "free until <0.25>");
-  const json& second = all.at("motions").at(1);
+  const MotionJson& second = all.at("motions").at(1);
   EXPECT_EQ(second.at("row"), -1);
   EXPECT_TRUE(second.at("place").is_null());
   EXPECT_TRUE(second.at("upper").is_null());
@@ -113,7 +113,7 @@ TEST(MotionData, APageOfMotionsHasAWayInPlaceOfSteps) {
   }
   EXPECT_EQ(text.find("id=\"step\""), std::string::npos);
   EXPECT_EQ(text.find("id=\"time-line\""), std::string::npos);
-  const json scene = test::scene_of(text);
+  const MotionJson scene = test::scene_of(text);
   EXPECT_TRUE(scene.at("live").is_null());
   EXPECT_EQ(scene.at("motions").size(), 2U);
 }

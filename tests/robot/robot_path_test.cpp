@@ -19,7 +19,7 @@
 namespace soms {
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kNotOnTheWay = std::numeric_limits<double>::infinity();
 
 std::vector<double> rows(const std::vector<std::vector<double>>& states) {
   std::vector<double> numbers;
@@ -49,7 +49,7 @@ TEST(RobotPath, AThinPostBetweenTwoFreeStatesIsHit) {
   const RobotPath path = robot_path(model, std::vector<double>{-0.5, 0, 0.5, -6});
   ASSERT_EQ(path.segments.size(), 3U);
   EXPECT_EQ(path.segments[0].verdict, ContactVerdict::free);
-  EXPECT_EQ(path.segments[0].t, (Bracket{1, kNever}));
+  EXPECT_EQ(path.segments[0].t, (Bracket{1, kNotOnTheWay}));
   EXPECT_EQ(path.segments[0].pair, std::nullopt);
   const RobotSegment& hit = path.segments[1];
   EXPECT_EQ(hit.verdict, ContactVerdict::contact);
@@ -122,7 +122,7 @@ TEST(RobotPath, WhatAnOpenBodyMayHoldIsNotFree) {
   const RobotModel model(test::sliding_robot({test::cube(0.5), test::open_cube(2)}));
   const RobotPath path = robot_path(model, rows({{0, 0}, {1, 0}}));
   EXPECT_EQ(path.segments[0].verdict, ContactVerdict::grazing);
-  EXPECT_EQ(path.segments[0].t, (Bracket{0, kNever}));
+  EXPECT_EQ(path.segments[0].t, (Bracket{0, kNotOnTheWay}));
   EXPECT_EQ(path.segments[0].undecided, 2U);
 }
 
@@ -175,7 +175,7 @@ TEST(RobotPath, ADeadlineLeavesSegmentsCut) {
                                     {.deadline = std::chrono::steady_clock::time_point::min()});
   EXPECT_EQ(path.segments[0].verdict, ContactVerdict::grazing);
   EXPECT_EQ(path.segments[0].coverage, Coverage::cut);
-  EXPECT_EQ(path.segments[0].t, (Bracket{0, kNever}));
+  EXPECT_EQ(path.segments[0].t, (Bracket{0, kNotOnTheWay}));
 }
 
 TEST(RobotPath, RefusesWhatItCannotFollow) {

@@ -34,7 +34,7 @@ only. Raises Error of kind usage, not_finite, out_of_range; names the state or s
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 /// link, other and cell of each segment; -1 where none is named. \shape (n, 3).
-py::array pairs_of(const RobotPath& path) {
+py::array segment_pairs_of(const RobotPath& path) {
   py::array_t<std::int64_t> array({static_cast<py::ssize_t>(path.size()), py::ssize_t{3}});
   std::int64_t* to = array.mutable_data();
   for (const RobotSegment& segment : path.segments) {
@@ -116,7 +116,7 @@ void bind_path(py::module_& module) {
                                            [](const RobotSegment& s) { return s.t.upper; });
           },
           "(n - 1,): the state at this part of the way is in contact; inf where none is.")
-      .derived("pairs", &pairs_of,
+      .derived("pairs", &segment_pairs_of,
                "(n - 1, 3) int64: link, other, and 1 where other is a part of the cell; -1 where "
                "no pair is named.")
       .derived("point", &points_of, "(n - 1, 3): where that is, in the cell; NaN where none is.")

@@ -1,16 +1,15 @@
 #include "soms/motion/detail/widened.h"
 
+#include "soms/base/double_limits.h"
 #include "soms/base/pose.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 namespace soms::detail {
 
 Box widened(const Box& box, const Vec3& margin) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (box.empty()) {
     return box;
   }

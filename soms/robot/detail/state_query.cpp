@@ -1,5 +1,6 @@
 #include "soms/robot/detail/state_query.h"
 
+#include "soms/base/double_limits.h"
 #include "soms/base/error.h"
 #include "soms/motion/detail/moved_bounds.h"
 #include "soms/query/contains.h"
@@ -15,8 +16,6 @@
 namespace soms::detail {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 bool holds(const Box& box, const Vec3& p) {
   return box.lower.x <= p.x && p.x <= box.upper.x && box.lower.y <= p.y && p.y <= box.upper.y &&

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint64_t kPairBits = ~(std::uint64_t{1} << 63);
 /// Fewer pairs than this are sorted by comparing.
-constexpr std::size_t kLeastByDigits = 256;
+constexpr std::size_t kLeastPairsByDigits = 256;
 constexpr unsigned kWidestDigit = 12;
 constexpr std::size_t kMostDigits = std::size_t{1} << kWidestDigit;
 
@@ -62,7 +62,7 @@ void sort_by_digits(std::span<std::uint64_t> pairs, unsigned width,
 
 void sort_box_pairs(std::span<std::uint64_t> pairs, std::size_t boxes,
                     std::vector<std::uint64_t>& sorted) {
-  if (pairs.size() < kLeastByDigits) {
+  if (pairs.size() < kLeastPairsByDigits) {
     sorted.assign(pairs.begin(), pairs.end());
     std::sort(sorted.begin(), sorted.end(),
               [](std::uint64_t a, std::uint64_t b) { return (a & kPairBits) < (b & kPairBits); });
