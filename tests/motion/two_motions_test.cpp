@@ -155,6 +155,37 @@ TEST(TwoMotions, NoSampleIsInContactBeforeTheFirstOne) {
   });
 }
 
+// A power of two changes no verdict, down to where squares of all numbers are 0.
+TEST(TwoMotions, TheUnitDoesNotMatter) {
+  const auto scaled = [](const Mesh& mesh, double unit) {
+    return Shape(test::mapped(mesh, [&](const Vec3& v) { return v * unit; }));
+  };
+  const auto pose = [](const Pose& given, double unit) {
+    Pose made = given;
+    for (const std::size_t k : {3U, 7U, 11U}) {
+      made.m[k] *= unit;
+    }
+    return made;
+  };
+  const Mesh x = test::soup_body({{{-2, 2, 2}, {-2, 2, -1}, {2, 0, 1}}});
+  const Mesh y = test::soup_body({{{0, -2, 2}, {-1, -1, -2}, {2, -2, -2}}});
+  const Pose from = Pose::translation(-2, -3, 3);
+  const Pose to = Pose::from_quaternion(0.5, 0.5, 0.5, 0.5, {-2, 1, -1});
+  for (const int exponent : {0, 200, -400, -560, -900}) {
+    const double unit = std::ldexp(1.0, exponent);
+    const RigidMotion motion = RigidMotion::between(pose(from, unit), pose(to, unit));
+    const Shape fixed = scaled(y, unit);
+    EXPECT_EQ(first_contact(scaled(x, unit), motion, Body(fixed), {.within = 0.125 * unit}).verdict,
+              ContactVerdict::free)
+        << exponent;
+    EXPECT_EQ(first_contact(scaled(x, unit), motion, fixed,
+                            RigidMotion::between(Pose(), Pose::about_z(1e-13)))
+                  .verdict,
+              ContactVerdict::free)
+        << exponent;
+  }
+}
+
 // Each is where the other was; nowhere near at both ends.
 TEST(TwoMotions, TwoBodiesThatSwapPlacesMeet) {
   const Shape box(box_body({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}));

@@ -221,7 +221,6 @@ TEST(ChainLaw, VelocitiesAreThoseOfTheCurves) {
 }
 
 TEST(ChainLaw, JointsAboveBothLinksCancel) {
-  Rng rng(7);
   Robot robot{.links = {{.name = "root"}, {.name = "a"}, {.name = "b"}, {.name = "c"}}};
   for (std::uint32_t k = 0; k < 3; ++k) {
     robot.joints.push_back({.name = std::to_string(k),

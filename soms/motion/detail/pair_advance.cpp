@@ -120,7 +120,8 @@ double PairAdvance::reach(const Place& place, const Parting& parting) const {
     // Where gap + speed s - a s^2 is spent.
     double s = std::numeric_limits<double>::infinity();
     if (a > 0) {
-      const double root = std::sqrt(speed * speed + 4 * a * std::max(gap, 0.0));
+      // Squares of tiny ones are 0.
+      const double root = length_of({speed, 2 * std::sqrt(a) * std::sqrt(std::max(gap, 0.0)), 0});
       s = speed >= 0 ? (speed + root) / (2 * a) : 2 * gap / (root - speed);
     } else if (speed < 0) {
       s = gap / -speed;
