@@ -348,6 +348,9 @@ StepReport Scene::State::step(const StepOptions& options, const Limits& limits) 
   compare(environment, parts, options, limits,
           FoundLists{report.environment, report.environment_gaps, report.environment_passages},
           report);
+  if (limits.progress) {
+    limits.progress(options.mover_mover ? 0.5 : 1.0);
+  }
   if (options.mover_mover) {
     check(limits);
     if (!options.coherent) {
@@ -356,6 +359,9 @@ StepReport Scene::State::step(const StepOptions& options, const Limits& limits) 
     find_mover_candidates(options, report);
     compare(mutual, movers, options, limits,
             FoundLists{report.movers, report.mover_gaps, report.mover_passages}, report);
+    if (limits.progress) {
+      limits.progress(1.0);
+    }
   }
   give_back();
   ++steps;

@@ -105,6 +105,18 @@ class Scenes(unittest.TestCase):
                  and s.b[0] == soms.SceneBodyKind.environment]
         self.assertEqual([(s.begin, s.end, s.steps, s.lasts) for s in found], [(0, 1, 2, False)])
 
+    def test_steps_say_what_is_done_and_end_where_that_raises(self):
+        shares = []
+        self.scene.step(progress=shares.append)
+        self.assertEqual(shares, [0.5, 1.0])
+        self.scene.step(mover_mover=False, progress=shares.append)
+        self.assertEqual(shares[2:], [1.0])
+
+        def enough(_share):
+            raise KeyError("enough")
+        with self.assertRaises(KeyError):
+            self.scene.step(progress=enough)
+
     def test_one_caller_at_a_time(self):
         def again(_):
             self.scene.step()
