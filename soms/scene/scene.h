@@ -8,22 +8,19 @@
 /// scene.add_environment(soms::Body(ball));
 /// const soms::MoverId a = scene.add_mover(soms::Body(ball, soms::Pose::translation(1.5, 0, 0)));
 /// scene.add_mover(soms::Body(ball, soms::Pose::translation(0, 4, 0)));
-/// for (const double y : {0.0, 3.0}) {
-///   scene.set_pose(a, soms::Pose::translation(1.5, y, 0));
-///   const soms::StepReport report = scene.step();
-///   std::cout << report.environment.size() << " pairs of triangles with the environment, "
-///             << report.movers.size() << " among movers\n";
+/// for (const soms::Vec3& p : {soms::Vec3{1.5, 0, 0}, {1.5, 3, 0}, {-9, -3, 0}}) {
+///   scene.set_pose(a, soms::Pose::translation(p.x, p.y, p.z));
+///   const soms::StepReport report = scene.step({.swept = true});
+///   std::cout << report.environment.size() << " pairs with the environment, "
+///             << report.movers.size() << " among movers; passed on the way: "
+///             << report.environment_passages.size() << '\n';
 /// }
-/// scene.set_pose(a, soms::Pose::translation(-9, -3, 0));  // a long step
-/// const soms::StepReport swept = scene.step({.swept = true});
-/// std::cout << swept.environment.size() << " pairs, " << swept.environment_passages.size()
-///           << " passage\n";
 /// \endcode
 /// It prints:
 /// \verbatim
-/// 74 pairs of triangles with the environment, 0 among movers
-/// 0 pairs of triangles with the environment, 40 among movers
-/// 0 pairs, 1 passage
+/// 74 pairs with the environment, 0 among movers; passed on the way: 0
+/// 0 pairs with the environment, 40 among movers; passed on the way: 1
+/// 0 pairs with the environment, 0 among movers; passed on the way: 1
 /// \endverbatim
 #pragma once
 
