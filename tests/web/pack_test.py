@@ -1,4 +1,4 @@
-"""What `npm pack` makes of the package: the files that belong into it, and no more than 460 kB.
+"""What `npm pack` makes of the package: the files that belong into it, and no more than 475 kB.
 
 Then the package is unpacked into the node_modules of a project, which loads it by its name: pack_test.py PACKAGE.
 """
@@ -9,7 +9,7 @@ import subprocess
 import sys
 import tempfile
 
-MOST_BYTES = 460_000
+MOST_BYTES = 475_000
 EXPECTED = {"LICENSE", "README.md", "package.json", "soms.wasm", "soms.js", "soms.d.ts", "worker.js", "worker.d.ts",
             "worker_names.js", "worker_thread.js", "module.js", "host.js", "node_thread.js", "errors.js", "answers.js", "arrays.js", "fields.js",
             "meshes.js", "motions.js", "pairs.js", "points.js", "rays.js"}
