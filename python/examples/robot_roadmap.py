@@ -3,7 +3,7 @@
     robot_roadmap.py [EDGES [TRIANGLES [STEP]]]
 
 An edge goes from a free state by STEP radians or less of each joint. Samples are taken ever closer until they find every
-edge that is proved to be blocked; the time of the closest ones is given. A million samples at most are tried.
+edge that is proved to be blocked; the time of the closest ones is given. Thirty million samples at most are tried.
 """
 import sys
 import time
@@ -13,7 +13,7 @@ import numpy as np
 import soms
 from robot_path import knots, six_links
 
-MOST = 1_000_000
+MOST = 30_000_000
 
 
 def free_states(model, count, rng):
