@@ -187,8 +187,8 @@ struct Fields<FirstContact> {
 
 /// The same for two bodies that move at the same time, `other` on a way of its own. The answer is
 /// that of a motion with a turn, also for two shifts: nothing is decided in whole numbers, and what
-/// is next to rounding is `grazing`. `point`
-/// and `normal` are in world at `t.upper`. Slacks and brackets grow with the coordinates of both.
+/// is next to rounding is `grazing`. `point` and `normal` are in world at `t.upper`. Slacks and
+/// brackets grow with the coordinates of both.
 ///
 /// \errors  As above, for both.
 /// \cost    As above; where both turn, more of the way is halved.

@@ -31,11 +31,11 @@
 /// added to e. In units of u S: centers in the body's coordinates, below 4 S, 50 after the turn;
 /// moved, 65; both, with d, three times: 350. Products with n, whose entries sum up to 1.74 at
 /// most, 600, and 360 for their own rounding. Radii 440, sums 80. Together below 1900, and 1792 for
-/// what triangle_windows.h says of
-/// edges; `box_margin` is 2^-40 S = 8192 u S. Directions are of length 1 to
-/// 2^-50, and lengths in e get a factor 1 + 2^-40. Bounds are products of numbers that stand for
-/// themselves and a rounded inverse: three roundings, |s| <= 1, below the 2^-48 that windows grow.
-/// Axes of nodes are floats, orthonormal to 2^-23: radii grow by 2^-20 of the node's radius.
+/// what triangle_windows.h says of edges; `box_margin` is 2^-40 S = 8192 u S. Directions are of
+/// length 1 to 2^-50, and lengths in e get a factor 1 + 2^-40. Bounds are products of numbers that
+/// stand for themselves and a rounded inverse: three roundings, |s| <= 1, below the 2^-48 that
+/// windows grow. Axes of nodes are floats, orthonormal to 2^-23: radii grow by 2^-20 of the node's
+/// radius.
 ///
 /// Triangles of a leaf. They lie in its box, and arms of points differ by no more than the points
 /// do: what a box of the leaf leaves its chord by holds for all of them.

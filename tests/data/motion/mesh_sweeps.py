@@ -187,6 +187,16 @@ def solve_point(way, d):
 
 # Way two: the least t of a linear program, by the simplex method with Bland's rule.
 
+def enter(table, basis, leaving, entering):
+    """Solves row `leaving` for the unknown `entering`, and takes that out of all others."""
+    pivot = table[leaving][entering]
+    table[leaving] = [x / pivot for x in table[leaving]]
+    for i, row in enumerate(table):
+        if i != leaving and row[entering]:
+            table[i] = [x - row[entering] * y for x, y in zip(row, table[leaving])]
+    basis[leaving] = entering
+
+
 def simplex(table, basis, cost):
     """Minimizes cost over a table in canonical form of `basis`; changes both."""
     width = len(table[0]) - 1
@@ -199,13 +209,7 @@ def simplex(table, basis, cost):
         ratios = [(row[-1] / row[entering], basis[i], i) for i, row in enumerate(table) if row[entering] > 0]
         if not ratios:
             raise ArithmeticError("unbounded")
-        leaving = min(ratios)[2]
-        pivot = table[leaving][entering]
-        table[leaving] = [x / pivot for x in table[leaving]]
-        for i, row in enumerate(table):
-            if i != leaving and row[entering]:
-                table[i] = [x - row[entering] * y for x, y in zip(row, table[leaving])]
-        basis[leaving] = entering
+        enter(table, basis, min(ratios)[2], entering)
 
 
 def first_by_program(x, y, d):
@@ -224,12 +228,7 @@ def first_by_program(x, y, d):
         if b >= 8:
             column = next((j for j in range(8) if table[i][j] != 0), None)
             if column is not None:
-                pivot = table[i][column]
-                table[i] = [v / pivot for v in table[i]]
-                for k, row in enumerate(table):
-                    if k != i and row[column]:
-                        table[k] = [u - row[column] * v for u, v in zip(row, table[i])]
-                basis[i] = column
+                enter(table, basis, i, column)
     kept = [i for i, b in enumerate(basis) if b < 8]
     table = [table[i][:8] + table[i][-1:] for i in kept]
     basis = [basis[i] for i in kept]
