@@ -25,9 +25,8 @@ def free_states(model, count, rng):
 
 
 def proved(model, starts, ends):
-    """Which edges are free. Ways from one edge to the next belong to no edge."""
-    both = np.stack([starts, ends], axis=1).reshape(-1, starts.shape[1])
-    return np.array([soms.robot_path(model, both[2 * k:2 * k + 2]).free[0] for k in range(len(starts))])
+    """Which edges are free: each is a path of two states."""
+    return np.array([soms.robot_path(model, np.stack(edge)).free[0] for edge in zip(starts, ends)])
 
 
 def sampled(model, starts, ends, samples):
