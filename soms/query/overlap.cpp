@@ -3,113 +3,11 @@
 #include "soms/base/arithmetic.h"
 #include "soms/base/hash.h"
 #include "soms/base/idle_option.h"
-#include "soms/base/parallel.h"
 #include "soms/query/detail/check_options.h"
-#include "soms/query/detail/engine/block_source.h"
-#include "soms/query/detail/engine/limit.h"
 #include "soms/query/detail/engine/pair_frame.h"
-#include "soms/query/detail/overlap_query.h"
-#include "soms/query/detail/overlap_traversal.h"
-
-#include <atomic>
-#include <limits>
+#include "soms/query/detail/overlap_search.h"
 
 namespace soms {
-
-namespace {
-
-using detail::Collector;
-using detail::CompactSource;
-using detail::Limit;
-using detail::NodeRefPair;
-using detail::OverlapTraversal;
-using detail::PairFrame;
-using detail::RootTest;
-using detail::TraversalMemory;
-using detail::WideSource;
-
-/// Pairs of nodes that a query is cut into for several threads.
-constexpr std::size_t kFrontier = 256;
-
-/// What one part of a shared query found.
-struct PartOfSearch {
-  std::vector<TrianglePair> pairs;
-  Cost cost;
-  bool late = false;
-};
-
-/// Joins the parts in the frontier's order.
-void join(const std::vector<PartOfSearch>& parts, const OverlapOptions& options, Overlap& answer) {
-  Collector collector(options.mode, options.limit, answer.pairs);
-  bool late = false;
-  bool enough = false;
-  for (const PartOfSearch& part : parts) {
-    answer.cost += part.cost;
-    late = late || part.late;
-    for (std::size_t i = 0; i < part.pairs.size() && !enough; ++i) {
-      enough = collector.add(part.pairs[i]);
-    }
-  }
-  collector.finish();
-  answer.any = collector.any();
-  answer.coverage = coverage_of(options.mode, collector, late);
-}
-
-/// One query on several threads.
-void run_parallel(PairFrame& frame, const OverlapOptions& options, const Limits& limits,
-                  Overlap& answer) {
-  TraversalMemory memory;
-  OverlapTraversal<WideSource> head(frame, options.mode, memory);
-  const std::vector<NodeRefPair> frontier = head.frontier(kFrontier);
-  answer.cost = head.cost();
-  std::vector<PartOfSearch> parts(frontier.size());
-  std::atomic<bool> done = false;
-  for_each_chunk(frontier.size(), 1, limits.without_deadline(),
-                 [&](std::size_t begin, std::size_t) {
-                   if (done) {
-                     return;
-                   }
-                   PartOfSearch& part = parts[begin];
-                   TraversalMemory own;
-                   Limit limit(limits, &done);
-                   OverlapTraversal<WideSource> traversal(frame, options.mode, own);
-                   Collector collector(options.mode, options.limit, part.pairs);
-                   traversal.start(frontier[begin]);
-                   traversal.run(collector, limit);
-                   collector.finish();
-                   part.cost = traversal.cost();
-                   part.late = limit.late();
-                   if (options.mode == OverlapMode::any && collector.any()) {
-                     done = true;
-                   }
-                 });
-  join(parts, options, answer);
-}
-
-/// One query on the caller's thread.
-template <class Source>
-void run_single(PairFrame& frame, const OverlapOptions& options, const Limits& limits,
-                Overlap& answer) {
-  Limit limit(limits);
-  Collector collector(options.mode, options.limit, answer.pairs);
-  RootTest roots;
-  detail::test_roots<Source>(frame, roots);
-  if (roots.clear) {
-    answer.coverage = coverage_of(options.mode, collector, limit.late());
-    answer.cost.node_tests = 1;
-    return;
-  }
-  TraversalMemory memory;
-  OverlapTraversal<Source> traversal(frame, options.mode, memory);
-  traversal.start(roots);
-  traversal.run(collector, limit);
-  collector.finish();
-  answer.any = collector.any();
-  answer.coverage = coverage_of(options.mode, collector, limit.late());
-  answer.cost = traversal.cost();
-}
-
-}  // namespace
 
 std::uint64_t Overlap::hash() const {
   Fnv1a hash;
@@ -138,17 +36,8 @@ Overlap overlap(const Body& a, const Body& b, const OverlapOptions& options, con
   if (detail::is_empty(a.shape) || detail::is_empty(b.shape)) {
     return answer;
   }
-  PairFrame frame(a, b);
-  // The first pairs in the order of one thread are best found by one thread, and so is the least
-  // pair, which rules out most of what is left.
-  const bool limited = options.limit != std::numeric_limits<std::uint64_t>::max();
-  if (detail::any_compact(a.shape, b.shape)) {
-    run_single<CompactSource>(frame, options, limits, answer);
-  } else if (limits.threads != 1 && !limited && options.mode != OverlapMode::first) {
-    run_parallel(frame, options, limits, answer);
-  } else {
-    run_single<WideSource>(frame, options, limits, answer);
-  }
+  detail::PairFrame frame(a, b);
+  detail::search_overlap(frame, options, limits, answer);
   return answer;
 }
 

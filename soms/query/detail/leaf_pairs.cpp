@@ -16,15 +16,20 @@ void keep_up_to(TriangleId id, const TriangleBlock& block, std::uint32_t& lanes)
   }
 }
 
+/// A triangle of a side at its pose; of one body, in its own coordinates.
+Triangle corners(const PairFrame& /*frame*/, const PosedShape& side, TriangleId id) {
+  return moved(side, id);
+}
+
+Triangle corners(const SelfFrame& frame, const PosedShape& /*side*/, TriangleId id) {
+  return frame.mesh().triangle(id);
+}
+
 }  // namespace
 
 Triangle moved(const PosedShape& side, TriangleId id) {
   const Triangle t = side.shape->mesh().triangle(id);
   return {side.pose->apply(t.a), side.pose->apply(t.b), side.pose->apply(t.c)};
-}
-
-void LeafQueue::add(const Kernels& kernels, const BlockTask& task) {
-  take(task, kernels.test_boxes(task, slots_[slots_used_]));
 }
 
 void LeafQueue::add(const Kernels& kernels, const BlockTask& task, const NearFilter& filter) {
@@ -97,8 +102,21 @@ void LeafQueue::gaps(const Kernels& kernels, std::size_t begin, float reach, Pai
                      gaps);
 }
 
-bool LeafPairs::decide(std::span<const BlockTask> tasks, bool last, Collector& collector,
-                       Cost& cost) {
+template <class Frame>
+bool LeafPairs<Frame>::take(const BlockTask& task, Collector& collector, Cost& cost) {
+  std::uint64_t pairs = queue_->test(*kernels_, task);
+  if constexpr (Frame::kSelf) {
+    if (neighbors_.take(task, pairs, collector, cost)) {
+      return true;
+    }
+  }
+  queue_->take(task, pairs);
+  return false;
+}
+
+template <class Frame>
+bool LeafPairs<Frame>::decide(std::span<const BlockTask> tasks, bool last, Collector& collector,
+                              Cost& cost) {
   for (const BlockTask& task : tasks) {
     if (task.lanes_x == 0 || task.lanes_y == 0) {
       continue;
@@ -107,21 +125,33 @@ bool LeafPairs::decide(std::span<const BlockTask> tasks, bool last, Collector& c
     if (queue_->full() && decide_queue(collector, cost)) {
       return true;
     }
-    if (const TrianglePair* const least = collector.least()) {
-      BlockTask less = task;
-      frame_->swapped() ? keep_up_to(least->a, *task.y, less.lanes_y)
-                        : keep_up_to(least->a, *task.x, less.lanes_x);
-      if (less.lanes_x != 0 && less.lanes_y != 0) {
-        queue_->add(*kernels_, less);
+    const TrianglePair* const least = Frame::kSelf ? nullptr : collector.least();
+    if (least == nullptr) {
+      if (take(task, collector, cost)) {
+        return true;
       }
-    } else {
-      queue_->add(*kernels_, task);
+      continue;
+    }
+    BlockTask less = task;
+    frame_->swapped() ? keep_up_to(least->a, *task.y, less.lanes_y)
+                      : keep_up_to(least->a, *task.x, less.lanes_x);
+    if (less.lanes_x != 0 && less.lanes_y != 0 && take(less, collector, cost)) {
+      return true;
     }
   }
-  return (last || collector.steers()) && decide_queue(collector, cost);
+  if (!last && !collector.steers()) {
+    return false;
+  }
+  if constexpr (Frame::kSelf) {
+    if (neighbors_.decide(collector, cost)) {
+      return true;
+    }
+  }
+  return decide_queue(collector, cost);
 }
 
-bool LeafPairs::decide_queue(Collector& collector, Cost& cost) {
+template <class Frame>
+bool LeafPairs<Frame>::decide_queue(Collector& collector, Cost& cost) {
   // Where one pair may be enough, a few are decided at a time.
   const bool steers = collector.steers();
   const std::size_t step = steers ? kJudged : queue_->size();
@@ -142,7 +172,8 @@ bool LeafPairs::decide_queue(Collector& collector, Cost& cost) {
   return false;
 }
 
-bool LeafPairs::take_sure(std::size_t begin, Collector& collector, Cost& cost) const {
+template <class Frame>
+bool LeafPairs<Frame>::take_sure(std::size_t begin, Collector& collector, Cost& cost) const {
   for (std::uint32_t hit = queue_->in_float(begin).hit; hit != 0; hit &= hit - 1) {
     ++cost.triangle_tests;
     const auto lane = static_cast<std::size_t>(std::countr_zero(hit));
@@ -154,7 +185,8 @@ bool LeafPairs::take_sure(std::size_t begin, Collector& collector, Cost& cost) c
   return false;
 }
 
-bool LeafPairs::take_open(std::size_t begin, Collector& collector, Cost& cost) const {
+template <class Frame>
+bool LeafPairs<Frame>::take_open(std::size_t begin, Collector& collector, Cost& cost) const {
   const Verdicts& in_double = queue_->in_double(begin);
   for (std::uint32_t left = queue_->in_float(begin).open; left != 0; left &= left - 1) {
     const auto lane = static_cast<std::size_t>(std::countr_zero(left));
@@ -173,10 +205,14 @@ bool LeafPairs::take_open(std::size_t begin, Collector& collector, Cost& cost) c
   return false;
 }
 
-bool LeafPairs::overlap(const TrianglePair& ids, Cost& cost) const {
-  const Triangle s = moved(frame_->x(), ids.a);
-  const Triangle t = moved(frame_->y(), ids.b);
+template <class Frame>
+bool LeafPairs<Frame>::overlap(const TrianglePair& ids, Cost& cost) const {
+  const Triangle s = corners(*frame_, frame_->x(), ids.a);
+  const Triangle t = corners(*frame_, frame_->y(), ids.b);
   return overlaps(bounds(s), bounds(t)) && triangles_overlap(s, t, &cost.exact_tests);
 }
+
+template class LeafPairs<PairFrame>;
+template class LeafPairs<SelfFrame>;
 
 }  // namespace soms::detail

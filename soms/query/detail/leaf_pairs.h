@@ -7,10 +7,13 @@
 #include "soms/query/detail/engine/pair_frame.h"
 #include "soms/query/detail/kernels/instruction_set.h"
 #include "soms/query/detail/kernels/kernels.h"
+#include "soms/query/detail/self/neighbor_queue.h"
+#include "soms/query/detail/self/self_frame.h"
 
 #include <array>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 namespace soms::detail {
 
@@ -35,9 +38,17 @@ class LeafQueue {
     slots_used_ = 0;
   }
 
-  /// Puts in the pairs of a task that its boxes leave.
+  /// The pairs of a task that its boxes leave: bit k of byte i for lane i of x and lane k of y.
   /// \pre Not full.
-  void add(const Kernels& kernels, const BlockTask& task);
+  [[nodiscard]] std::uint64_t test(const Kernels& kernels, const BlockTask& task) {
+    return kernels.test_boxes(task, slots_[slots_used_]);
+  }
+
+  /// Puts in pairs of the task that was tested last.
+  void take(const BlockTask& task, std::uint64_t pairs);
+
+  /// Puts in all that `test` leaves. \pre Not full.
+  void add(const Kernels& kernels, const BlockTask& task) { take(task, test(kernels, task)); }
 
   /// The same for pairs whose boxes are near. \pre Not full.
   void add(const Kernels& kernels, const BlockTask& task, const NearFilter& filter);
@@ -74,8 +85,6 @@ class LeafQueue {
   }
 
  private:
-  void take(const BlockTask& task, std::uint64_t pairs);
-
   /// Fills the lists up to a multiple of kJudged; returns how many pairs there are from `begin` on.
   std::size_t fill(std::size_t begin);
 
@@ -95,11 +104,17 @@ class LeafQueue {
   std::size_t slots_used_ = 0;
 };
 
+/// In place of a NeighborQueue, where two bodies have no corners in common.
+struct NoNeighbors {
+  NoNeighbors(const PairFrame& /*frame*/, const Kernels& /*kernels*/) {}
+};
+
 /// The leaves of one query.
+template <class Frame>
 class LeafPairs {
  public:
-  LeafPairs(const PairFrame& frame, LeafQueue& queue)
-      : frame_(&frame), kernels_(&kernels()), queue_(&queue) {}
+  LeafPairs(const Frame& frame, LeafQueue& queue)
+      : frame_(&frame), kernels_(&kernels()), queue_(&queue), neighbors_(frame, *kernels_) {}
 
   /// Decides pairs of blocks whose slabs have been tested; true when the traversal is to stop.
   /// Where all pairs are requested, some wait in the queue until there are more, or these are the
@@ -108,6 +123,9 @@ class LeafPairs {
                             Cost& cost);
 
  private:
+  /// Puts the pairs of a task into the queue; true when the traversal is to stop.
+  [[nodiscard]] bool take(const BlockTask& task, Collector& collector, Cost& cost);
+
   /// Empties the queue.
   [[nodiscard]] bool decide_queue(Collector& collector, Cost& cost);
 
@@ -120,9 +138,13 @@ class LeafPairs {
   /// Decides exactly what floats and doubles left open.
   [[nodiscard]] bool overlap(const TrianglePair& ids, Cost& cost) const;
 
-  const PairFrame* frame_;
+  const Frame* frame_;
   const Kernels* kernels_;
   LeafQueue* queue_;
+  std::conditional_t<Frame::kSelf, NeighborQueue, NoNeighbors> neighbors_;
 };
+
+extern template class LeafPairs<PairFrame>;
+extern template class LeafPairs<SelfFrame>;
 
 }  // namespace soms::detail

@@ -64,6 +64,17 @@ struct CodeTable {
 
 constexpr CodeTable kCodes;
 
+/// Pairs of a node's lanes of which the second does not come before the first.
+constexpr std::uint32_t lanes_not_before() {
+  std::uint32_t bits = 0;
+  for (std::uint32_t k = 0; k < WideNode::kWidth; ++k) {
+    bits |= pairs_of_lanes(1U << k, 0xfU & ~((1U << k) - 1));
+  }
+  return bits;
+}
+
+constexpr std::uint32_t kNotBefore = lanes_not_before();
+
 }  // namespace
 
 template <class Source>
@@ -84,9 +95,9 @@ void test_roots(const PairFrame& frame, RootTest& roots) {
   }
 }
 
-template <class Source>
-OverlapTraversal<Source>::OverlapTraversal(PairFrame& frame, OverlapMode mode,
-                                           TraversalMemory& memory)
+template <class Source, class Frame>
+OverlapTraversal<Source, Frame>::OverlapTraversal(Frame& frame, OverlapMode mode,
+                                                  TraversalMemory& memory)
     : frame_(frame),
       relative_(frame.relative()),
       leaves_(frame, memory.leaves),
@@ -100,8 +111,15 @@ OverlapTraversal<Source>::OverlapTraversal(PairFrame& frame, OverlapMode mode,
       memory_(memory) {
 }
 
-template <class Source>
-void OverlapTraversal<Source>::start() {
+template <class Source, class Frame>
+void OverlapTraversal<Source, Frame>::start() {
+  if constexpr (Frame::kSelf) {
+    ++cost_.node_tests;
+    memory_.clear();
+    memory_.node_ids.push({kRootId, kRootId});
+    relative_.prepare();
+    return;
+  }
   RootTest roots;
   test_roots<Source>(frame_, roots);
   if (roots.clear) {
@@ -112,8 +130,8 @@ void OverlapTraversal<Source>::start() {
   }
 }
 
-template <class Source>
-void OverlapTraversal<Source>::start(const RootTest& roots) {
+template <class Source, class Frame>
+void OverlapTraversal<Source, Frame>::start(const RootTest& roots) {
   ++cost_.node_tests;
   memory_.clear();
   if (roots.alone) {
@@ -126,8 +144,8 @@ void OverlapTraversal<Source>::start(const RootTest& roots) {
   }
 }
 
-template <class Source>
-void OverlapTraversal<Source>::start(const PairList& seeds, const Cost& cost) {
+template <class Source, class Frame>
+void OverlapTraversal<Source, Frame>::start(const PairList& seeds, const Cost& cost) {
   cost_ = cost;
   memory_.clear();
   for (std::size_t i = 0; i < seeds.size(); ++i) {
@@ -136,14 +154,14 @@ void OverlapTraversal<Source>::start(const PairList& seeds, const Cost& cost) {
   relative_.prepare();
 }
 
-template <class Source>
-void OverlapTraversal<Source>::start(const NodeRefPair& from) {
+template <class Source, class Frame>
+void OverlapTraversal<Source, Frame>::start(const NodeRefPair& from) {
   memory_.clear();
   (from.blocks() ? memory_.blocks : memory_.node_ids).push(from);
 }
 
-template <class Source>
-void OverlapTraversal<Source>::push(const NodeTask& task) {
+template <class Source, class Frame>
+void OverlapTraversal<Source, Frame>::push(const NodeTask& task) {
   const bool descends_x = task.descends_x();
   for (std::uint32_t meet = task.pairs; meet != 0; meet &= meet - 1) {
     const auto lane = static_cast<std::uint32_t>(lowest(meet));
@@ -159,8 +177,8 @@ void OverlapTraversal<Source>::push(const NodeTask& task) {
   }
 }
 
-template <class Source>
-void OverlapTraversal<Source>::gather_nodes(TraversalRound& round) {
+template <class Source, class Frame>
+void OverlapTraversal<Source, Frame>::gather_nodes(TraversalRound& round) {
   PairList& node_ids = memory_.node_ids;
   const std::size_t taken = std::min(group_of<Source>(mode_, descended_), node_ids.size());
   const std::uint32_t order = mode_ == OverlapMode::any && descended_ < kOrdered ? 1 : 0;
@@ -190,6 +208,7 @@ void OverlapTraversal<Source>::gather_nodes(TraversalRound& round) {
       // To write out what lies below the node would cost more than this look.
       continue;
     }
+    const bool alone = Frame::kSelf && pair.x == pair.y;
     const CodeTable::Entry& in_x = kCodes.entries[x.count][pair.x & 7];
     const CodeTable::Entry& in_y = kCodes.entries[y.count][pair.y & 7];
     cost_.node_tests += std::uint64_t{in_x.number} * in_y.number;
@@ -198,15 +217,15 @@ void OverlapTraversal<Source>::gather_nodes(TraversalRound& round) {
                &y,
                without_lane(pair.x),
                without_lane(pair.y),
-               kLanePairs.bits[in_x.lanes][in_y.lanes],
+               kLanePairs.bits[in_x.lanes][in_y.lanes] & (alone ? kNotBefore : 0xffffU),
                order,
                0};
   }
   round.node_count = static_cast<std::size_t>(next - round.nodes.data());
 }
 
-template <class Source>
-void OverlapTraversal<Source>::append(std::span<const NodeTask> tasks) {
+template <class Source, class Frame>
+void OverlapTraversal<Source, Frame>::append(std::span<const NodeTask> tasks) {
   PairList& node_ids = memory_.node_ids;
   PairList& blocks = memory_.blocks;
   constexpr std::size_t kMost = 16;
@@ -229,8 +248,8 @@ void OverlapTraversal<Source>::append(std::span<const NodeTask> tasks) {
   }
 }
 
-template <class Source>
-bool OverlapTraversal<Source>::gather(TraversalRound& round) {
+template <class Source, class Frame>
+bool OverlapTraversal<Source, Frame>::gather(TraversalRound& round) {
   node_begin_ = round.node_count;
   larger_begin_ = round.larger_count;
   block_begin_ = round.block_count;
@@ -253,9 +272,9 @@ void test_round(const Kernels& kernels, TraversalRound& round) {
   kernels.test_slabs(round.blocks.data(), round.block_count);
 }
 
-template <class Source>
-bool OverlapTraversal<Source>::take_up(const TraversalRound& round, Collector& collector,
-                                       Limit& limit) {
+template <class Source, class Frame>
+bool OverlapTraversal<Source, Frame>::take_up(const TraversalRound& round, Collector& collector,
+                                              Limit& limit) {
   const std::size_t added = memory_.node_ids.size();
   for (std::size_t i = 0; i < larger_count_; ++i) {
     push(round.larger[larger_begin_ + i]);
@@ -277,8 +296,8 @@ bool OverlapTraversal<Source>::take_up(const TraversalRound& round, Collector& c
                       large_leaf_.take_scanned());
 }
 
-template <class Source>
-void OverlapTraversal<Source>::order_by_least(std::size_t begin) {
+template <class Source, class Frame>
+void OverlapTraversal<Source, Frame>::order_by_least(std::size_t begin) {
   PairList& node_ids = memory_.node_ids;
   for (std::size_t i = begin + 1; i < node_ids.size(); ++i) {
     const NodeRefPair pair = node_ids.at(i);
@@ -291,16 +310,16 @@ void OverlapTraversal<Source>::order_by_least(std::size_t begin) {
   }
 }
 
-template <class Source>
-void OverlapTraversal<Source>::drop_unwanted(const Collector& collector) {
+template <class Source, class Frame>
+void OverlapTraversal<Source, Frame>::drop_unwanted(const Collector& collector) {
   PairList& node_ids = memory_.node_ids;
   while (!node_ids.empty() && !collector.wants(least_below(node_ids.at(node_ids.size() - 1)))) {
     node_ids.drop(1);
   }
 }
 
-template <class Source>
-void OverlapTraversal<Source>::run(Collector& collector, Limit& limit) {
+template <class Source, class Frame>
+void OverlapTraversal<Source, Frame>::run(Collector& collector, Limit& limit) {
   TraversalRound round;
   while (gather(round)) {
     test_round(kernels_, round);
@@ -311,8 +330,8 @@ void OverlapTraversal<Source>::run(Collector& collector, Limit& limit) {
   }
 }
 
-template <class Source>
-std::vector<NodeRefPair> OverlapTraversal<Source>::frontier(std::size_t enough) {
+template <class Source, class Frame>
+std::vector<NodeRefPair> OverlapTraversal<Source, Frame>::frontier(std::size_t enough) {
   start();
   std::vector<NodeRefPair> level;
   for (std::size_t i = 0; i < memory_.node_ids.size(); ++i) {
@@ -348,14 +367,16 @@ std::vector<NodeRefPair> OverlapTraversal<Source>::frontier(std::size_t enough) 
   return level;
 }
 
-template <class Source>
-NodeRefPair OverlapTraversal<Source>::take_blocks() {
+template <class Source, class Frame>
+NodeRefPair OverlapTraversal<Source, Frame>::take_blocks() {
   constexpr std::uint32_t kRun = WideNode::kRunBit;
   const NodeRefPair pair = memory_.blocks.pop();
   const NodeRefPair here{pair.x & ~kRun, pair.y & ~kRun};
-  // Row by row: only the head of a row, whose y is still a run too, goes on to the next row.
+  // Row by row: only the head of a row, whose y is still a run too, goes on to the next row. Of a
+  // leaf with itself, a row begins at its own block.
+  const bool alone = Frame::kSelf && pair.x == pair.y;
   if ((pair.x & kRun) != 0 && x_.block(here.x).following > 0) {
-    memory_.blocks.push({x_.next(pair.x), pair.y});
+    memory_.blocks.push({x_.next(pair.x), alone ? y_.next(pair.y) : pair.y});
   }
   if ((pair.y & kRun) != 0 && y_.block(here.y).following > 0) {
     memory_.blocks.push({here.x, y_.next(pair.y)});
@@ -363,8 +384,8 @@ NodeRefPair OverlapTraversal<Source>::take_blocks() {
   return here;
 }
 
-template <class Source>
-void OverlapTraversal<Source>::gather_blocks(TraversalRound& round) {
+template <class Source, class Frame>
+void OverlapTraversal<Source, Frame>::gather_blocks(TraversalRound& round) {
   for (std::size_t i = 0; i < kBlocks<Source> && !memory_.blocks.empty(); ++i) {
     const NodeRefPair pair = take_blocks();
     BlockTask& task = round.blocks[round.block_count++];
@@ -379,5 +400,7 @@ template void test_roots<WideSource>(const PairFrame& frame, RootTest& roots);
 template void test_roots<CompactSource>(const PairFrame& frame, RootTest& roots);
 template class OverlapTraversal<WideSource>;
 template class OverlapTraversal<CompactSource>;
+template class OverlapTraversal<WideSource, SelfFrame>;
+template class OverlapTraversal<CompactSource, SelfFrame>;
 
 }  // namespace soms::detail

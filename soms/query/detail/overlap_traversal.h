@@ -12,6 +12,7 @@
 #include "soms/query/detail/kernels/kernels.h"
 #include "soms/query/detail/leaf_pairs.h"
 #include "soms/query/detail/relative_pose.h"
+#include "soms/query/detail/self/self_frame.h"
 #include "soms/query/detail/single_box_descent.h"
 
 #include <array>
@@ -69,11 +70,12 @@ struct RootTest {
 template <class Source>
 void test_roots(const PairFrame& frame, RootTest& roots);
 
-/// One query, of layouts that `Source` reads.
-template <class Source>
+/// One query, of layouts that `Source` reads. With a SelfFrame both trees are one, and each pair of
+/// its nodes is met once.
+template <class Source, class Frame = PairFrame>
 class OverlapTraversal {
  public:
-  OverlapTraversal(PairFrame& frame, OverlapMode mode, TraversalMemory& memory);
+  OverlapTraversal(Frame& frame, OverlapMode mode, TraversalMemory& memory);
 
   /// Begins at the roots, or below that of y where x is small beside it and y lies in place.
   void start();
@@ -126,9 +128,9 @@ class OverlapTraversal {
   /// Pops a pair of blocks. Of a run of blocks it gives the first and leaves the rest.
   [[nodiscard]] NodeRefPair take_blocks();
 
-  const PairFrame& frame_;
+  const Frame& frame_;
   RelativePose& relative_;
-  LeafPairs leaves_;
+  LeafPairs<Frame> leaves_;
   Source x_;
   Source y_;
   LargeLeaf<Source> large_leaf_;
@@ -149,5 +151,7 @@ class OverlapTraversal {
 
 extern template class OverlapTraversal<WideSource>;
 extern template class OverlapTraversal<CompactSource>;
+extern template class OverlapTraversal<WideSource, SelfFrame>;
+extern template class OverlapTraversal<CompactSource, SelfFrame>;
 
 }  // namespace soms::detail

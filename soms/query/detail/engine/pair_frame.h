@@ -34,6 +34,9 @@ void check_pose(const Pose& pose, const Shape& shape);
 /// larger one. Side x is the other. Refers to the shapes and poses it was made of.
 class PairFrame {
  public:
+  /// The two are one body, as in a SelfFrame.
+  static constexpr bool kSelf = false;
+
   /// \pre Neither shape is empty; the poses have passed their checks.
   PairFrame(const Body& a, const Body& b);
 

@@ -47,6 +47,8 @@ constexpr std::size_t kDoubles = 4;
 //
 #include "soms/query/detail/kernels/pose_checks.h"
 //
+#include "soms/query/detail/kernels/neighbors.h"
+//
 #include "soms/query/detail/kernels/near_nodes.h"
 #include "soms/query/detail/kernels/near_triangles.h"
 //
@@ -230,8 +232,8 @@ const Kernels& kernels() {
   static constexpr Kernels kTable{
       "avx2",        test_nodes,      test_larger,     append,      test_slabs,    test_boxes,
       meet_box,      judge,           judge_in_double, bound_nodes, near_boxes,    near_pairs,
-      bound_boxes,   bound_triangles, ray_nodes,       ray_blocks,  passing_poses, relative_poses,
-      line_descents, line_node,       line_block};
+      bound_boxes,   bound_triangles, ray_nodes,       ray_blocks,  passing_poses, apart_at_corner,
+      apart_at_edge, relative_poses,  line_descents,   line_node,   line_block};
   return kTable;
 }
 

@@ -166,6 +166,17 @@ struct alignas(32) PointBlockKeys {
   std::array<float, TriangleBlock::kWidth> estimate;  ///< the distances, more or less
 };
 
+/// Pairs of triangles with corners in common, side by side (neighbors.h). Lanes not in use may have
+/// any numbers.
+struct alignas(64) NeighborLanes {
+  static constexpr std::size_t kMost = 8;
+  using Row = std::array<double, kMost>;
+
+  /// Row 3 * corner + axis, lane. Triangles with a corner in common are (0, 1, 2) and (0, 3, 4);
+  /// with an edge, (0, 1, 2) and (0, 1, 3).
+  std::array<Row, 15> corner = {};
+};
+
 /// One instruction set's tests.
 struct Kernels {
   const char* name;
@@ -228,6 +239,10 @@ struct Kernels {
   /// How many poses, from the first on, surely pass their checks: `far` are the largest magnitudes
   /// of coordinates of the bounds that they move.
   std::size_t (*passing_poses)(const Pose* poses, std::size_t count, const Vec3& far);
+
+  /// Pairs that surely share nothing but their common corner, or edge.
+  std::uint32_t (*apart_at_corner)(const NeighborLanes& lanes);
+  std::uint32_t (*apart_at_edge)(const NeighborLanes& lanes);
 
   /// Finds the relative poses of `count` poses, at least one and at most RelativePoses::kMost.
   void (*relative_poses)(const MovedNumbers& x, const ReferenceNumbers& y, const BoxNumbers& box,
