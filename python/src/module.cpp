@@ -15,6 +15,7 @@
   topic(generated) \
   topic(answers) \
   topic(overlap) \
+  topic(self_overlap) \
   topic(distance) \
   topic(within) \
   topic(rigid_motions) \

@@ -38,7 +38,6 @@ set(SOMS_SOURCES
   detail/flat_overlap.cpp
   detail/nearest_guess.cpp
   detail/nearest_points.cpp
-  detail/neighbor_overlap.cpp
   detail/packed_distance.cpp
   detail/pair_distance.cpp
   detail/parts/cell_boxes.cpp

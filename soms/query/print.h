@@ -10,6 +10,7 @@
 #include "soms/query/distance.h"
 #include "soms/query/overlap.h"
 #include "soms/query/ray.h"
+#include "soms/query/self_overlap.h"
 #include "soms/query/signed_closest.h"
 #include "soms/query/solid.h"
 #include "soms/query/winding.h"

@@ -90,9 +90,9 @@ struct Fields<SelfOverlap> {
       field("cost", &SelfOverlap::cost, "Work done."));
 };
 
-/// Pairs of triangles of a mesh that share a point outside the convex hull of the corners that they
-/// have in common: neighbors that fold onto each other, and any others that touch. Decided exactly
-/// on the mesh's own vertices. A triangle without area is the segment or point that it is; a corner
+/// Pairs of triangles of a mesh that share a point outside the convex hull of their common corners:
+/// neighbors that fold onto each other, and any others that touch. Decided exactly on the mesh's
+/// own vertices. A triangle without area is the segment or point that it is; a corner
 /// that a triangle names twice counts once. Triangles with the same corners are listed apart, as
 /// duplicates. A pose would change nothing.
 ///

@@ -141,12 +141,12 @@ struct List {
   static void add_words_of(Lines& lines) { (::add_words_of<T>(lines), ...); }
 };
 
-using Answers = List<Cost, Overlap, OverlapBatch, Distance, Within, Solid, Contains, ContainsParts,
-                     ContainsPartsBatch, Closest, SignedClosest, NearTriangles, Winding, ClosestHit,
-                     AnyHit, AllHits, BodyClosest, BodyHit, BodyAllHits, SceneClosest, SceneHit,
-                     SceneAllHits, StepReport, ContactSpan, FirstContact>;
+using Answers = List<Cost, Overlap, OverlapBatch, SelfOverlap, Distance, Within, Solid, Contains,
+                     ContainsParts, ContainsPartsBatch, Closest, SignedClosest, NearTriangles,
+                     Winding, ClosestHit, AnyHit, AllHits, BodyClosest, BodyHit, BodyAllHits,
+                     SceneClosest, SceneHit, SceneAllHits, StepReport, ContactSpan, FirstContact>;
 using Options = List<ClosestOptions, DistanceOptions, FirstContactOptions, OverlapOptions,
-                     RayOptions, WindingOptions>;
+                     RayOptions, SelfOverlapOptions, WindingOptions>;
 /// Enumerations that no answer and no options name.
 using Others =
     List<ClashKind, ContactChange, JointType, Layout, MeshFormat, Partition, RecordedMesh::Origin,

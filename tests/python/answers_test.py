@@ -36,7 +36,7 @@ def answers_of_bodies():
     closed = soms.ClosedBody(b)
     for one in (soms.Body(a, poses[0]), soms.Body(a, poses[1])):
         yield from (soms.overlap(one, b), soms.distance(one, b), soms.within(one, b, 1),
-                    soms.solid(one, b))
+                    soms.solid(one, b), soms.self_overlap(b))
     yield from (soms.overlap(a, b, poses), soms.distance(a, b, poses), soms.within(a, b, 1, poses),
                 soms.solid(a, b, poses), soms.overlap(a, b).cost)
     yield from (soms.first_contact(a, poses[0], poses[1], b), soms.first_contact(a, poses[1], None, b, by=[0, 0, -9]),

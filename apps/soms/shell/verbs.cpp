@@ -5,6 +5,7 @@
 #include "apps/soms/models/convert.h"
 #include "apps/soms/models/generate.h"
 #include "apps/soms/models/info.h"
+#include "apps/soms/models/self.h"
 #include "apps/soms/pairs/distance.h"
 #include "apps/soms/pairs/motion.h"
 #include "apps/soms/pairs/overlap.h"
@@ -61,6 +62,7 @@ const std::array kVerbs{
          pass_to_reproduce},
     Verb{"robot", "decide in which states a robot touches itself or its cell, and how near it is",
          add_robot},
+    Verb{"self", "find the triangles of a model that cross or touch each other", add_self},
     Verb{"simulate", "move objects through a city and report what touches what, frame by frame",
          add_simulate},
     Verb{"solid", "decide whether two closed models are clear, touch, cross or contain each other",

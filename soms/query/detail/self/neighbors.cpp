@@ -1,6 +1,6 @@
 #include "soms/query/detail/self/neighbors.h"
 
-#include "soms/geometry/detail/neighbor_overlap.h"
+#include "soms/query/detail/self/neighbor_overlap.h"
 
 #include <bit>
 

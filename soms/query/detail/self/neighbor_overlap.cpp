@@ -1,4 +1,4 @@
-#include "soms/geometry/detail/neighbor_overlap.h"
+#include "soms/query/detail/self/neighbor_overlap.h"
 
 #include "soms/geometry/orientation.h"
 #include "soms/geometry/triangle_overlap.h"
