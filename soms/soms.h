@@ -73,6 +73,7 @@
 #include "soms/scene/contact_tracker.h"
 #include "soms/scene/motion_path.h"
 #include "soms/scene/of_bodies.h"
+#include "soms/scene/passages.h"
 #include "soms/scene/print.h"
 #include "soms/scene/recording.h"
 #include "soms/scene/replay.h"

@@ -142,12 +142,14 @@ Shape find_shape(const RecordedMesh& recorded, const std::string& place,
 
 }  // namespace
 
-RecordingHead recording_head(const World& world, std::uint64_t frames, double clearance) {
+RecordingHead recording_head(const World& world, std::uint64_t frames, double clearance,
+                             bool swept) {
   RecordingHead head;
   head.title = world.title;
   head.frames_a_second = kFramesASecond;
   head.frames_requested = frames;
   head.clearance = clearance;
+  head.swept = swept;
   for (std::size_t k = 0; k < world.city.size(); ++k) {
     const Body& body = world.city[k];
     head.environment.push_back({with_mesh(world.origins[k], body.shape.mesh()), body.pose});

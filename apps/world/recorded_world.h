@@ -12,10 +12,11 @@
 
 namespace soms::command {
 
-/// The head of a recording of `world` with steps of this clearance, in meters; 0: none.
+/// The head of a recording of `world` with steps of this clearance, in meters; 0: none. `swept`: of
+/// swept steps.
 /// \cost Hashes all meshes: about 0.2 s for a million triangles.
 [[nodiscard]] RecordingHead recording_head(const World& world, std::uint64_t frames,
-                                           double clearance = 0);
+                                           double clearance = 0, bool swept = false);
 
 /// Reads or generates again what was recorded. Its routes name the movers' models only: poses come
 /// from the recording's frames. A file is sought under its path, then under its path from the

@@ -1211,6 +1211,10 @@ class RecordedFrame:
     def environment_gaps(self) -> NDArray[np.void]: ...
     @property
     def mover_gaps(self) -> NDArray[np.void]: ...
+    @property
+    def environment_passages(self) -> NDArray[np.void]: ...
+    @property
+    def mover_passages(self) -> NDArray[np.void]: ...
 
 class RecordingEnd:
     @property
@@ -1228,6 +1232,7 @@ class RecordingWriter:
     def __init__(
         self, path: str | PathLike[str], scene: Scene, *, title: str = "",
         frames_a_second: float = 60.0, frames: int = 0, clearance: float = 0.0,
+        swept: bool = False,
     ) -> None: ...
     @property
     def so_far(self) -> RecordingEnd: ...
@@ -1248,6 +1253,8 @@ class Replay:
     def frames_requested(self) -> int: ...
     @property
     def clearance(self) -> float: ...
+    @property
+    def swept(self) -> bool: ...
     @property
     def environment(self) -> list[RecordedBody]: ...
     @property
@@ -1598,6 +1605,12 @@ def first_contact(
 ) -> FirstContactBatch: ...
 @overload
 def first_contact(
+    shape: BodyLike, motion: RigidMotion, body: BodyLike, motion_of_body: RigidMotion, /, *,
+    within: float = 0.0, parting: bool = False,
+    timeout: float | None = None, threads: int = 1, progress: Progress = None,
+) -> FirstContact: ...
+@overload
+def first_contact(
     shape: BodyLike, start: Pose, end: Pose | None, body: BodyLike, *,
     pivot: Point | NDArray[Any] | None = None, by: Point | None = None, within: float = 0.0,
     parting: bool = False,
@@ -1634,6 +1647,12 @@ def free(
     shape: BodyLike, motions: Sequence[RigidMotion], body: BodyLike, /, *, within: float = 0.0,
     timeout: float | None = None, threads: int = 1, progress: Progress = None,
 ) -> NDArray[np.bool_]: ...
+@overload
+def free(
+    shape: BodyLike, motion: RigidMotion, body: BodyLike, motion_of_body: RigidMotion, /, *,
+    within: float = 0.0,
+    timeout: float | None = None, threads: int = 1, progress: Progress = None,
+) -> bool: ...
 @overload
 def free(
     shape: BodyLike, starts: Pose, ends: Pose | None, body: BodyLike, *,

@@ -7,6 +7,7 @@ set(SOMS_HEADERS
   contact_tracker.h
   motion_path.h
   of_bodies.h
+  passages.h
   print.h
   recording.h
   reference/body_queries.h
@@ -41,6 +42,7 @@ set(SOMS_SOURCES
   detail/pair_order.cpp
   detail/pair_rows.cpp
   detail/rebuild_interval.cpp
+  detail/recording_frame.cpp
   detail/recording_reader.cpp
   detail/residents.cpp
   detail/search/all_hits_search.cpp
@@ -50,6 +52,7 @@ set(SOMS_SOURCES
   detail/search/ray_search.cpp
   detail/swept_phase.cpp
   motion_path.cpp
+  passages.cpp
   print.cpp
   recording.cpp
   reference/body_queries.cpp

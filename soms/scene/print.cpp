@@ -190,7 +190,9 @@ std::ostream& operator<<(std::ostream& out, const RecordedFrame& value) {
                     .add("environment", value.environment.size())
                     .add("movers", value.movers.size())
                     .add("environment_gaps", value.environment_gaps.size())
-                    .add("mover_gaps", value.mover_gaps.size());
+                    .add("mover_gaps", value.mover_gaps.size())
+                    .add("environment_passages", value.environment_passages.size())
+                    .add("mover_passages", value.mover_passages.size());
 }
 
 std::ostream& operator<<(std::ostream& out, const RecordingEnd& value) {

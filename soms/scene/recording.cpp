@@ -52,15 +52,17 @@ std::string bytes_of(const RecordingHead& head) {
   for (const std::uint32_t model : head.movers) {
     put(bytes, model);
   }
-  if (head.clearance > 0) {
+  if (head.clearance > 0 || head.swept) {
     put(bytes, head.clearance);
   }
   return bytes;
 }
 
-std::string file_head(double clearance) {
+std::string file_head(const RecordingHead& head) {
   std::string bytes(detail::kRecordingMagic);
-  put(bytes, clearance > 0 ? detail::kGapsVersion : detail::kContactsVersion);
+  put(bytes, head.swept           ? detail::kPassagesVersion
+             : head.clearance > 0 ? detail::kGapsVersion
+                                  : detail::kContactsVersion);
   put(bytes, static_cast<std::uint32_t>(detail::hash_of(bytes)));
   return bytes;
 }
@@ -100,16 +102,29 @@ void put_contact(std::string& bytes, std::uint32_t first, std::uint32_t second,
   put(bytes, contact.j);
 }
 
+void put_point(std::string& bytes, const Vec3& point) {
+  put(bytes, point.x);
+  put(bytes, point.y);
+  put(bytes, point.z);
+}
+
 template <class Gap>
 void put_gap(std::string& bytes, std::uint32_t first, std::uint32_t second, const Gap& gap) {
   put_contact(bytes, first, second, gap);
   put(bytes, gap.distance.lower);
   put(bytes, gap.distance.upper);
-  for (const Vec3& point : {gap.point_a, gap.point_b}) {
-    put(bytes, point.x);
-    put(bytes, point.y);
-    put(bytes, point.z);
-  }
+  put_point(bytes, gap.point_a);
+  put_point(bytes, gap.point_b);
+}
+
+template <class Passage>
+void put_passage(std::string& bytes, std::uint32_t first, std::uint32_t second,
+                 const Passage& passage) {
+  put_contact(bytes, first, second, passage);
+  put(bytes, static_cast<std::uint8_t>(passage.verdict));
+  put(bytes, passage.t.lower);
+  put(bytes, passage.t.upper);
+  put_point(bytes, passage.point);
 }
 
 void check_poses(std::span<const Pose> poses, std::uint64_t frame) {
@@ -172,11 +187,11 @@ void check(const RecordingHead& head) {
 }  // namespace
 
 RecordingWriter::RecordingWriter(std::ostream& out, RecordingHead head)
-    : out_(out), clearance_(head.clearance) {
+    : out_(out), clearance_(head.clearance), swept_(head.swept) {
   check(head);
   before_.resize(head.movers.size());
   const std::string content = bytes_of(head);
-  write(file_head(head.clearance));
+  write(file_head(head));
   write(chunk_head(detail::kHeadTag, 0, 0, content.size()));
   write(content);
   std::string sum;
@@ -209,6 +224,10 @@ void RecordingWriter::add(std::span<const Pose> poses, const StepReport& report)
                 "recording: the report of a step with a clearance of " +
                     shortest(report.clearance) + ", where the head says " + shortest(clearance_),
                 "step with the clearance of RecordingHead");
+  }
+  if (swept_ && !report.swept) {
+    throw Error(ErrorKind::usage, "recording: the report of a step that is not swept",
+                "step with StepOptions::swept, as RecordingHead says");
   }
   if (end_.frames > 0 && report.shapes_set != shapes_set_) {
     throw Error(
@@ -250,16 +269,25 @@ void RecordingWriter::put_frame(std::span<const Pose> poses, const StepReport& r
   for (const MoverContact& contact : report.movers) {
     put_contact(chunk_, contact.a, contact.b, contact);
   }
-  if (!(clearance_ > 0)) {
-    return;
+  if (clearance_ > 0) {
+    put(chunk_, static_cast<std::uint64_t>(report.environment_gaps.size()));
+    for (const EnvironmentGap& gap : report.environment_gaps) {
+      put_gap(chunk_, gap.mover, gap.part, gap);
+    }
+    put(chunk_, static_cast<std::uint64_t>(report.mover_gaps.size()));
+    for (const MoverGap& gap : report.mover_gaps) {
+      put_gap(chunk_, gap.a, gap.b, gap);
+    }
   }
-  put(chunk_, static_cast<std::uint64_t>(report.environment_gaps.size()));
-  for (const EnvironmentGap& gap : report.environment_gaps) {
-    put_gap(chunk_, gap.mover, gap.part, gap);
-  }
-  put(chunk_, static_cast<std::uint64_t>(report.mover_gaps.size()));
-  for (const MoverGap& gap : report.mover_gaps) {
-    put_gap(chunk_, gap.a, gap.b, gap);
+  if (swept_) {
+    put(chunk_, static_cast<std::uint64_t>(report.environment_passages.size()));
+    for (const EnvironmentPassage& passage : report.environment_passages) {
+      put_passage(chunk_, passage.mover, passage.part, passage);
+    }
+    put(chunk_, static_cast<std::uint64_t>(report.mover_passages.size()));
+    for (const MoverPassage& passage : report.mover_passages) {
+      put_passage(chunk_, passage.a, passage.b, passage);
+    }
   }
 }
 

@@ -82,20 +82,25 @@ struct RecordingHead {
   std::vector<RecordedBody> environment;
   std::vector<RecordedMesh> models;
   std::vector<std::uint32_t> movers;  ///< model of each mover; mover k is the k-th
-  /// `StepOptions::clearance` of every frame, meters. 0: frames have no gaps, and the file is of
-  /// version 1, which older programs read; above 0 it is of version 2.
+  /// `StepOptions::clearance` of every frame, meters. 0: frames have no gaps.
   double clearance = 0;
+  /// Frames hold the passages of swept steps (`StepOptions::swept`). The file is then of version 3;
+  /// else of version 2 with a clearance, and of version 1, which older programs read, without one.
+  bool swept = false;
 
   [[nodiscard]] bool operator==(const RecordingHead&) const = default;
 };
 
-/// One frame: where the movers are, what they touch, and what they are near.
+/// One frame: where the movers are, what they touch, what they are near, and what they touched on
+/// the way from the frame before.
 struct RecordedFrame {
   std::vector<Pose> poses;                            ///< of each mover
   std::vector<EnvironmentContact> environment;        ///< sorted, as in StepReport
   std::vector<MoverContact> movers;                   ///< sorted, as in StepReport
   std::vector<EnvironmentGap> environment_gaps = {};  ///< likewise; empty without a clearance
   std::vector<MoverGap> mover_gaps = {};              ///< likewise
+  std::vector<EnvironmentPassage> environment_passages = {};  ///< likewise; empty unless swept
+  std::vector<MoverPassage> mover_passages = {};              ///< likewise
 
   [[nodiscard]] bool operator==(const RecordedFrame&) const = default;
 };
@@ -134,9 +139,10 @@ class RecordingWriter {
   /// Adds the next frame.
   /// \pre     `report` is of the bodies that the head names: movers 0 to n-1.
   /// \errors  ErrorKind::usage where there are not as many poses as movers, and for the report of a
-  ///          step with StepScope::first_contact or with another clearance than the head's. Also
-  ///          where a shape was set in the scene since the frame before (`Scene::set_shape`): a
-  ///          recording holds one mesh for each mover. not_finite, not_rigid, out_of_range for a
+  ///          step with StepScope::first_contact or with another clearance than the head's. A head
+  ///          with `swept` takes reports of swept steps alone; one without leaves passages out.
+  ///          Also where a shape was set in the scene since the frame before (`Scene::set_shape`):
+  ///          a recording holds one mesh for each mover. not_finite, not_rigid, out_of_range for a
   ///          pose that no body of a scene can have, which no replay would play. cannot_write.
   ///          Frames before stay good. Where memory runs short, `so_far` tells whether the frame
   ///          was added.
@@ -159,6 +165,7 @@ class RecordingWriter {
   std::uint32_t chunk_frames_ = 0;
   std::uint64_t shapes_set_ = 0;  ///< in the scene, at the frame before
   double clearance_ = 0;          ///< as of the head
+  bool swept_ = false;            ///< likewise
   RecordingEnd end_;
   Fnv1a hash_;
 };

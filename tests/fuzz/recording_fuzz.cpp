@@ -96,6 +96,9 @@ void check_recorded_again(const Replay& replay, const std::vector<RecordedFrame>
     report.clearance = replay.head().clearance;
     report.environment_gaps = frame.environment_gaps;
     report.mover_gaps = frame.mover_gaps;
+    report.swept = replay.head().swept;
+    report.environment_passages = frame.environment_passages;
+    report.mover_passages = frame.mover_passages;
     writer.add(frame.poses, report);
   }
   writer.finish(replay.end() ? replay.end()->ending : RecordingEnding::interrupted);

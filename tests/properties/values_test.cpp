@@ -372,7 +372,8 @@ TEST(Values, PrintRecordings) {
       R"(0, movers: 0, clearance: 0})");
   EXPECT_EQ(
       printed(RecordedFrame{}),
-      "RecordedFrame{poses: 0, environment: 0, movers: 0, environment_gaps: 0, mover_gaps: 0}");
+      "RecordedFrame{poses: 0, environment: 0, movers: 0, environment_gaps: 0, mover_gaps: 0, "
+      "environment_passages: 0, mover_passages: 0}");
   EXPECT_EQ(printed(RecordingEnd{.ending = RecordingEnding::timed_out, .frames = 3}),
             "RecordingEnd{ending: timed_out, frames: 3, environment_contacts: 0, mover_contacts: "
             "0, hash: 0}");

@@ -49,6 +49,9 @@ std::string recorded_again(const Replay& replay, const std::vector<RecordedFrame
     report.clearance = replay.head().clearance;
     report.environment_gaps = frame.environment_gaps;
     report.mover_gaps = frame.mover_gaps;
+    report.swept = replay.head().swept;
+    report.environment_passages = frame.environment_passages;
+    report.mover_passages = frame.mover_passages;
     writer.add(frame.poses, report);
   }
   writer.finish(replay.end() ? replay.end()->ending : RecordingEnding::interrupted);
@@ -96,7 +99,7 @@ void expect_sound_outcomes(const char* tag, const test::Recorded& recorded) {
   for (const test::RecordedChunk& chunk : test::chunks_of(recorded.bytes)) {
     if (chunk.tag == detail::kFramesTag) {
       places.push_back(test::numbers_of_frames(chunk.content, recorded.head.movers.size(),
-                                               recorded.head.clearance > 0));
+                                               recorded.head.clearance > 0, recorded.head.swept));
     } else if (chunk.tag == detail::kHeadTag) {
       places.push_back(test::numbers_of_head(chunk.content));
     } else {
@@ -121,6 +124,10 @@ TEST(ChangedRecordings, GiveTypedErrorsOrPlay) {
 
 TEST(ChangedRecordings, OfGapsGiveTypedErrorsOrPlay) {
   expect_sound_outcomes("changed recordings of gaps", test::record_approach());
+}
+
+TEST(ChangedRecordings, OfPassagesGiveTypedErrorsOrPlay) {
+  expect_sound_outcomes("changed recordings of passages", test::record_passages());
 }
 
 TEST(ChangedRecordings, OfManyBodiesGiveTypedErrorsOrPlay) {

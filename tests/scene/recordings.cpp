@@ -4,6 +4,7 @@
 
 #include "tests/scene/random_bodies.h"
 
+#include <cmath>
 #include <memory>
 #include <sstream>
 
@@ -26,11 +27,12 @@ RecordedMesh recorded(const MeshView& mesh, const std::string& name) {
 }  // namespace
 
 Recorded record_scene(Rng& rng, std::uint64_t movers, std::uint64_t frames, RecordingEnding ending,
-                      double clearance) {
+                      double clearance, bool swept) {
   Recorded result;
   Scene scene;
   result.head.title = "test";
   result.head.clearance = clearance;
+  result.head.swept = swept;
   result.head.frames_requested = frames;
   std::vector<Shape>& shapes = result.shapes;
   for (int k = 0; k < 3; ++k) {
@@ -55,10 +57,12 @@ Recorded record_scene(Rng& rng, std::uint64_t movers, std::uint64_t frames, Reco
       }
       scene.set_pose(k, poses[k]);
     }
-    StepReport report = scene.step({.clearance = clearance});
+    StepReport report = scene.step({.clearance = clearance, .swept = swept});
     writer.add(poses, report);
     result.frames.push_back({poses, std::move(report.environment), std::move(report.movers),
-                             std::move(report.environment_gaps), std::move(report.mover_gaps)});
+                             std::move(report.environment_gaps), std::move(report.mover_gaps),
+                             std::move(report.environment_passages),
+                             std::move(report.mover_passages)});
   }
   writer.finish(ending);
   result.end = writer.so_far();
@@ -126,6 +130,37 @@ Recorded record_approach() {
     report.movers = now.movers;
     report.environment_gaps = now.environment_gaps;
     report.mover_gaps = now.mover_gaps;
+    writer.add(now.poses, report);
+    result.frames.push_back(std::move(now));
+  }
+  writer.finish(RecordingEnding::complete);
+  result.end = writer.so_far();
+  result.bytes = out.str();
+  return result;
+}
+
+Recorded record_passages() {
+  Recorded result;
+  result.head.title = "passages";
+  result.head.swept = true;
+  result.head.models.resize(1);
+  result.head.models[0].triangles = 12;
+  result.head.environment = {{result.head.models[0], Pose{}}};
+  result.head.movers = {0, 0};
+  std::ostringstream out;
+  RecordingWriter writer(out, result.head);
+  for (const double x : {-8.0, 8.0, -8.0}) {
+    RecordedFrame now;
+    now.poses = {Pose::translation(x, 0, 0), Pose::translation(0, -x, 0)};
+    StepReport report;
+    report.swept = true;
+    if (!result.frames.empty()) {
+      report.environment_passages = {
+          {0, 0, 1, 2, ContactVerdict::contact, {0.4, 0.5}, {1, 0.5, 0.25}}};
+      report.mover_passages = {{0, 1, 3, 4, ContactVerdict::grazing, {0.25, HUGE_VAL}, {0, 0, 1}}};
+    }
+    now.environment_passages = report.environment_passages;
+    now.mover_passages = report.mover_passages;
     writer.add(now.poses, report);
     result.frames.push_back(std::move(now));
   }

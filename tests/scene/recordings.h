@@ -25,10 +25,10 @@ struct Recorded {
 };
 
 /// A scene that was stepped: touching bodies with integer corners at random places. With a
-/// clearance, gaps as well; all else is then the same.
+/// clearance, gaps as well, and of swept steps passages; all else is then the same.
 [[nodiscard]] Recorded record_scene(Rng& rng, std::uint64_t movers, std::uint64_t frames,
                                     RecordingEnding ending = RecordingEnding::complete,
-                                    double clearance = 0);
+                                    double clearance = 0, bool swept = false);
 
 /// One mover that shifts and now and then touches, in about 2 KB: two chunks of frames.
 [[nodiscard]] Recorded record_drive();
@@ -37,6 +37,10 @@ struct Recorded {
 /// both; its clearance is 2. In about 4 KB: two chunks of frames, in all but a few of which nothing
 /// is near.
 [[nodiscard]] Recorded record_approach();
+
+/// A mover that is before a wall, behind it, and before it again, while another crosses its way: a
+/// passage of each list, without a contact.
+[[nodiscard]] Recorded record_passages();
 
 /// Frames without movers: the smallest recording of its kind.
 [[nodiscard]] Recorded record_nothing(std::uint64_t frames);

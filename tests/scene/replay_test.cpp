@@ -139,12 +139,12 @@ TEST(Replay, TellsBytesThatWereAddedTakenOrMoved) {
 TEST(Replay, SaysThatAVersionOfTheFutureNeedsANewerProgram) {
   std::string bytes = test::record_drive().bytes;
   std::string head(detail::kRecordingMagic);
-  detail::put(head, std::uint32_t{3});
+  detail::put(head, std::uint32_t{4});
   detail::put(head, static_cast<std::uint32_t>(detail::hash_of(head)));
   bytes.replace(0, head.size(), head);
   const Verdict verdict = judge(bytes);
   EXPECT_EQ(verdict.kind, ErrorKind::unsupported);
-  EXPECT_NE(verdict.words.find("a recording of version 3; this soms reads versions 1 and 2"),
+  EXPECT_NE(verdict.words.find("a recording of version 4; this soms reads versions 1 to 3"),
             std::string::npos)
       << verdict.words;
 }

@@ -118,7 +118,7 @@ class NumberCursor {
 
 /// The numbers of frames, of so many movers.
 [[nodiscard]] inline NumberPlaces numbers_of_frames(const std::string& content, std::size_t movers,
-                                                    bool gaps) {
+                                                    bool gaps, bool passages) {
   NumberCursor cursor(content);
   while (!cursor.at_end()) {
     for (std::size_t k = 0; k < movers; ++k) {
@@ -133,6 +133,13 @@ class NumberCursor {
       for (std::uint64_t count = cursor.number(8); count > 0; --count) {
         cursor.numbers(4, 4);
         cursor.numbers(8, 8);
+      }
+    }
+    for (int k = 0; passages && k < 2; ++k) {
+      for (std::uint64_t count = cursor.number(8); count > 0; --count) {
+        cursor.numbers(4, 4);
+        cursor.number(1);
+        cursor.numbers(5, 8);
       }
     }
   }

@@ -288,7 +288,7 @@ int run_simulate(const SimulateOptions& given, Console& console) {
   settle_frames(world, options, console);
   std::optional<Recorder> recorder;
   if (files.recording()) {
-    recorder.emplace(*files.recording(), world, options.frames, options.clearance);
+    recorder.emplace(*files.recording(), world, options.frames, options.clearance, options.swept);
   }
   const Outcome outcome = run_frames(world, options, console, recorder ? &*recorder : nullptr);
   if (recorder) {

@@ -19,8 +19,9 @@ void Recorder::write(const Write& write) {
   }
 }
 
-Recorder::Recorder(OutputFile& file, const World& world, std::uint64_t frames, double clearance)
-    : file_(file), writer_(file.stream(), recording_head(world, frames, clearance)) {
+Recorder::Recorder(OutputFile& file, const World& world, std::uint64_t frames, double clearance,
+                   bool swept)
+    : file_(file), writer_(file.stream(), recording_head(world, frames, clearance, swept)) {
 }
 
 void Recorder::add(std::span<const Pose> poses, const StepReport& report) {

@@ -15,9 +15,10 @@ namespace soms::command {
 /// A recording that appears whole, with its end, or not at all.
 class Recorder {
  public:
-  /// `clearance`: of the steps, meters; 0: none.
+  /// `clearance`: of the steps, meters; 0: none. `swept`: passages are recorded.
   /// \errors ErrorKind::cannot_write, here and below.
-  Recorder(OutputFile& file, const World& world, std::uint64_t frames, double clearance);
+  Recorder(OutputFile& file, const World& world, std::uint64_t frames, double clearance,
+           bool swept);
 
   void add(std::span<const Pose> poses, const StepReport& report);
 

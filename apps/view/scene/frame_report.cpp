@@ -10,6 +10,8 @@ StepReport report_of(const RecordedFrame& frame) {
   report.movers = frame.movers;
   report.environment_gaps = frame.environment_gaps;
   report.mover_gaps = frame.mover_gaps;
+  report.environment_passages = frame.environment_passages;
+  report.mover_passages = frame.mover_passages;
   return report;
 }
 

@@ -36,7 +36,10 @@ void bind_recorded(py::module_& module) {
       .column("movers", &RecordedFrame::movers, "As of StepReport.")
       .column("environment_gaps", &RecordedFrame::environment_gaps,
               "As of StepReport; empty without a clearance.")
-      .column("mover_gaps", &RecordedFrame::mover_gaps, "Likewise.");
+      .column("mover_gaps", &RecordedFrame::mover_gaps, "Likewise.")
+      .column("environment_passages", &RecordedFrame::environment_passages,
+              "As of StepReport; empty unless steps are swept.")
+      .column("mover_passages", &RecordedFrame::mover_passages, "Likewise.");
   AnswerClass<RecordingEnd> end(module, "RecordingEnd", "What a recording holds in all.");
   end.field("ending", &RecordingEnd::ending, "RecordingEnding.")
       .field("frames", &RecordingEnd::frames, "How many frames.")

@@ -24,7 +24,8 @@ namespace soms::python {
 namespace {
 
 constexpr const char* kWriterDoc =
-    R"(RecordingWriter(path, scene, *, title='', frames_a_second=60.0, frames=0, clearance=0.0)
+    R"(RecordingWriter(path, scene, *, title='', frames_a_second=60.0, frames=0, clearance=0.0,
+swept=False)
 
 Records a scene step by step, to be played by `soms view`, drawn by `soms render` and read by Replay.
 Frames are written as they come, so that memory does not grow with them.
@@ -35,7 +36,8 @@ Frames are written as they come, so that memory does not grow with them.
             recording.add(scene.step())
 
 scene: with all its bodies, numbered from 0 on; none may be added or removed until the end. frames: how
-many are planned, 0 if unknown. clearance: that of every step.
+many are planned, 0 if unknown. clearance: that of every step. swept: every step is swept, and its passages are
+recorded.
 
 A recording refers to models and does not hold them. Each mesh must be what read_mesh reads from the file
 Mesh.source, which is checked, or generate("car"), generate("person") or generate("drone"). Write another
@@ -141,7 +143,7 @@ void check_numbers(const Scene& scene) {
 
 std::unique_ptr<HeldWriter> begin_recording(const py::object& path, const py::object& scene,
                                             Text title, double frames_a_second,
-                                            std::uint64_t frames, double clearance) {
+                                            std::uint64_t frames, double clearance, bool swept) {
   auto& held = scene.cast<HeldScene&>();
   const SceneUse in_use(held);
   check_numbers(in_use.queried());
@@ -154,6 +156,7 @@ std::unique_ptr<HeldWriter> begin_recording(const py::object& path, const py::ob
   head.frames_a_second = frames_a_second;
   head.frames_requested = frames;
   head.clearance = clearance;
+  head.swept = swept;
   run(Work::many, 1, py::none(), [&](const Limits& limits) {
     add_bodies(head, in_use.queried(), limits);
     writer->parts = head.environment.size();
@@ -198,8 +201,10 @@ void check_bodies(const HeldWriter& held, const Scene& scene, const StepReport& 
   };
   std::for_each(report.environment.begin(), report.environment.end(), of_part);
   std::for_each(report.environment_gaps.begin(), report.environment_gaps.end(), of_part);
+  std::for_each(report.environment_passages.begin(), report.environment_passages.end(), of_part);
   std::for_each(report.movers.begin(), report.movers.end(), of_movers);
   std::for_each(report.mover_gaps.begin(), report.mover_gaps.end(), of_movers);
+  std::for_each(report.mover_passages.begin(), report.mover_passages.end(), of_movers);
   if (!is_same) {
     throw usage("recording: the report is of other bodies",
                 "add all bodies before the recording begins, and give reports of its scene");
@@ -236,7 +241,7 @@ void bind_recording_writer(py::module_& module) {
   py::class_<HeldWriter> writer(module, "RecordingWriter", kWriterDoc);
   writer.def(py::init(&begin_recording), py::arg("path"), py::arg("scene"), py::kw_only(),
              py::arg("title") = "", py::arg("frames_a_second") = RecordingHead{}.frames_a_second,
-             py::arg("frames") = 0, py::arg("clearance") = 0.0);
+             py::arg("frames") = 0, py::arg("clearance") = 0.0, py::arg("swept") = false);
   writer.def(
       "add", &add_frame, py::arg("report"),
       "add(report)\n\nAdds a frame: the report of a step of the scene, before anything moves. "

@@ -73,6 +73,7 @@ void bind_head(py::class_<HeldReplay>& replay) {
   head("frames_a_second", &RecordingHead::frames_a_second, "Frames in a second of its time.");
   head("frames_requested", &RecordingHead::frames_requested, "As many were planned.");
   head("clearance", &RecordingHead::clearance, "That of every step; 0: frames have no gaps.");
+  head("swept", &RecordingHead::swept, "Frames hold the passages of swept steps.");
   head("environment", &RecordingHead::environment, "A list of RecordedBody, by number.");
   head("models", &RecordingHead::models, "A list of RecordedMesh, of movers.");
   replay.def_property_readonly(

@@ -17,6 +17,7 @@ namespace soms::detail {
 inline constexpr std::string_view kRecordingMagic{"\x89SOMS\r\n\x1a", 8};
 inline constexpr std::uint32_t kContactsVersion = 1;  ///< frames hold poses and contacts
 inline constexpr std::uint32_t kGapsVersion = 2;      ///< and gaps; the head holds the clearance
+inline constexpr std::uint32_t kPassagesVersion = 3;  ///< and passages; the clearance may be 0
 inline constexpr std::size_t kFileHeadSize = 16;      ///< magic, version, check
 inline constexpr std::size_t kChunkHeadSize = 32;     ///< tag, frames, first frame, length, check
 inline constexpr std::size_t kCheckSize = 8;          ///< behind a chunk's content
@@ -24,6 +25,8 @@ inline constexpr std::size_t kCheckSize = 8;          ///< behind a chunk's cont
 /// Bytes of a contact: four numbers. Of a gap: these, a bracket and two points.
 inline constexpr std::size_t kContactSize = 16;
 inline constexpr std::size_t kGapSize = kContactSize + 8 * 8;
+/// Of a passage: a contact, a verdict, a bracket and a point.
+inline constexpr std::size_t kPassageSize = kContactSize + 1 + 5 * 8;
 
 /// A chunk is written when it holds so many bytes or frames.
 inline constexpr std::size_t kChunkBytes = std::size_t{1} << 20;

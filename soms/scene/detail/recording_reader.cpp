@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <string>
-#include <tuple>
 #include <utility>
 
 namespace soms::detail {
@@ -23,32 +22,12 @@ Pose read_pose(ChunkContent& content) {
   return pose;
 }
 
-void check_pose(const ChunkContent& content, const Pose& pose) {
-  try {
-    check_recordable(pose);
-  } catch (const Error& error) {
-    if (error.kind() == ErrorKind::unsupported) {
-      throw;
-    }
-    throw content.fault("an invalid pose: " + error.place());
-  }
-}
-
 double read_positive(ChunkContent& content, const char* what) {
   const double value = content.real();
   if (!std::isfinite(value) || value <= 0) {
     throw content.fault(std::string(what) + " that is not positive");
   }
   return value;
-}
-
-template <class T>
-T read_choice(ChunkContent& content, T last, const char* what) {
-  const auto value = content.number<std::uint8_t>();
-  if (value > static_cast<std::uint8_t>(last)) {
-    throw content.fault("an unknown " + std::string(what));
-  }
-  return static_cast<T>(value);
 }
 
 RecordedMesh read_mesh(ChunkContent& content) {
@@ -71,92 +50,6 @@ RecordedMesh read_mesh(ChunkContent& content) {
     throw content.fault("a mesh of " + std::to_string(mesh.triangles) + " triangles");
   }
   return mesh;
-}
-
-/// Contacts in strictly ascending order, each of what there is.
-template <class Contact, class Check>
-void read_contacts(ChunkContent& content, std::vector<Contact>& contacts, const Check& exists) {
-  const auto count = content.count<std::uint64_t>(kContactSize);
-  contacts.clear();
-  for (std::uint64_t k = 0; k < count; ++k) {
-    const auto first = content.number<std::uint32_t>();
-    const auto second = content.number<std::uint32_t>();
-    const auto i = content.number<std::uint32_t>();
-    const auto j = content.number<std::uint32_t>();
-    const Contact contact{first, second, i, j};
-    if (!exists(contact)) {
-      throw content.fault("a contact refers to a mover or part that does not exist");
-    }
-    if (!contacts.empty() && !(contacts.back() < contact)) {
-      throw content.fault("the contacts are not sorted");
-    }
-    contacts.push_back(contact);
-  }
-}
-
-Vec3 read_point(ChunkContent& content) {
-  Vec3 point;
-  for (double* const entry : {&point.x, &point.y, &point.z}) {
-    *entry = content.real();
-    if (!std::isfinite(*entry)) {
-      throw content.fault("a point of a gap is not finite");
-    }
-  }
-  return point;
-}
-
-/// The distance of two bodies that are within the clearance and do not touch. The clearance is a
-/// double, so no bracket's upper end is beyond it; the lower end is 0 where the distance is less
-/// than any double.
-Bracket read_distance(ChunkContent& content, double clearance) {
-  const double lower = content.real();
-  const double upper = content.real();
-  if (!(0 <= lower && lower <= upper && 0 < upper && upper <= clearance)) {
-    throw content.fault("the distance of a gap is no distance within the clearance");
-  }
-  return {lower, upper};
-}
-
-/// The two bodies of a gap or a contact.
-template <class Pair>
-auto bodies_of(const Pair& pair) {
-  if constexpr (requires { pair.part; }) {
-    return std::tuple(pair.mover, pair.part);
-  } else {
-    return std::tuple(pair.a, pair.b);
-  }
-}
-
-/// Gaps in strictly ascending order of their bodies, each of what there is. `contacts` are those
-/// of the frame: bodies that touch have no gap.
-template <class Gap, class Contact, class Check>
-void read_gaps(ChunkContent& content, double clearance, const std::vector<Contact>& contacts,
-               std::vector<Gap>& gaps, const Check& exists) {
-  const auto count = content.count<std::uint64_t>(kGapSize);
-  gaps.clear();
-  auto contact = contacts.begin();
-  for (std::uint64_t k = 0; k < count; ++k) {
-    const auto first = content.number<std::uint32_t>();
-    const auto second = content.number<std::uint32_t>();
-    const auto i = content.number<std::uint32_t>();
-    const auto j = content.number<std::uint32_t>();
-    if (!exists(Contact{first, second, i, j})) {
-      throw content.fault("a gap refers to a mover or part that does not exist");
-    }
-    const Bracket distance = read_distance(content, clearance);
-    const Vec3 point_a = read_point(content);
-    const Gap gap{first, second, i, j, distance, point_a, read_point(content)};
-    if (!gaps.empty() && !(bodies_of(gaps.back()) < bodies_of(gap))) {
-      throw content.fault("the gaps are not sorted");
-    }
-    while (contact != contacts.end() && bodies_of(*contact) < bodies_of(gap)) {
-      ++contact;
-    }
-    if (contact != contacts.end() && bodies_of(*contact) == bodies_of(gap)) {
-      throw content.fault("a gap between bodies that touch");
-    }
-    gaps.push_back(gap);
-  }
 }
 
 }  // namespace
@@ -261,6 +154,17 @@ void check_recordable(const Pose& pose) {
   }
 }
 
+void check_pose(const ChunkContent& content, const Pose& pose) {
+  try {
+    check_recordable(pose);
+  } catch (const Error& error) {
+    if (error.kind() == ErrorKind::unsupported) {
+      throw;
+    }
+    throw content.fault("an invalid pose: " + error.place());
+  }
+}
+
 std::uint32_t read_file_head(RecordingBytes& bytes) {
   std::array<char, kFileHeadSize> head{};
   const std::size_t there = std::min<std::uint64_t>(head.size(), bytes.size());
@@ -279,11 +183,11 @@ std::uint32_t read_file_head(RecordingBytes& bytes) {
     throw bytes.fault(8, "the version is corrupt");
   }
   const auto version = get<std::uint32_t>(head.data() + 8);
-  if (version != kContactsVersion && version != kGapsVersion) {
+  if (version < kContactsVersion || version > kPassagesVersion) {
     throw Error(ErrorKind::unsupported,
                 bytes.fault(8, "a recording of version " + std::to_string(version)).place(),
-                "this soms reads versions " + std::to_string(kContactsVersion) + " and " +
-                    std::to_string(kGapsVersion) + "; use a newer version of soms");
+                "this soms reads versions " + std::to_string(kContactsVersion) + " to " +
+                    std::to_string(kPassagesVersion) + "; use a newer version of soms");
   }
   return version;
 }
@@ -335,43 +239,14 @@ RecordingHead read_head(ChunkContent& content, std::uint32_t version) {
   }
   if (version == kGapsVersion) {
     head.clearance = read_positive(content, "a clearance");
+  } else if (version == kPassagesVersion) {
+    head.swept = true;
+    head.clearance = content.real();
+    if (!std::isfinite(head.clearance) || head.clearance < 0) {
+      throw content.fault("a clearance that is no length");
+    }
   }
   return head;
-}
-
-void read_frame(ChunkContent& content, const RecordingHead& head, RecordedFrame& frame) {
-  for (Pose& pose : frame.poses) {
-    const auto changed = content.number<std::uint16_t>();
-    if (changed >> pose.m.size() != 0) {
-      throw content.fault("a pose has more than twelve entries");
-    }
-    for (std::size_t k = 0; k < pose.m.size(); ++k) {
-      if ((changed >> k & 1) != 0) {
-        pose.m[k] = content.real();
-      }
-    }
-    if (changed != 0) {
-      check_pose(content, pose);
-    }
-  }
-  const std::size_t movers = head.movers.size();
-  const auto triangles_of = [&](MoverId mover) {
-    return head.models[head.movers[mover]].triangles;
-  };
-  const auto environment_exists = [&](const EnvironmentContact& c) {
-    return c.mover < movers && c.part < head.environment.size() && c.i < triangles_of(c.mover) &&
-           c.j < head.environment[c.part].mesh.triangles;
-  };
-  const auto movers_exist = [&](const MoverContact& c) {
-    return c.a < c.b && c.b < movers && c.i < triangles_of(c.a) && c.j < triangles_of(c.b);
-  };
-  read_contacts(content, frame.environment, environment_exists);
-  read_contacts(content, frame.movers, movers_exist);
-  if (head.clearance > 0) {
-    read_gaps(content, head.clearance, frame.environment, frame.environment_gaps,
-              environment_exists);
-    read_gaps(content, head.clearance, frame.movers, frame.mover_gaps, movers_exist);
-  }
 }
 
 RecordingEnd read_end(ChunkContent& content, std::uint64_t frames) {

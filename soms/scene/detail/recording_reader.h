@@ -98,6 +98,20 @@ class ChunkContent {
 /// \errors As `check(Pose)`; ErrorKind::out_of_range for a shift beyond 2^300.
 void check_recordable(const Pose& pose);
 
+/// Throws for a pose that was read and that no body of a scene can have.
+/// \errors ErrorKind::bad_file, unsupported.
+void check_pose(const ChunkContent& content, const Pose& pose);
+
+/// A value of an enumeration, up to `last`. \errors ErrorKind::bad_file for another one.
+template <class T>
+[[nodiscard]] T read_choice(ChunkContent& content, T last, const char* what) {
+  const auto value = content.number<std::uint8_t>();
+  if (value > static_cast<std::uint8_t>(last)) {
+    throw content.fault("an unknown " + std::string(what));
+  }
+  return static_cast<T>(value);
+}
+
 /// The first bytes of a file; returns its version. \errors ErrorKind::bad_file, unsupported.
 [[nodiscard]] std::uint32_t read_file_head(RecordingBytes& bytes);
 

@@ -54,7 +54,7 @@ class SmallRecording {
     bytes_ = out.str();
     const std::vector<test::RecordedChunk> chunks = test::chunks_of(bytes_);
     places_ = {test::numbers_of_head(chunks.at(0).content),
-               test::numbers_of_frames(chunks.at(1).content, head.movers.size(), false),
+               test::numbers_of_frames(chunks.at(1).content, head.movers.size(), false, false),
                {{0, 1}, {1, 8}, {9, 8}, {17, 8}}};
   }
 
