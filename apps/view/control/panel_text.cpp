@@ -109,12 +109,18 @@ Color color_of(const TreeBars& tree, TreeBars::Look state) {
 }
 
 std::string times_of(const ContactEvent& event) {
+  if (event.after > 0) {
+    return fmt::format("frame {} + {:.2f}", command::with_commas(event.begin), event.after);
+  }
   return event.begin == event.end ? "frame " + command::with_commas(event.begin)
                                   : "frames " + command::with_commas(event.begin) + " to " +
                                         command::with_commas(event.end);
 }
 
 std::string words_of(const ContactEvent& event) {
+  if (event.after > 0) {
+    return event.title + "\n   " + times_of(event) + ", between two frames";
+  }
   return event.title + "\n   " + times_of(event) + ", at most " +
          command::with_commas(event.most_pairs) + (event.most_pairs == 1 ? " pair" : " pairs") +
          ", in frame " + command::with_commas(event.most_frame);

@@ -46,6 +46,7 @@ struct ContactEvent {
   std::uint64_t end = 0;         ///< the last frame in which they touch
   std::uint64_t most_pairs = 0;  ///< pairs of triangles, in the frame that has the most
   std::uint64_t most_frame = 0;  ///< the first such frame
+  double after = 0;  ///< of a passage: the part of the way from frame `begin` to the next; else 0
 
   [[nodiscard]] bool operator==(const ContactEvent&) const = default;
 };

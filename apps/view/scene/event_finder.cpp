@@ -1,6 +1,7 @@
 #include "apps/view/scene/event_finder.h"
 
 #include "soms/geometry/parts_of.h"
+#include "soms/scene/passages.h"
 #include "soms/scene/scene.h"
 
 #include "apps/view/scene/frame_report.h"
@@ -22,12 +23,16 @@ struct EventFinder::State {
   std::optional<Scene> scene;
   std::vector<PartsOf> parts;  ///< of each body of the city
   ContactSpans spans;
+  std::vector<FoundPassage> passages;
+  std::vector<FoundEvent> events;
   std::uint64_t searched = 0;
 
   void start_over() {
     scene.reset();
     parts.clear();
     spans = {};
+    passages.clear();
+    events.clear();
     searched = 0;
   }
 
@@ -82,8 +87,45 @@ struct EventFinder::State {
     bodies.part = [this](const SceneBody& body, TriangleId triangle) {
       return body.kind == SceneBodyKind::environment ? parts[body.id](triangle) : Part::kNoParent;
     };
+    if (as_recorded()) {
+      add_passages(report);
+    }
+    const std::size_t known = spans.spans().size();
     spans.follow(searched, report, bodies);
+    for (std::size_t k = known; k < spans.spans().size(); ++k) {
+      events.push_back({.is_passage = false, .index = k});
+    }
     ++searched;
+  }
+
+  [[nodiscard]] static ContactSide mover_side(MoverId mover) {
+    return {{SceneBodyKind::mover, mover}, Part::kNoParent};
+  }
+
+  void add(const ContactSide& b, const EnvironmentPassage& passage) {
+    events.push_back({.is_passage = true, .index = passages.size()});
+    passages.push_back({.a = mover_side(passage.mover),
+                        .b = b,
+                        .before = searched - 1,
+                        .pair = {passage.i, passage.j},
+                        .verdict = passage.verdict,
+                        .t = passage.t,
+                        .point = passage.point});
+  }
+
+  /// Those that no frame shows. In the first frame there are none.
+  void add_passages(const StepReport& report) {
+    for (const EnvironmentPassage& passage : report.environment_passages) {
+      if (is_between_steps(passage, report.environment)) {
+        add({{SceneBodyKind::environment, passage.part}, parts[passage.part](passage.j)}, passage);
+      }
+    }
+    for (const MoverPassage& passage : report.mover_passages) {
+      if (is_between_steps(passage, report.movers)) {
+        add(mover_side(passage.b),
+            {passage.a, 0, passage.i, passage.j, passage.verdict, passage.t, passage.point});
+      }
+    }
   }
 
   [[nodiscard]] std::string name_of(const ContactSide& side) const {
@@ -139,6 +181,21 @@ void EventFinder::search(double milliseconds) {
 
 const std::vector<ContactSpan>& EventFinder::spans() const {
   return state_->spans.spans();
+}
+
+const std::vector<FoundPassage>& EventFinder::passages() const {
+  return state_->passages;
+}
+
+const std::vector<FoundEvent>& EventFinder::events() const {
+  return state_->events;
+}
+
+std::string EventFinder::title(const FoundPassage& passage) const {
+  return state_->name_of(passage.a) +
+         (passage.verdict == ContactVerdict::contact ? " passed through "
+                                                     : " may have passed through ") +
+         state_->name_of(passage.b);
 }
 
 std::string EventFinder::title(const ContactSpan& span) const {

@@ -298,6 +298,7 @@ std::optional<GapFacts> SceneSubject::gap_facts() const {
 
 void SceneSubject::advance(int count) {
   changed();
+  leave_moment();
   const std::uint64_t now = scene_.frame();
   if (count < 0) {
     const auto back = static_cast<std::uint64_t>(-static_cast<std::int64_t>(count));
@@ -311,6 +312,7 @@ void SceneSubject::advance(int count) {
 
 void SceneSubject::seek(std::uint64_t frame) {
   changed();
+  leave_moment();
   scene_.go_to(frame);
 }
 

@@ -68,6 +68,10 @@ class SceneSubject final : public Subject {
   [[nodiscard]] int levels_of(TreeOf tree) const;
   [[nodiscard]] bool moves() const;
   void list_events();
+  [[nodiscard]] Sight show_passage(const FoundPassage& passage, const FitCamera& fit);
+  [[nodiscard]] Sight aimed_at(const Touch& touch, std::uint32_t part, const FitCamera& fit);
+  void place_at_moment(BodyRef body, const Pose& before, const FoundPassage& passage);
+  void leave_moment();
   void let_go();
   void prepare_lesson(const ViewState& state);
   void prepare_fast_lesson(const ViewState& state);
@@ -92,16 +96,17 @@ class SceneSubject final : public Subject {
   FastLesson fast_lesson_;                  ///< of Traversal::fast
   std::optional<LearnFacts> lesson_facts_;  ///< of the last choice or picture
   std::optional<std::size_t> test_;
-  bool through_ = false;                ///< contacts are seen, and picked, through everything
-  bool movers_shown_ = true;            ///< else they are not picked
-  std::optional<int> single_levels_;    ///< of the city's tree, where there is no pair
-  std::vector<std::string> left_out_;   ///< of the last picture
-  std::optional<DensePlace> place_;     ///< at the beginning, of a sparse scene
-  std::optional<Chosen> seen_;          ///< by the last `pick`
-  std::optional<Chosen> selected_;      ///< drawn brighter
-  std::optional<Box> focus_;            ///< of an event, while its contact is selected
-  std::map<std::uint32_t, Pose> home_;  ///< where movers were that the hand moved
-  mutable StepCounter counter_;         ///< of named traversals
+  bool through_ = false;                  ///< contacts are seen, and picked, through everything
+  bool movers_shown_ = true;              ///< else they are not picked
+  std::optional<int> single_levels_;      ///< of the city's tree, where there is no pair
+  std::vector<std::string> left_out_;     ///< of the last picture
+  std::optional<DensePlace> place_;       ///< at the beginning, of a sparse scene
+  std::optional<Chosen> seen_;            ///< by the last `pick`
+  std::optional<Chosen> selected_;        ///< drawn brighter
+  std::optional<Box> focus_;              ///< of an event, while its contact is selected
+  std::map<std::uint32_t, Pose> home_;    ///< where movers were that the hand moved
+  std::vector<std::uint32_t> at_moment_;  ///< movers that stand between two frames, at a passage
+  mutable StepCounter counter_;           ///< of named traversals
   mutable std::optional<SceneStatistics> statistics_;  ///< counts whole trees: kept till a change
 };
 
