@@ -27,6 +27,11 @@ std::vector<std::size_t> longest(std::span<const Span> spans, std::size_t most) 
   return order;
 }
 
+std::array<Pose, 2> poses_of(const Scene& scene, const SceneContact& contact) {
+  return contact.poses.value_or(
+      std::array{scene.pose(contact.a, contact.begin), scene.pose(contact.b, contact.begin)});
+}
+
 std::vector<std::uint64_t> fair_shares(std::span<const std::uint64_t> wanted, std::uint64_t most) {
   std::vector<std::size_t> order(wanted.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -9,6 +9,7 @@
 #include "soms/motion/rigid_motion.h"
 #include "soms/query/overlap.h"
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -45,6 +46,13 @@ inline constexpr std::size_t kLongestText = 200;
 /// No part: the body as a whole.
 inline constexpr std::uint32_t kNoPart = 0xffffffffU;
 
+/// How two bodies of a row touch.
+enum class Meeting : std::uint32_t {
+  touch,          ///< in steps
+  passage,        ///< between two steps, in neither of them
+  may_be_passage  ///< the same, and it is not proved that they do
+};
+
 /// Two bodies, or parts of them, that touch: a row of the page's list.
 struct SceneRow {
   std::uint32_t a = 0;
@@ -61,6 +69,8 @@ struct SceneRow {
   std::uint64_t most_step = 0;   ///< that step
   Vec3 place = {};               ///< a point that the two share in it, if they are known
   std::vector<TrianglePair> pairs = {};  ///< some that touch in it: the curve that is drawn
+  Meeting meeting = Meeting::touch;
+  double after = 0;  ///< of a passage: the part of the way from step `begin` to the next, 0 to 1
 };
 
 /// No triangle: of a body as a whole.
@@ -77,6 +87,8 @@ struct SceneContact {
   std::uint64_t end = 0;
   std::vector<TrianglePair> pairs = {};  ///< some, at step `begin`
   std::uint64_t pairs_in_all = 0;        ///< at step `begin`
+  /// Of a passage: where `a` and `b` are then. Else nothing, as Scene::pose says where they are.
+  std::optional<std::array<Pose, 2>> poses = std::nullopt;
 };
 
 /// Body `a` is near body `b` in each step from `begin` to `end`. What is drawn is a shortest
@@ -127,8 +139,8 @@ struct Noun {
 struct Scene {
   std::vector<SceneModel> models = {};
   std::vector<SceneBody> bodies = {};
-  std::vector<ScenePart> parts = {};        ///< those of rows and contacts
-  std::vector<SceneRow> rows = {};          ///< all of them: none is ever left out of a page
+  std::vector<ScenePart> parts = {};  ///< those of rows and contacts
+  std::vector<SceneRow> rows = {};    ///< all of them: none is ever left out; passages come last
   std::vector<SceneContact> contacts = {};  ///< of all or some, in order of `begin`
   bool lists_contacts = true;               ///< false: what touches is not known
   bool complete = true;                     ///< false: the search ended early, there may be more
@@ -146,6 +158,9 @@ struct Scene {
   std::function<Pose(std::uint32_t body, std::uint64_t step)> pose = {};
   bool y_is_up = false;
 };
+
+/// Where the bodies of a contact are at its begin.
+[[nodiscard]] std::array<Pose, 2> poses_of(const Scene& scene, const SceneContact& contact);
 
 /// What a page has room for. With these it stays below 20 MB, the script and the plots included,
 /// and 110 bytes a row, of which there may be any number.

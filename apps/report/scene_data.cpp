@@ -160,10 +160,11 @@ class SceneWriter {
     Detail detail;
     for (std::size_t k = 0; k < shown_.contacts; ++k) {
       const SceneContact& contact = scene_.contacts[k];
-      for (const std::uint32_t body : {contact.a, contact.b}) {
-        if (scene_.bodies[body].model == model) {
+      const std::array<Pose, 2> poses = soms::report::poses_of(scene_, contact);
+      for (const std::size_t side : {0U, 1U}) {
+        if (scene_.bodies[side == 0 ? contact.a : contact.b].model == model) {
           const Sight at = sight(contact);
-          detail.points.push_back(moved_back(at.focus, scene_.pose(body, contact.begin)));
+          detail.points.push_back(moved_back(at.focus, poses[side]));
           detail.radius = std::max(detail.radius, at.reach);
         }
       }
@@ -189,7 +190,10 @@ class SceneWriter {
 
   /// Place of the middle of the body's model, and its turning.
   void put_pose(Base64Writer& data, std::uint32_t body, std::uint64_t step) const {
-    const Pose pose = scene_.pose(body, step);
+    put_pose(data, body, scene_.pose(body, step));
+  }
+
+  void put_pose(Base64Writer& data, std::uint32_t body, const Pose& pose) const {
     put(data, place(pose.apply(models_->middle(scene_.bodies[body].model))));
     for (const double part : quaternion(pose)) {
       data.put(static_cast<float>(part));
@@ -308,8 +312,9 @@ class SceneWriter {
       const Sight at = sight(contact);
       put(data, place(at.focus));
       data.put(static_cast<float>(at.reach * scale_));
-      put_pose(data, contact.a, contact.begin);
-      put_pose(data, contact.b, contact.begin);
+      const auto [pose_a, pose_b] = soms::report::poses_of(scene_, contact);
+      put_pose(data, contact.a, pose_a);
+      put_pose(data, contact.b, pose_b);
       data.put(static_cast<std::uint32_t>(contact.row));
     }
     block.finish();
@@ -320,8 +325,7 @@ class SceneWriter {
     Base64Writer& data = block.data();
     for (std::size_t k = 0; k < shown_.contacts; ++k) {
       const SceneContact& contact = scene_.contacts[k];
-      const Pose pose_a = scene_.pose(contact.a, contact.begin);
-      const Pose pose_b = scene_.pose(contact.b, contact.begin);
+      const auto [pose_a, pose_b] = soms::report::poses_of(scene_, contact);
       for (std::size_t n = 0; n < pairs_of(k); ++n) {
         const auto& [i, j] = contact.pairs[n];
         put_unsigned(data, named(contact.a, i));
@@ -358,6 +362,21 @@ class SceneWriter {
 
   static std::string numbers(const Vec3& v) { return fmt::format("[{},{},{}]", v.x, v.y, v.z); }
 
+  /// When the rows behind all others are, if they are passages.
+  void write_passages() {
+    const auto first =
+        std::find_if(scene_.rows.begin(), scene_.rows.end(),
+                     [](const SceneRow& row) { return row.meeting != Meeting::touch; });
+    if (first != scene_.rows.end()) {
+      const std::span passages(first, scene_.rows.end());
+      out_ << fmt::format(",\"passages\":{{\"row\":{},\"after\":", first - scene_.rows.begin())
+           << list_of(passages, [](const SceneRow& row) { return row.after; }) << ",\"proved\":"
+           << list_of(passages,
+                      [](const SceneRow& row) { return row.meeting == Meeting::passage ? 1 : 0; })
+           << "}";
+    }
+  }
+
   void write_json() {
     const Vec3 half = box_.empty() ? Vec3{} : (box_.extent() * (0.5 * scale_));
     out_ << "<script type=\"application/json\" id=\"soms-scene\">{\"schema\":\"soms.scene/3\"";
@@ -391,6 +410,7 @@ class SceneWriter {
                       return script_text(shortened(gap.length, kLongestText));
                     })
          << "}";
+    write_passages();
     out_ << ",\"live\":"
          << (scene_.motions.empty()
                  ? live_->json([this](std::size_t model) { return models_->middle(model); })

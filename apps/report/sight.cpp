@@ -24,10 +24,12 @@ double half_size(const Scene& scene, std::span<const Box> bounds, std::uint32_t 
 
 Sight sight_of(const SceneContact& contact, const Scene& scene, std::span<const Box> bounds,
                double size) {
-  const Pose pose_a = scene.pose(contact.a, contact.begin);
+  const auto [pose_a, pose_b] = poses_of(scene, contact);
+  const double smaller_body =
+      std::min(half_size(scene, bounds, contact.a), half_size(scene, bounds, contact.b));
+  // Of a passage the whole mover is worth seeing: who passes is what it tells.
   Sight sight{.focus = pose_a.apply(bounds[scene.bodies[contact.a].model].center()),
-              .reach = std::min({half_size(scene, bounds, contact.a),
-                                 half_size(scene, bounds, contact.b), kShareOfScene * size})};
+              .reach = contact.poses ? smaller_body : std::min(smaller_body, kShareOfScene * size)};
   if (contact.pairs.empty()) {
     return sight;
   }
@@ -36,13 +38,13 @@ Sight sight_of(const SceneContact& contact, const Scene& scene, std::span<const 
   };
   const auto& [i, j] = contact.pairs.front();
   const Triangle a = triangle(contact.a, i, pose_a);
-  const Triangle b = triangle(contact.b, j, scene.pose(contact.b, contact.begin));
+  const Triangle b = triangle(contact.b, j, pose_b);
   const auto [from, to] = crossing_line(a, b);
   sight.focus = (from + to) * 0.5;
   const double smaller =
       std::min(length(soms::bounds(a).extent()), length(soms::bounds(b).extent()));
   const double crossing = std::max(length(to - from), kLeastOfTriangle * smaller);
-  if (crossing > 0) {
+  if (crossing > 0 && !contact.poses) {
     sight.reach = std::min(sight.reach, kAround * crossing);
   }
   return sight;

@@ -7,6 +7,7 @@
 #include "apps/report/page.h"
 #include "apps/soms/answers/page_plots.h"
 #include "apps/soms/simulate/simulate_near_report.h"
+#include "apps/soms/simulate/simulate_passage_page.h"
 #include "apps/soms/simulate/simulate_report.h"
 #include "apps/soms/simulate/simulate_rows.h"
 #include "apps/world/part_names.h"
@@ -166,6 +167,7 @@ report::Scene scene_of(const World& world, const Outcome& outcome,
   add_curves(scene, world, outcome);
   scene.complete = outcome.ending == Ending::whole;
   scene.contacts_in_all = contacts.size();
+  add_passages(scene, world, outcome);
   scene.steps = {.count = std::max<std::uint64_t>(1, outcome.frames),
                  .noun = "frame",
                  .a_second = kFramesASecond};
@@ -293,6 +295,13 @@ void write_page(std::ostream& out, const World& world, const Outcome& outcome,
       "which they touch. Its contacts are the triangles of the city that the mover touches, each "
       "with its own first and last frame. Only surfaces are tested: a mover entirely inside a "
       "closed building touches nothing. The picture may be simplified; the answers never are.");
+  if (options.swept) {
+    page.notes.emplace_back(
+        "A passage is what a mover touches between two frames, in neither of them. It is proved "
+        "for "
+        "every moment of the way. \"frame 12 + 0.41\" is the part 0.41 of the way from frame 12 to "
+        "the next one, and the view shows the mover there.");
+  }
   page.plots = plots_of(world, outcome);
   page.scene = scene_of(world, outcome, std::move(event_of));
   if (options.clearance > 0) {

@@ -44,7 +44,7 @@ void add_passage_figures(Figures& figures, const World& world, const Outcome& ou
                                     "models of the city, {} between movers)",
                                     with_commas(events.size()),
                                     with_commas(events.size() - between), with_commas(between)));
-  std::string name = "first passages";
+  std::string name = "first of them";
   for (const PassageEvent& event : first_of(events)) {
     const EnvironmentPassage& passage = event.passage;
     figures.emplace_back(

@@ -1,5 +1,7 @@
 #include "apps/soms/simulate/simulate_passages.h"
 
+#include "soms/scene/passages.h"
+
 #include "apps/soms/simulate/simulate_contacts.h"
 
 #include <algorithm>
@@ -12,13 +14,14 @@ bool PassageEvent::between_movers() const {
 
 void PassageLog::add(const StepReport& report, std::uint64_t frame) {
   for (const EnvironmentPassage& passage : report.environment_passages) {
-    events_.push_back({frame, passage, 0});
+    events_.push_back({frame, passage, 0, is_between_steps(passage, report.environment)});
   }
   for (const MoverPassage& passage : report.mover_passages) {
     events_.push_back({frame,
                        {passage.a, Contact::kMover, passage.i, passage.j, passage.verdict,
                         passage.t, passage.point},
-                       passage.b});
+                       passage.b,
+                       is_between_steps(passage, report.movers)});
   }
 }
 

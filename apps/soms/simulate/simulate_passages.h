@@ -15,6 +15,7 @@ struct PassageEvent {
   std::uint64_t frame = 0;          ///< the way ends there
   EnvironmentPassage passage = {};  ///< `part` is `Contact::kMover` for another mover
   MoverId other = 0;                ///< number of the other mover (greater than `mover`), or 0
+  bool unseen = false;              ///< the two touch in neither of the two frames
 
   [[nodiscard]] bool between_movers() const;
 };

@@ -1,6 +1,8 @@
 // What passes through what between two frames: the log, and what the command writes.
 #include "apps/soms/simulate/simulate_passages.h"
 
+#include "soms/scene/replay.h"
+
 #include "apps/soms/simulate/simulate_contacts.h"
 #include "tests/commands/run.h"
 
@@ -83,7 +85,7 @@ TEST_F(PassageRun, TellsPeopleAndPrograms) {
                            "city, 0 between movers)\n"),
             std::string::npos)
       << table.out;
-  EXPECT_NE(table.out.find("first passages"), std::string::npos) << table.out;
+  EXPECT_NE(table.out.find("first of them "), std::string::npos) << table.out;
   const test::Json json = test::Json::parse(run({"--swept", "--json"}).out);
   EXPECT_EQ(json["swept"], true);
   EXPECT_EQ(json["passages"], 3);
@@ -104,6 +106,29 @@ TEST_F(PassageRun, FailsOnRequestWhereSomethingIsPassed) {
   EXPECT_EQ(run({"--frames", "3", "--fail-if", "contact"}).status, 0);
   EXPECT_EQ(run({"--frames", "3", "--swept", "--fail-if", "contact"}).status, 1);
   EXPECT_EQ(run({"--frames", "2", "--swept", "--fail-if", "contact"}).status, 0);
+}
+
+TEST_F(PassageRun, RecordsThem) {
+  ASSERT_EQ(run({"--swept", "--record", at("run.somsrec")}).status, 0);
+  Replay replay(at("run.somsrec"));
+  ASSERT_TRUE(replay.end());
+  EXPECT_TRUE(replay.head().swept);
+  std::vector<std::size_t> passages;
+  for (std::uint64_t k = 0; k < replay.frames(); ++k) {
+    passages.push_back(replay.frame(k).environment_passages.size());
+  }
+  EXPECT_EQ(passages, (std::vector<std::size_t>{0, 0, 1, 0, 1, 1}));
+}
+
+// The ones to frame 4 and from it have a contact at an end, which is an event.
+TEST_F(PassageRun, ShowsOnAPageThoseThatNoFrameShows) {
+  ASSERT_EQ(run({"--swept", "-o", at("p.html")}).status, 0);
+  const std::string page = test::read_text(at("p.html"));
+  EXPECT_NE(page.find("\"passages\":{\"row\":1,\"after\":[0.25"), std::string::npos);
+  EXPECT_NE(page.find("],\"proved\":[1]}"), std::string::npos);
+  EXPECT_NE(page.find("\"rows\":2,\"contacts\":{\"listed\":2,\"all\":2"), std::string::npos);
+  ASSERT_EQ(run({"-o", at("q.html")}).status, 0);
+  EXPECT_EQ(test::read_text(at("q.html")).find("\"passages\""), std::string::npos);
 }
 
 TEST_F(PassageRun, DoesNotGoWithAWindow) {

@@ -93,8 +93,9 @@ class Contacts extends Table {
 
 // Two bodies, or parts of them, that touch; every such pair is here.
 class Rows extends Table {
-  constructor(contacts) {
+  constructor(scene, contacts) {
     super('rows', 19);
+    this.passages = scene.passages ?? { row: this.count, after: [], proved: [] };
     // Contacts of each row: sorted by row, and where those of a row begin.
     this.starts = new Uint32Array(this.count + 1);
     for (let k = 0; k < contacts.count; ++k) {
@@ -136,7 +137,16 @@ class Rows extends Table {
   mostStep(r) { return this.word(r, 12); }
 
   // The step at which a row is shown.
-  moment(r) { return this.mostPairs(r) > 0 ? this.mostStep(r) : this.begin(r); }
+  moment(r) { return this.mostPairs(r) > 0 ? this.mostStep(r) : this.begin(r) + this.after(r); }
+
+  // The part of the way to the next step, of a passage; else 0.
+  after(r) { return this.passages.after[r - this.passages.row] ?? 0; }
+
+  // 0: touches; 1: passes between two steps; 2: perhaps.
+  meeting(r) {
+    const proved = this.passages.proved[r - this.passages.row];
+    return proved === undefined ? 0 : 2 - proved;
+  }
 
   center(r) { return this.slice(r, 13, 3); }
 
@@ -219,6 +229,6 @@ export function load() {
   scene.poses = unpackPoses(takeBytes('poses'), scene.moving, scene.steps.kept.length, scene.place_step, scene.turns);
   const contacts = new Contacts(scene);
   return {
-    scene, contacts, rows: new Rows(contacts), curves: new Curves(), gaps: new Gaps(scene),
+    scene, contacts, rows: new Rows(scene, contacts), curves: new Curves(), gaps: new Gaps(scene),
   };
 }

@@ -12,7 +12,7 @@ export const YES = 2;
 
 const ORDERS = {
   count: (rows) => (a, b) => rows.total(b) - rows.total(a) || a - b,
-  begin: (rows) => (a, b) => rows.begin(a) - rows.begin(b) || a - b,
+  begin: (rows) => (a, b) => rows.begin(a) + rows.after(a) - rows.begin(b) - rows.after(b) || a - b,
   length: (rows) => (a, b) => rows.steps(b) - rows.steps(a) || a - b,
   mover: (rows) => (a, b) => rows.a(a) - rows.a(b) || rows.part(a, 0) - rows.part(b, 0) || a - b,
   touched: (rows) => (a, b) => rows.b(a) - rows.b(b) || rows.part(a, 1) - rows.part(b, 1) || a - b,

@@ -74,7 +74,7 @@ function start() {
     byId('moment').textContent = moment(all, step);
   });
   const choose = (r, k) => {
-    const begin = k >= 0 ? all.contacts.begin(k) : all.rows.moment(r);
+    const begin = k >= 0 ? all.contacts.begin(k) + all.rows.after(r) : all.rows.moment(r);
     time.stop();
     time.show(begin);
     list.setStep(begin);

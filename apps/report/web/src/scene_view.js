@@ -225,7 +225,7 @@ export class SceneView extends View {
       this.exact = { step: rows.mostStep(r), bodies: this.chosenBodies, poses: [0, 1].map((side) => curves.pose(curve, side)) };
     } else {
       this.exact = first === undefined ? null : {
-        step: contacts.begin(first), bodies: [contacts.a(first), contacts.b(first)], poses: [0, 1].map((side) => contacts.pose(first, side)),
+        step: contacts.begin(first) + rows.after(r), bodies: [contacts.a(first), contacts.b(first)], poses: [0, 1].map((side) => contacts.pose(first, side)),
       };
     }
     const pairs = curve === undefined ? members.flatMap((member) => Array.from(
@@ -245,7 +245,7 @@ export class SceneView extends View {
       edges.visible = mesh.visible && k >= 0; // of many triangles they would hide all else
     });
     this.frameRow(r, k < 0 && curve === undefined);
-    this.setStep(k >= 0 ? contacts.begin(k) : rows.moment(r));
+    this.setStep(k >= 0 ? contacts.begin(k) + rows.after(r) : rows.moment(r));
     return k >= 0 ? { place: contacts.focus(k), reach: contacts.reach(k) } : this.sightOf(r);
   }
 
@@ -317,6 +317,9 @@ export class SceneView extends View {
     const { contacts, rows, scene } = this.all;
     const size = Math.hypot(...rows.half(r));
     const member = rows.contacts(r)[0];
+    if (rows.after(r) > 0) {
+      return contacts.reach(member);
+    }
     return Math.min(Math.max(4 * size, member === undefined ? 0 : 0.3 * contacts.reach(member)), 0.4 * scene.size);
   }
 

@@ -33,14 +33,19 @@ function side(scene, body, part) {
   return alone ? partName : `${name} (${partName})`;
 }
 
+// What a row or a contact says of its two: of rows by how they meet.
+const MEETS = ['touches', 'passed through', 'may have passed through'];
+
+const meets = (rows, r) => MEETS[rows.meeting(r)];
+
 // "car 12 (hull) touches house_31"
-export function title({ scene, contacts }, k) {
-  return `${side(scene, contacts.a(k), contacts.part(k, 0))} touches ${side(scene, contacts.b(k), contacts.part(k, 1))}`;
+export function title({ scene, contacts, rows }, k) {
+  return `${side(scene, contacts.a(k), contacts.part(k, 0))} ${meets(rows, contacts.row(k))} ${side(scene, contacts.b(k), contacts.part(k, 1))}`;
 }
 
 // The same of a row.
 export function rowTitle({ scene, rows }, r) {
-  return `${side(scene, rows.a(r), rows.part(r, 0))} touches ${side(scene, rows.b(r), rows.part(r, 1))}`;
+  return `${side(scene, rows.a(r), rows.part(r, 0))} ${meets(rows, r)} ${side(scene, rows.b(r), rows.part(r, 1))}`;
 }
 
 // A name with its middle left out where it is long: names of parts often differ in their last words.
@@ -56,29 +61,32 @@ export function shortName(name, most = 44) {
 // The title of a row as the list has room for it.
 export function shortRowTitle({ scene, rows }, r) {
   return [0, 1].map((which) => shortName(side(scene, which === 0 ? rows.a(r) : rows.b(r), rows.part(r, which))))
-    .join(' touches ');
+    .join(` ${meets(rows, r)} `);
 }
 
 // Where parts lie in the hierarchy of their files; empty where that says no more than their names.
 export function rowPaths({ scene, rows }, r) {
-  return [0, 1].map((which) => pathOf(scene, rows.part(r, which))).filter(Boolean).join(' touches ');
+  return [0, 1].map((which) => pathOf(scene, rows.part(r, which))).filter(Boolean).join(` ${meets(rows, r)} `);
 }
 
-function span(scene, begin, end) {
+function span(scene, begin, end, after = 0) {
   const { noun, count } = scene.steps;
   if (count < 2) {
     return '';
   }
+  if (after > 0) {
+    return `${noun} ${number(begin)} + ${after.toFixed(2)}`;
+  }
   return begin === end ? `${noun} ${number(begin)}` : `${noun}s ${number(begin)} to ${number(end)}`;
 }
 
-export function when({ scene, contacts }, k) {
-  return span(scene, contacts.begin(k), contacts.end(k));
+export function when({ scene, contacts, rows }, k) {
+  return span(scene, contacts.begin(k), contacts.end(k), rows.after(contacts.row(k)));
 }
 
 // "poses 3 to 9, 5 of them"
 export function rowWhen({ scene, rows }, r) {
-  const text = span(scene, rows.begin(r), rows.end(r));
+  const text = span(scene, rows.begin(r), rows.end(r), rows.after(r));
   const all = rows.end(r) - rows.begin(r) + 1;
   return text && rows.steps(r) < all ? `${text}, ${number(rows.steps(r))} of them` : text;
 }
