@@ -17,8 +17,11 @@ namespace soms::detail {
 namespace {
 
 /// Steps of one pair in one window. What slides along at next to no gap is decided in whole numbers
-/// beyond them, or left open.
+/// beyond them, or left open but for a contact that is found farther on.
 constexpr int kMostSteps = 2000;
+
+/// Further ones toward a contact that was found, so that its bracket is narrow.
+constexpr int kMoreSteps = 20'000;
 
 /// A gap that is above the margin by this much of the rounding counts as none: steps would be too
 /// short.
@@ -217,38 +220,65 @@ bool PairAdvance::pass(Place& place, const Parting& parting, double until) {
   return false;
 }
 
+double PairAdvance::contact_ahead(double begin, double until) {
+  double before = begin;
+  for (double length = std::max(begin, 0x1p-30) * 0x1p-52; before < until; length *= 2) {
+    const double t = std::min(until, begin + length);
+    if (touches(t)) {
+      return earliest(before, t);
+    }
+    before = t;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+bool PairAdvance::advance(Place& place, double until, int steps) {
+  const double enough = bounds_.pair_margin() + kNextToNone * bounds_.rounding();
+  for (int k = 0; k < steps; ++k) {
+    ++cost_.triangle_tests;
+    if (place.t > goal_.limit()) {
+      return true;
+    }
+    const Parting parting = parting_of(place.corners, resting_, enough);
+    const bool apart = parting.gap > enough;
+    if (apart && place.t >= until) {
+      return true;
+    }
+    // A step to the end proves that there is no contact at the end either.
+    if (apart && step(place, parting, until)) {
+      if (place.t >= until) {
+        return true;
+      }
+    } else if (!pass(place, parting, until)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 void PairAdvance::run(double from, double until) {
   if (goal_.leaves_out(ids_)) {
     return;
   }
   curvature_ = law_.curvature(from, until).of(arm_);
-  const double enough = bounds_.pair_margin() + kNextToNone * bounds_.rounding();
   Place place = at(from);
-  for (int k = 0; k < kMostSteps; ++k) {
-    ++cost_.triangle_tests;
-    if (place.t > goal_.limit()) {
-      return;
-    }
-    const Parting parting = parting_of(place.corners, resting_, enough);
-    const bool apart = parting.gap > enough;
-    if (apart && place.t >= until) {
-      return;
-    }
-    // A step to the end proves that there is no contact at the end either.
-    if (apart && step(place, parting, until)) {
-      if (place.t >= until) {
-        return;
-      }
-    } else if (!pass(place, parting, until)) {
-      return;
-    }
+  if (advance(place, until, kMostSteps)) {
+    return;
   }
   if (bounds_.exact()) {
     decide();
   } else if (bounds_.by_law()) {
     decide_turn(place.t, until);
   } else {
-    goal_.add_spell(ids_, place.t, until);
+    const double contact = contact_ahead(place.t, until);
+    const bool found = contact <= until;
+    if (found && advance(place, contact, kMoreSteps)) {
+      return;
+    }
+    goal_.add_spell(ids_, place.t, found ? contact : until);
+    if (found) {
+      goal_.add_contact(ids_, contact);
+    }
   }
 }
 

@@ -53,6 +53,12 @@ class PairAdvance {
   /// Decides a motion with a turn from `from` on, by its law in whole numbers.
   void decide_turn(double from, double until);
 
+  /// By looking ever farther ahead from `begin`, where steps were spent; infinity if there is none.
+  [[nodiscard]] double contact_ahead(double begin, double until);
+
+  /// Goes on from `place` by so many steps at most; true if all is decided until then.
+  [[nodiscard]] bool advance(Place& place, double until, int steps);
+
   /// From `place` on nothing can be proved free: looks for a pose in contact, until the time when
   /// there is a gap again. If none is found, the law decides all the rest where it can; else true
   /// if steps go on from there.
