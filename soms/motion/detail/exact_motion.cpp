@@ -4,6 +4,7 @@
 #include "soms/geometry/detail/exact/exact_ray.h"
 #include "soms/geometry/detail/exact/grid.h"
 #include "soms/motion/detail/exact/first_moment.h"
+#include "soms/motion/detail/exact/sure_parting.h"
 #include "soms/motion/detail/exact/turn_polynomials.h"
 
 #include <array>
@@ -282,6 +283,9 @@ class ExactTurn {
 
 std::optional<Bracket> exact_motion(const RigidMotion& motion, const Triangle& moving,
                                     const Triangle& resting, double from, double until) {
+  if (surely_parted(motion, moving, resting, from, until)) {
+    return std::nullopt;
+  }
   return ExactTurn(motion, TurnGrid(motion, moving, resting), from, until).first();
 }
 
