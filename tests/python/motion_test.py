@@ -49,6 +49,24 @@ class Motions(unittest.TestCase):
             self.assertAlmostEqual(by_poses.upper, 0.4, delta=1e-9)
             self.assertTrue(soms.overlap(soms.Body(self.cube, shift(10 * by_poses.upper)), self.wall).any)
 
+    def test_two_bodies_move_at_the_same_time(self):
+        cube = soms.Body(self.cube, [99, 0, 0])  # poses of bodies are not used
+        to_right = soms.RigidMotion.along(shift(0), [8, 0, 0])
+        to_left = soms.RigidMotion.along(shift(9), [-8, 0, 0])
+        met = soms.first_contact(cube, to_right, cube, to_left)
+        self.assertIs(met.verdict, soms.ContactVerdict.contact)
+        self.assertAlmostEqual(met.lower, 0.5, delta=1e-9)
+        self.assertAlmostEqual(met.upper, 0.5, delta=1e-9)
+        self.assertIs(soms.free(cube, to_right, cube, to_left), False)
+        behind = soms.RigidMotion.along(shift(9), [8, 0, 0])
+        self.assertIs(soms.free(cube, to_right, cube, behind), True)
+        self.assertIs(soms.free(cube, to_right, cube, behind, within=8.5), False)
+        # Both turn about one place: they stay as they are to each other.
+        turns = [soms.RigidMotion.turn(shift(x), [0, 0, 0], [0, 0, 1], 1) for x in (2, 5)]
+        self.assertIs(soms.free(cube, turns[0], cube, turns[1], within=1.9), True)
+        self.fails("usage", "a list of motions", cube, [to_right], cube, to_left)
+        self.fails("usage", "pivot and by", cube, to_right, cube, to_left, by=[1, 0, 0])
+
     def test_what_touches_may_part(self):
         beside = soms.Body(box([1, 0, 0], [2, 1, 1]))
         self.assertEqual(soms.first_contact(self.cube, shift(0), None, beside, by=[-3, 0, 0]).upper, 0)

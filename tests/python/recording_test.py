@@ -24,6 +24,24 @@ class Recordings(unittest.TestCase):
         car = soms.Shape(soms.generate("car"))
         self.cars = [self.scene.add_mover(soms.Body(car, name=f"car {i}")) for i in range(2)]
 
+    def test_passages_of_swept_steps_are_kept(self):
+        reports = []
+        with soms.RecordingWriter(self.path, self.scene, swept=True) as recording:
+            for x in (-9, 9, -9):
+                self.scene.set_poses(np.array([[x, 0, 0], [50, 0, 0]]))
+                reports.append(self.scene.step(swept=True))
+                recording.add(reports[-1])
+            with self.assertRaises(soms.Error) as caught:
+                recording.add(self.scene.step())
+            self.assertEqual(caught.exception.kind, "usage")
+        replay = soms.Replay(self.path)
+        self.assertTrue(replay.swept)
+        self.assertEqual(len(replay), 3)
+        for report, frame in zip(reports, replay):
+            np.testing.assert_array_equal(frame.environment_passages, report.environment_passages)
+            self.assertEqual(len(frame.mover_passages), 0)
+        self.assertEqual([len(frame.environment_passages) for frame in replay], [0, 1, 1])
+
     def record(self, frames=FRAMES, clearance=2.0):
         """The reports of the frames, with the poses of each."""
         steps = []

@@ -31,6 +31,8 @@ speed, and shape turns about it the shorter way (a half turn: either way). pivot
 shape; else its origin. by: (3,) or (n, 3), in world: a straight shift in place of end, which is None
 then. Without a clearance its time is exact; that of two poses with one rotation has a bracket.
 Or first_contact(shape, motion, body): a RigidMotion or a list of them in place of start and end.
+Or first_contact(shape, motion, body, motion_of_body): both move, each by a RigidMotion; the pose of body
+is not used. Then two shifts have a bracket, too, and what is next to rounding is 'grazing'.
 within: being this near is a contact, from 0 on. parting: pairs of triangles in contact at the start
 are left out; verdict stays 'started', and lower and upper are of the first contact of another pair. timeout: seconds after which the call ends, with
 coverage 'cut'. threads: 0 for all processors. progress: called with the share done.
@@ -47,7 +49,8 @@ constexpr const char* kFreeDoc =
 Which motions are free of contact all the way, as the edges of a roadmap? (n,) bool. True is proved;
 False is a contact, or what could not be decided: next to rounding, or where the timeout came first.
 
-starts, ends, and all others: as start and end of first_contact; or free(shape, motions, body).
+starts, ends, and all others: as start and end of first_contact; or free(shape, motions, body), or
+free(shape, motion, body, motion_of_body).
 Returns a bool for one motion. Raises
 Error as first_contact does.
 Cost: that of first_contact.)";
@@ -236,6 +239,31 @@ class MotionArguments {
   py::object body_;
 };
 
+/// Both move: `first_contact(shape, motion, other, motion_of_other)`.
+bool is_of_two(const py::object& start, const py::object& body) {
+  return are_motions(start) && are_motions(body);
+}
+
+FirstContact answer_of_two(const py::object& shape, const py::object& motion,
+                           const py::object& other, const py::object& motion_of_other,
+                           const py::object& pivot, const py::object& by,
+                           const FirstContactOptions& options, const CallLimits& allowed,
+                           const py::object& progress) {
+  if (!py::isinstance<RigidMotion>(motion) || !py::isinstance<RigidMotion>(motion_of_other)) {
+    throw usage("motion: a list of motions, where both bodies move", "give one motion of each");
+  }
+  if (!pivot.is_none() || !by.is_none()) {
+    throw usage("motion: pivot and by go with poses", "leave them out");
+  }
+  const BodyArgument mover(shape, "shape", allowed.threads);
+  const BodyArgument second(other, "body", allowed.threads);
+  const auto way = motion.cast<RigidMotion>();
+  const auto way_of_other = motion_of_other.cast<RigidMotion>();
+  return run(Work::one, allowed, progress, [&](const Limits& limits) {
+    return first_contact(mover.get().shape, way, second.get().shape, way_of_other, options, limits);
+  });
+}
+
 FirstContactBatch answers(const py::object& shape, const MotionArguments& given,
                           const FirstContactOptions& options, const CallLimits& allowed,
                           const py::object& progress) {
@@ -251,8 +279,12 @@ py::object query_first_contact(const py::object& shape, const py::object& start,
                                const py::object& pivot, const py::object& by, double clearance,
                                bool parting, std::optional<double> timeout, int threads,
                                const py::object& progress) {
-  const MotionArguments given("first_contact", start, end, body, pivot, by);
   const FirstContactOptions options{.within = clearance, .parting = parting};
+  if (is_of_two(start, body)) {
+    return made(
+        answer_of_two(shape, start, end, body, pivot, by, options, {threads, timeout}, progress));
+  }
+  const MotionArguments given("first_contact", start, end, body, pivot, by);
   if (!given.motions().is_one()) {
     return made(answers(shape, given, options, {threads, timeout}, progress));
   }
@@ -269,6 +301,11 @@ py::object query_free(const py::object& shape, const py::object& starts, const p
                       const py::object& body, const py::object& pivot, const py::object& by,
                       double clearance, std::optional<double> timeout, int threads,
                       const py::object& progress) {
+  if (is_of_two(starts, body)) {
+    return py::bool_(answer_of_two(shape, starts, ends, body, pivot, by, {.within = clearance},
+                                   {threads, timeout}, progress)
+                         .verdict == ContactVerdict::free);
+  }
   const MotionArguments given("free", starts, ends, body, pivot, by);
   const FirstContactBatch batch =
       answers(shape, given, {.within = clearance}, {threads, timeout}, progress);
