@@ -1,6 +1,7 @@
 #include "apps/soms/pairs/motion.h"
 
 #include "soms/base/error.h"
+#include "soms/base/parallel.h"
 #include "soms/base/text.h"
 #include "soms/geometry/parts_of.h"
 #include "soms/motion/first_contact.h"
@@ -13,6 +14,7 @@
 #include "apps/soms/answers/batch_question.h"
 #include "apps/soms/pairs/motion_page.h"
 #include "apps/soms/pairs/motion_rows.h"
+#include "apps/soms/pairs/motion_verify.h"
 #include "apps/world/part_names.h"
 #include "apps/world/world.h"
 
@@ -46,8 +48,13 @@ class MotionQuestion : public BatchQuestion<FirstContact> {
 
   std::uint64_t answer(const ShowProgress& show) override;
 
-  [[nodiscard]] std::optional<std::string> difference(std::size_t /*k*/) override {
-    return std::nullopt;  // the verb has no --verify
+  [[nodiscard]] std::optional<std::string> difference(std::size_t k) override {
+    return console_.run("verifying", [&](const Limits&) {
+      return motion_difference(
+          {rows_.mover(), rows_.block()[k], rows_.fixed().shape,
+           rows_.way_of_b().value_or(RigidMotion::along(rows_.fixed().pose, {}))},
+          at(k), options_);
+    });
   }
 
   void count(const AnsweredRow& row) override;
@@ -115,6 +122,7 @@ class MotionQuestion : public BatchQuestion<FirstContact> {
     return options_.within == 0 ? "contact" : "place within " + readable(options_.within);
   }
 
+  void answer_of_two(const std::vector<RigidMotion>& motions, const Limits& limits);
   [[nodiscard]] std::string in_words(const FirstContact& answer) const;
   [[nodiscard]] bool next_touch(const FirstContact& answer) const;
   [[nodiscard]] std::string next_in_words(const FirstContact& answer) const;
@@ -134,13 +142,25 @@ class MotionQuestion : public BatchQuestion<FirstContact> {
   std::optional<MotionPage> page_;
 };
 
+/// Where B moves, too, each motion of A is a question of its own.
+void MotionQuestion::answer_of_two(const std::vector<RigidMotion>& motions, const Limits& limits) {
+  for_each_chunk(motions.size(), 1, limits, [&](std::size_t k, std::size_t) {
+    put(k, first_contact(rows_.mover(), motions[k], rows_.fixed().shape, *rows_.way_of_b(),
+                         options_, limits.alone()));
+  });
+}
+
 std::uint64_t MotionQuestion::answer(const ShowProgress& show) {
   const std::vector<RigidMotion>& motions = rows_.block();
   reserve(motions.size());
   Limits limits = console_.limits();
   limits.progress = show;
   try {
-    put(0, first_contact(rows_.mover(), motions, rows_.fixed(), options_, limits));
+    if (rows_.way_of_b()) {
+      answer_of_two(motions, limits);
+    } else {
+      put(0, first_contact(rows_.mover(), motions, rows_.fixed(), options_, limits));
+    }
   } catch (const Error& error) {
     if (rows_.before() == 0 || error.kind() == ErrorKind::cancelled) {
       throw;
@@ -305,8 +325,8 @@ void check_motion_options(const MotionVerbOptions& options) {
     throw Error(ErrorKind::usage, "--pivot has no effect with --by, which turns nothing",
                 "leave it out, or give --to");
   }
-  const std::array<std::optional<std::string>, 6> inputs{options.a,    options.b,  options.pose_b,
-                                                         options.from, options.to, options.path};
+  const std::array<std::optional<std::string>, 7> inputs{
+      options.a, options.b, options.pose_b, options.from, options.to, options.path, options.to_b};
   if (std::count(inputs.begin(), inputs.end(), "-") > 1) {
     throw Error(ErrorKind::usage, "standard input is given twice", "give one of them as a file");
   }
@@ -314,12 +334,17 @@ void check_motion_options(const MotionVerbOptions& options) {
     throw Error(ErrorKind::usage, "--parting and --clearance exclude each other",
                 "leave one of them out");
   }
+  if (options.to_b && !options.outputs.page.empty()) {
+    throw Error(ErrorKind::usage, "-o FILE.html: a page shows one model that moves",
+                "leave it out, or --to-b");
+  }
   check_answer_outputs({{"A", options.a},
                         {"B", options.b},
                         {"--from", options.from.value_or("")},
                         {"--to", options.to.value_or("")},
                         {"--path", options.path.value_or("")},
-                        {"--pose-b", options.pose_b.value_or("")}},
+                        {"--pose-b", options.pose_b.value_or("")},
+                        {"--to-b", options.to_b.value_or("")}},
                        options.outputs);
 }
 
@@ -345,7 +370,8 @@ void add_motion_poses(Parser& parser, MotionVerbOptions& options) {
   pose("--path", options.path, "poses of A, row per pose: a motion from each to the next", "FILE");
   add_vector(parser, "--pivot", options.pivot,
              "the point of A that goes straight; else its origin");
-  pose("--pose-b", options.pose_b, "the pose at which B rests", "POSE");
+  pose("--pose-b", options.pose_b, "the pose at which B rests, or starts", "POSE");
+  pose("--to-b", options.to_b, "pose of B at the end: both move at the same time", "POSE");
 }
 
 }  // namespace
@@ -353,7 +379,7 @@ void add_motion_poses(Parser& parser, MotionVerbOptions& options) {
 Action add_motion(Parser& parser, Shared&) {
   const auto options = std::make_shared<MotionVerbOptions>();
   parser.add_option("A", options->a, "model that moves; - is standard input")->required();
-  parser.add_option("B", options->b, "model that rests")->required();
+  parser.add_option("B", options->b, "model that rests, or with --to-b moves, too")->required();
   add_motion_poses(parser, *options);
   add_length(parser, "--clearance", options->clearance, "being this near is a contact")
       ->group(kQuestionGroup);
@@ -361,6 +387,7 @@ Action add_motion(Parser& parser, Shared&) {
       .add_flag("--parting", options->parting,
                 "leave out pairs of triangles in contact at the start: what touches may slide")
       ->group(kQuestionGroup);
+  add_verify(parser, *options);
   add_choice<bool>(parser, "--fail-if", options->fail_if_contact, {{"contact", true}},
                    "exit with status 1 unless all is free")
       ->group(kQuestionGroup);
@@ -384,7 +411,10 @@ int run_motion(const MotionVerbOptions& options, Console& console) {
   Sinks sinks(options.outputs, console);
   MotionRows rows(options, console);
   MotionQuestion question(rows, {.within = options.clearance, .parting = options.parting}, console);
-  return RowRun({.verb = "motion", .noun = "motion", .fail_if_found = options.fail_if_contact},
+  return RowRun({.verb = "motion",
+                 .noun = "motion",
+                 .verify = options.verify,
+                 .fail_if_found = options.fail_if_contact},
                 rows, question, sinks, console)
       .run();
 }

@@ -19,6 +19,7 @@ struct MotionVerbOptions : PairOptions {
   std::optional<Vec3> by = {};
   std::optional<std::string> path = {};
   std::optional<Vec3> pivot = {};
+  std::optional<std::string> to_b = {};  ///< B moves from `pose_b` to this meanwhile
   double clearance = 0;
   bool parting = false;
   bool fail_if_contact = false;

@@ -21,11 +21,13 @@ PoseSource source_of(const std::string& option, const std::optional<std::string>
   return text ? PoseSource(option, *text, console) : PoseSource();
 }
 
-/// Where B rests. \errors ErrorKind::usage for a file of several poses.
-Pose resting_pose(const MotionVerbOptions& options, const Console& console) {
-  PoseSource source = source_of("--pose-b", options.pose_b, console);
+/// A pose of B. \errors ErrorKind::usage for a file of several poses.
+Pose pose_of_b(const std::string& option, const std::optional<std::string>& text,
+               const Console& console) {
+  PoseSource source = source_of(option, text, console);
   if (!source.is_constant()) {
-    throw Error(ErrorKind::usage, "--pose-b: " + source.name() + " has several poses, and B rests",
+    throw Error(ErrorKind::usage,
+                option + ": " + source.name() + " has several poses, and B has one there",
                 "give one pose");
   }
   return source.next().value_or(Pose());
@@ -80,7 +82,10 @@ MotionRows::MotionRows(const MotionVerbOptions& options, Console& console)
       source_(options, console),
       a_(load_model_shape(options.a, options.model_a, {.build = options.build}, console)),
       b_(load_model_shape(options.b, options.model_b, {.build = options.build}, console)),
-      fixed_(b_.shape, resting_pose(options, console)),
+      fixed_(b_.shape, pose_of_b("--pose-b", options.pose_b, console)),
+      way_of_b_(options.to_b ? std::optional(RigidMotion::between(
+                                   fixed_.pose, pose_of_b("--to-b", options.to_b, console), {}))
+                             : std::nullopt),
       report_{.a = a_.file_mesh(),
               .b = b_.file_mesh(),
               .left_a = a_,
@@ -90,8 +95,9 @@ MotionRows::MotionRows(const MotionVerbOptions& options, Console& console)
               .read_b = stated_options(options.model_b, "--scale-b", "--up-b")} {
   const std::array<MeshView, 2> meshes{report_.a, report_.b};
   report_.notes = notes_of(meshes);
-  report_.georeference =
-      options.pose_b ? Georeference() : georeference_of(std::vector<MeshView>{report_.b});
+  report_.georeference = options.pose_b || options.to_b
+                             ? Georeference()
+                             : georeference_of(std::vector<MeshView>{report_.b});
   if (options.model_a.parts) {
     options.model_a.parts->finish(console);
   }

@@ -55,7 +55,11 @@ class MotionRows : public Rows {
 
   [[nodiscard]] const Shape& mover() const { return a_.shape; }
 
+  /// Where B rests, or starts.
   [[nodiscard]] const Body& fixed() const { return fixed_; }
+
+  /// The way of B, if it moves: the same for all motions.
+  [[nodiscard]] const std::optional<RigidMotion>& way_of_b() const { return way_of_b_; }
 
   [[nodiscard]] const std::vector<RigidMotion>& block() const { return block_; }
 
@@ -81,6 +85,7 @@ class MotionRows : public Rows {
   ModelShape a_;
   ModelShape b_;
   Body fixed_;
+  std::optional<RigidMotion> way_of_b_;
   PairReport report_;
   std::vector<RigidMotion> block_;
   std::uint64_t before_ = 0;

@@ -54,6 +54,40 @@ TEST(MotionVerb, SaysPlainlyWhatIsFound) {
                   .out.starts_with("first place within 3.5 at t = "));
 }
 
+TEST(MotionVerb, BothMayMove) {
+  const Json met = answers_of_motion({"--from", "6 0 0", "--to", "0 0 0", "--pose-b", "-6 0 0",
+                                      "--to-b", "0 0 0"})
+                       .at(0);
+  EXPECT_EQ(met.at("verdict"), "contact");
+  EXPECT_NEAR(met.at("upper"), 5.0 / 6, 1e-9);  // 12 - 12 t = 2
+  const Json free = answers_of_motion({"--from", "6 0 0", "--to", "0 0 0", "--pose-b", "0 0 0",
+                                       "--to-b", "-6 0 0"})
+                        .at(0);
+  EXPECT_EQ(free.at("verdict"), "free");
+  const RunResult page =
+      motion({"--from", "6 0 0", "--to", "0 0 0", "--to-b", "1 0 0", "-o", "p.html"});
+  EXPECT_EQ(page.status, 2);
+  EXPECT_NE(page.err.find("a page shows one model that moves"), std::string::npos) << page.err;
+}
+
+TEST(MotionVerb, IsVerifiedByBruteForce) {
+  const std::string right = "verified by brute force: 1 of 1 answer equal\n";
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"--from", "6 0 0", "--by", "-8,0,0"},
+           {"--from", "6 5 0", "--to", "-6 5 0"},
+           {"--from", "6 0 0", "--to", "-6 1 0 0 0 0 1"},
+           {"--from", "2 0 0", "--by", "3,0,0"},
+           {"--from", "2 0 0", "--by", "3,0,0", "--parting"},
+           {"--from", "6 5 0", "--to", "-6 5 0", "--clearance", "3.5"},
+           {"--from", "6 0 0", "--to", "0 0 0", "--pose-b", "-6 0 0", "--to-b", "0 0 0"}}) {
+    std::vector<std::string> all = words;
+    all.emplace_back("--verify");
+    const RunResult result = motion(all);
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(result.out.find(right), std::string::npos) << result.out;
+  }
+}
+
 TEST(MotionVerb, WhatTouchesMayPartOrGoOn) {
   EXPECT_EQ(motion({"--from", "2 0 0", "--by", "3,0,0", "--parting"}).out,
             "in contact at the start; no other on the way\n");
