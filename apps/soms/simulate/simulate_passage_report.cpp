@@ -57,6 +57,12 @@ void add_passage_figures(Figures& figures, const World& world, const Outcome& ou
   }
 }
 
+std::string passages_verified(const VerifiedPassages& verified) {
+  return fmt::format("{} and {} without one by brute force, {} wrong",
+                     counted(verified.passages, "passage"), counted(verified.free, "pair"),
+                     with_commas(verified.wrong));
+}
+
 void add_passage_json(Json& json, const World& world, const Outcome& outcome) {
   const std::vector<PassageEvent>& events = outcome.passages.events();
   json["swept"] = true;

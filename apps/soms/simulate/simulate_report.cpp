@@ -165,6 +165,9 @@ Figures figures_of(const World& world, const Outcome& outcome, const SimulateOpt
   if (outcome.verified_gaps) {
     figures.emplace_back("verified gaps", gaps_verified(*outcome.verified_gaps));
   }
+  if (outcome.verified_passages) {
+    figures.emplace_back("and between", passages_verified(*outcome.verified_passages));
+  }
   return figures;
 }
 
@@ -242,6 +245,11 @@ std::string json_of(const World& world, const Outcome& outcome, const SimulateOp
     json["verified_gaps"] = {{"near", outcome.verified_gaps->near},
                              {"free", outcome.verified_gaps->free},
                              {"wrong", outcome.verified_gaps->wrong}};
+  }
+  if (outcome.verified_passages) {
+    json["verified_passages"] = {{"passages", outcome.verified_passages->passages},
+                                 {"free", outcome.verified_passages->free},
+                                 {"wrong", outcome.verified_passages->wrong}};
   }
   if (options.clearance > 0) {
     add_near_json(json, world, outcome, options);

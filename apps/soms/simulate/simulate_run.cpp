@@ -73,6 +73,10 @@ class Run {
         gap_verifier_.emplace(world, options.clearance, console.shared().seed);
         outcome_.verified_gaps.emplace();
       }
+      if (options.swept) {
+        passage_verifier_.emplace(world, console.shared().seed);
+        outcome_.verified_passages.emplace();
+      }
     }
   }
 
@@ -113,6 +117,7 @@ class Run {
   std::uint64_t run(std::uint64_t frame) {
     float seconds = 0;
     const Limits limits = console_.limited();
+    const std::vector<Pose> before = passage_verifier_ ? poses_ : std::vector<Pose>();
     const StepReport report = run_frame(scene_, world_, frame,
                                         {.mover_mover = world_.filter.between,
                                          .method = method_.get(),
@@ -126,6 +131,10 @@ class Run {
     if (verifier_) {
       verifier_->verify(report, poses_, limits);
     }
+    VerifiedPassages passages;
+    if (passage_verifier_ && frame > 0) {
+      passages = passage_verifier_->verify(report, before, poses_, limits);
+    }
     if (recorder_ != nullptr) {
       recorder_->add(poses_, report);
     }
@@ -138,6 +147,9 @@ class Run {
     outcome_.passages.add(report, frame);
     if (outcome_.verified_gaps) {
       *outcome_.verified_gaps += gaps;
+    }
+    if (outcome_.verified_passages) {
+      *outcome_.verified_passages += passages;
     }
     outcome_.queries += report.queries + report.gap_queries + report.passage_queries;
     outcome_.cost += report.cost;
@@ -173,6 +185,7 @@ class Run {
   bool near_ = false;                      ///< a mover was near the city
   std::optional<Verifier> verifier_;
   std::optional<GapVerifier> gap_verifier_;
+  std::optional<PassageVerifier> passage_verifier_;
   Outcome outcome_;
 };
 
@@ -183,7 +196,8 @@ double fps(double seconds) {
 }  // namespace
 
 bool Outcome::is_wrong() const {
-  return (verified && verified->wrong > 0) || (verified_gaps && verified_gaps->wrong > 0);
+  return (verified && verified->wrong > 0) || (verified_gaps && verified_gaps->wrong > 0) ||
+         (verified_passages && verified_passages->wrong > 0);
 }
 
 double Outcome::median_fps() const {

@@ -14,6 +14,7 @@
 #include "apps/soms/simulate/simulate_record.h"
 #include "apps/soms/simulate/simulate_verify.h"
 #include "apps/soms/simulate/simulate_verify_near.h"
+#include "apps/soms/simulate/simulate_verify_passages.h"
 #include "apps/world/world.h"
 
 #include <cstdint>
@@ -44,6 +45,7 @@ struct Outcome {
   PassageLog passages;  ///< filled by swept steps alone
   std::optional<Verified> verified = std::nullopt;
   std::optional<VerifiedGaps> verified_gaps = std::nullopt;
+  std::optional<VerifiedPassages> verified_passages = std::nullopt;
   std::vector<std::vector<Place>> tracks;  ///< where each mover was, at some hundred frames
   Ending ending = Ending::whole;
   BoxWatch boxes;  ///< of movers and the city, until one is near

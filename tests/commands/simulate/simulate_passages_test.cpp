@@ -108,6 +108,17 @@ TEST_F(PassageRun, FailsOnRequestWhereSomethingIsPassed) {
   EXPECT_EQ(run({"--frames", "2", "--swept", "--fail-if", "contact"}).status, 0);
 }
 
+TEST_F(PassageRun, VerifiesThemByBruteForce) {
+  const test::RunResult result = run({"--swept", "--verify", "--json"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  const test::Json json = test::Json::parse(result.out);
+  EXPECT_GE(json["verified_passages"]["passages"], 3);
+  EXPECT_EQ(json["verified_passages"]["wrong"], 0);
+  EXPECT_NE(run({"--swept", "--verify"}).out.find("and between   3 passages and "),
+            std::string::npos);
+  EXPECT_FALSE(test::Json::parse(run({"--verify", "--json"}).out).contains("verified_passages"));
+}
+
 TEST_F(PassageRun, RecordsThem) {
   ASSERT_EQ(run({"--swept", "--record", at("run.somsrec")}).status, 0);
   Replay replay(at("run.somsrec"));
