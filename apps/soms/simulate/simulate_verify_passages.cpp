@@ -109,7 +109,8 @@ VerifiedPassages PassageVerifier::verify(const StepReport& report, const std::ve
       }
       continue;
     }
-    const auto [a, b] = std::minmax(mover, static_cast<MoverId>(other - world_.city.size()));
+    const auto second = static_cast<MoverId>(other - world_.city.size());
+    const auto [a, b] = std::minmax(mover, second);
     if (a != b && world_.filter.tests(a, b) && !lists_movers(report, a, b)) {
       ++verified.free;
       verified.wrong += is_wrongly_free(ways.between(a, b)) ? 1U : 0U;
