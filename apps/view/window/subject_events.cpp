@@ -116,9 +116,9 @@ Sight SceneSubject::show_passage(const FoundPassage& passage, const FitCamera& f
   place_at_moment(b, from_b, passage);
   Sight sight = aimed_at({a, b, passage.pair.a, passage.pair.b}, passage.b.part, fit);
   sight.facts.title = finder_.title(passage);
-  sight.facts.numbers.insert(sight.facts.numbers.begin(),
-                             {"moment", fmt::format("{:.9g} of the way from frame {} to the next",
-                                                    moment_of(passage.t), passage.before)});
+  sight.facts.numbers.insert(
+      sight.facts.numbers.begin(),
+      {"moment", fmt::format("frame {} + {:.9g}", passage.before, moment_of(passage.t))});
   return sight;
 }
 
