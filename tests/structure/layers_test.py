@@ -51,6 +51,7 @@ LENT = {
     ("motion", "soms/query/detail/kernels/lanes_double.h"): "doubles side by side, as kernels of queries have them",
     ("motion", "soms/query/detail/kernels/target.h"): "likewise",
     ("motion", "soms/geometry/detail/exact/exact_distance.h"): "straight motions are decided in whole numbers",
+    ("motion", "soms/geometry/detail/exact/double_double3.h"): "a filter before whole numbers",
     ("motion", "soms/geometry/detail/exact/exact_ray.h"): "so they are by rays",
     ("motion", "soms/geometry/detail/exact/grid.h"): "places of all of them are on one grid",
     ("motion", "soms/geometry/detail/exact/integer.h"): "the brute-force twin decides in whole numbers alone",

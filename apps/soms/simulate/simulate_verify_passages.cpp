@@ -17,9 +17,9 @@ constexpr std::size_t kPassagesAFrame = 2;
 constexpr std::size_t kFreePairsAFrame = 2;
 
 /// The ways of two bodies to a frame.
-class Ways {
+class StepRoutes {
  public:
-  Ways(const World& world, const std::vector<Pose>& before, const std::vector<Pose>& poses)
+  StepRoutes(const World& world, const std::vector<Pose>& before, const std::vector<Pose>& poses)
       : world_(world), before_(before), poses_(poses) {}
 
   [[nodiscard]] VerifiedMotion with_city(MoverId mover, EnvironmentId part) const {
@@ -81,7 +81,7 @@ bool lists_movers(const StepReport& report, MoverId a, MoverId b) {
 
 VerifiedPassages PassageVerifier::verify(const StepReport& report, const std::vector<Pose>& before,
                                          const std::vector<Pose>& poses, const Limits& limits) {
-  const Ways ways(world_, before, poses);
+  const StepRoutes ways(world_, before, poses);
   VerifiedPassages verified;
   const std::size_t with_city = report.environment_passages.size();
   const std::size_t all = with_city + report.mover_passages.size();
