@@ -6,7 +6,10 @@
 #include "apps/soms/pairs/motion_verify.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace soms::command {
 
@@ -16,19 +19,79 @@ namespace {
 constexpr std::size_t kPassagesAFrame = 2;
 constexpr std::size_t kFreePairsAFrame = 2;
 
-/// The ways of two bodies to a frame.
+/// Holds a body on its way: its pivot goes straight, and no corner is farther from it than in the
+/// shape. Some 1e-9 are for rounding.
+Box box_of_way(const Shape& shape, const RigidMotion& way) {
+  const Box& own = shape.bounds();
+  Vec3 farthest;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    farthest[axis] = std::max(std::abs(own.lower[axis] - way.pivot()[axis]),
+                              std::abs(own.upper[axis] - way.pivot()[axis]));
+  }
+  Box box;
+  box.grow(way.pivot_from());
+  box.grow(way.pivot_to());
+  const double reach = std::sqrt(dot(farthest, farthest));
+  const double largest = std::sqrt(std::max(dot(box.lower, box.lower), dot(box.upper, box.upper)));
+  const double margin = reach + 1e-9 * (reach + largest);
+  box.lower = box.lower - Vec3{margin, margin, margin};
+  box.upper = box.upper + Vec3{margin, margin, margin};
+  return box;
+}
+
+/// The triangles of a body whose boxes meet another one, in the coordinates of the body.
+struct NearWay {
+  Mesh mesh;
+  std::vector<TriangleId> triangles;
+
+  NearWay(const Body& body, const Box& box) {
+    const MeshView& whole = body.shape.mesh();
+    for (TriangleId j = 0; j < whole.triangles.size(); ++j) {
+      const Triangle t = whole.triangle(j);
+      Box moved;
+      for (const Vec3& corner : {t.a, t.b, t.c}) {
+        moved.grow(body.pose.apply(corner));
+      }
+      if (overlaps(moved, box)) {
+        const auto next = static_cast<std::uint32_t>(mesh.vertices.size());
+        mesh.vertices.insert(mesh.vertices.end(), {t.a, t.b, t.c});
+        mesh.triangles.push_back({next, next + 1, next + 2});
+        triangles.push_back(j);
+      }
+    }
+  }
+};
+
+/// The ways of two bodies to a frame, and what brute force finds wrong with an answer.
 class StepRoutes {
  public:
   StepRoutes(const World& world, const std::vector<Pose>& before, const std::vector<Pose>& poses)
       : world_(world), before_(before), poses_(poses) {}
 
-  [[nodiscard]] VerifiedMotion with_city(MoverId mover, EnvironmentId part) const {
+  [[nodiscard]] bool is_wrong_with_city(MoverId mover, EnvironmentId part,
+                                        FirstContact said) const {
     const Body& city = world_.city[part];
-    return {shape(mover), way(mover), city.shape, RigidMotion::along(city.pose, {})};
+    const RigidMotion route = way(mover);
+    const NearWay near(city, box_of_way(shape(mover), route));
+    if (said.triangles) {
+      const auto at =
+          std::lower_bound(near.triangles.begin(), near.triangles.end(), said.triangles->b);
+      if (at == near.triangles.end() || *at != said.triangles->b) {
+        return true;  // it is far from the way
+      }
+      said.triangles->b = static_cast<TriangleId>(at - near.triangles.begin());
+    }
+    return !near.triangles.empty() &&
+           motion_difference(
+               {shape(mover), route, Shape(near.mesh), RigidMotion::along(city.pose, {})}, said, {})
+               .has_value();
   }
 
-  [[nodiscard]] VerifiedMotion between(MoverId a, MoverId b) const {
-    return {shape(a), way(a), shape(b), way(b)};
+  [[nodiscard]] bool is_wrong_between(MoverId a, MoverId b, const FirstContact& said) const {
+    if (!overlaps(box_of_way(shape(a), way(a)), box_of_way(shape(b), way(b)))) {
+      return said.verdict != ContactVerdict::free;
+    }
+    return motion_difference({shape(a), way(a), shape(b), way(b)}, said, {}).has_value();
   }
 
  private:
@@ -46,15 +109,14 @@ class StepRoutes {
 };
 
 template <class Passage>
-bool is_wrong(const VerifiedMotion& ways, const Passage& passage) {
+FirstContact said_of(const Passage& passage) {
   FirstContact said{.verdict = passage.verdict, .t = passage.t};
   said.triangles = TrianglePair{passage.i, passage.j};
-  return motion_difference(ways, said, {}).has_value();
+  return said;
 }
 
-bool is_wrongly_free(const VerifiedMotion& ways) {
-  const FirstContact said{.t = {1, std::numeric_limits<double>::infinity()}};
-  return motion_difference(ways, said, {}).has_value();
+FirstContact said_free() {
+  return {.t = {1, std::numeric_limits<double>::infinity()}};
 }
 
 /// The two are in the list, which names bodies as `first` and `second` of its entries.
@@ -91,10 +153,11 @@ VerifiedPassages PassageVerifier::verify(const StepReport& report, const std::ve
     ++verified.passages;
     if (at < with_city) {
       const EnvironmentPassage& passage = report.environment_passages[at];
-      verified.wrong += is_wrong(ways.with_city(passage.mover, passage.part), passage) ? 1U : 0U;
+      verified.wrong +=
+          ways.is_wrong_with_city(passage.mover, passage.part, said_of(passage)) ? 1U : 0U;
     } else {
       const MoverPassage& passage = report.mover_passages[at - with_city];
-      verified.wrong += is_wrong(ways.between(passage.a, passage.b), passage) ? 1U : 0U;
+      verified.wrong += ways.is_wrong_between(passage.a, passage.b, said_of(passage)) ? 1U : 0U;
     }
   }
   for (std::size_t k = 0; k < kFreePairsAFrame && !poses.empty(); ++k) {
@@ -105,7 +168,7 @@ VerifiedPassages PassageVerifier::verify(const StepReport& report, const std::ve
       const auto part = static_cast<EnvironmentId>(other);
       if (!lists(report, mover, part)) {
         ++verified.free;
-        verified.wrong += is_wrongly_free(ways.with_city(mover, part)) ? 1U : 0U;
+        verified.wrong += ways.is_wrong_with_city(mover, part, said_free()) ? 1U : 0U;
       }
       continue;
     }
@@ -113,7 +176,7 @@ VerifiedPassages PassageVerifier::verify(const StepReport& report, const std::ve
     const auto [a, b] = std::minmax(mover, second);
     if (a != b && world_.filter.tests(a, b) && !lists_movers(report, a, b)) {
       ++verified.free;
-      verified.wrong += is_wrongly_free(ways.between(a, b)) ? 1U : 0U;
+      verified.wrong += ways.is_wrong_between(a, b, said_free()) ? 1U : 0U;
     }
   }
   return verified;

@@ -1,8 +1,11 @@
+#include "apps/soms/pairs/motion_verify.h"
 #include "tests/commands/near.h"
 #include "tests/report/reading.h"
+#include "tests/support/bodies.h"
 
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -85,6 +88,27 @@ TEST(MotionVerb, IsVerifiedByBruteForce) {
     const RunResult result = motion(all);
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_NE(result.out.find(right), std::string::npos) << result.out;
+  }
+}
+
+TEST(MotionVerb, AnAnswerThatIsWrongIsFound) {
+  const Shape cube(box_body({-1, -1, -1}, {1, 1, 1}));
+  const RigidMotion to_left = RigidMotion::along(Pose::translation(6, 0, 0), {-8, 0, 0});
+  const FirstContact right = first_contact(cube, to_left, Body(cube));
+  for (const Vec3& by : {Vec3{0, 0, 0}, Vec3{0, 0.25, 0}}) {  // B rests, or moves
+    const command::VerifiedMotion motion{cube, to_left, cube, RigidMotion::along(Pose(), by)};
+    const auto is_wrong = [&](const FirstContact& answer) {
+      return command::motion_difference(motion, answer, {}).has_value();
+    };
+    EXPECT_FALSE(is_wrong(right));
+    FirstContact late = right;
+    late.t = {0.75, 0.75};
+    EXPECT_TRUE(is_wrong(late));
+    FirstContact early = right;
+    early.t = {0.25, 0.25};
+    EXPECT_TRUE(is_wrong(early));
+    EXPECT_TRUE(is_wrong({.t = {1, std::numeric_limits<double>::infinity()}}));
+    EXPECT_TRUE(is_wrong({.verdict = ContactVerdict::started}));
   }
 }
 

@@ -20,8 +20,6 @@ constexpr double kLargest = 0x1p200;
 /// A stretch is halved so often at most.
 constexpr int kDepth = 4;
 
-constexpr std::size_t kDirections = 11;
-
 using DoubleDouble4 = std::array<DoubleDouble, 4>;
 
 /// Quaternion and place of the pivot, at a time.
