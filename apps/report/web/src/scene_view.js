@@ -164,7 +164,7 @@ export class SceneView extends View {
       }
       const active = this.isNow(spot);
       const color = active ? this.colors.touch : this.colors.was;
-      const hidden = row === this.shownRow;
+      const hidden = row === this.shownRow && this.all.rows.after(row) === 0; // a passage is a point: its spot stays
       if (!hidden && !large) {
         this.smallSpots.push(spot);
       }
@@ -230,7 +230,8 @@ export class SceneView extends View {
     }
     const pairs = curve === undefined ? members.flatMap((member) => Array.from(
       { length: contacts.pairCount(member) }, (_, n) => contacts.firstPair(member) + n)) : [];
-    this.chosenCurve.show(curve === undefined ? joined(pairs.map((n) => contacts.crossing(n))) : curves.lines[curve], this.all.scene.size);
+    const isPoint = rows.after(r) > 0;
+    this.chosenCurve.show(curve === undefined ? joined(isPoint ? [] : pairs.map((n) => contacts.crossing(n))) : curves.lines[curve], this.all.scene.size);
     this.chosenParts.forEach(({ mesh, edges }, side) => {
       const seen = new Map();
       for (const n of pairs) {
