@@ -160,10 +160,11 @@ struct Label {
   float height = 13;              ///< of digits, in pixels
 };
 
-/// Fills the picture before anything is drawn; from lower to upper edge.
+/// Fills the picture before anything is drawn: a sky above the horizon, haze below it.
 struct Background {
-  Color lower{241, 243, 244, 255};
-  Color upper{207, 219, 230, 255};
+  Color lower{241, 243, 244, 255};    ///< at the horizon
+  Color upper{164, 194, 222, 255};    ///< straight above
+  Color beneath{236, 239, 241, 255};  ///< straight below
 };
 
 /// A sun, and a sky that is brighter above.

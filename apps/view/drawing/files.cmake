@@ -2,6 +2,7 @@ set(SOMS_VIEW_HEADERS
   camera.h
   draw_list.h
   gap_marks.h
+  ground_colors.h
   gl/gl_boxes.h
   gl/gl_finish.h
   gl/gl_ground.h
@@ -35,6 +36,7 @@ set(SOMS_VIEW_SOURCES
   camera.cpp
   draw_list.cpp
   gap_marks.cpp
+  ground_colors.cpp
   gl/gl_boxes.cpp
   gl/gl_finish.cpp
   gl/gl_ground.cpp
@@ -45,6 +47,7 @@ set(SOMS_VIEW_SOURCES
   gl/gl_renderer.cpp
   gl/gl_shaders.cpp
   gl/gl_shadows.cpp
+  gl/gl_sky_shaders.cpp
   gl/gl_slicer.cpp
   gl/gl_strokes.cpp
   gl/gl_surfaces.cpp

@@ -26,7 +26,7 @@ namespace {
 constexpr float kCurve = 4;
 constexpr float kCurveRim = 2;
 /// Opacity of what surfaces hide of the curve, up to so many contacts: more would be a tangle.
-constexpr std::uint8_t kHiddenCurve = 60;
+constexpr std::uint8_t kHiddenCurve = 26;
 constexpr std::size_t kMostHidden = 2000;
 /// How far red reaches from a contact, in diagonals of the smaller of the parts that touch.
 constexpr double kGlowReach = 0.09;

@@ -20,7 +20,7 @@ constexpr Color kGapGround{150, 170, 200, 255};
 constexpr DrawOptions kGapOptions{.samples = 1, .relief = false};
 
 DrawList with_gap(DrawList list, const GapMark& gap) {
-  list.background = {kGapGround, kGapGround};
+  list.background = {kGapGround, kGapGround, kGapGround};
   add_gap(list, gap);
   return list;
 }

@@ -110,7 +110,7 @@ TEST(GlLight, ACutLeavesTheGroundWhole) {
 TEST(GlLight, AGroundLiesBelowFadesOutAndIsNotSeenFromBeneath) {
   SOMS_NEEDS_GL(drawing);
   DrawList list = list_of(wall(0, -1, 0, 1, 2));
-  list.background = {{10, 20, 30, 255}, {10, 20, 30, 255}};
+  list.background = {{10, 20, 30, 255}, {10, 20, 30, 255}, {10, 20, 30, 255}};
   const Camera camera{{0, -20, 12}, {0, 0, 0}, {0, 0, 1}, 0.8};
   const auto beside = [&](const Camera& from) {
     return at(lit(*drawing.renderer, list, from, kNoShade), from, {-4, 0, 0});

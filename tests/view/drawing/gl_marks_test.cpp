@@ -20,7 +20,7 @@ constexpr Color kWhite{255, 255, 255, 255};
 constexpr DrawOptions kOneSample{.samples = 1};
 
 DrawList on_marks_ground(DrawList list) {
-  list.background = {kMarksGround, kMarksGround};
+  list.background = {kMarksGround, kMarksGround, kMarksGround};
   return list;
 }
 

@@ -27,7 +27,7 @@ constexpr DrawOptions kPlain{.samples = 1};
 
 // A list on an even ground that no mark resembles.
 DrawList on_ground(DrawList list) {
-  list.background = {kGround, kGround};
+  list.background = {kGround, kGround, kGround};
   return list;
 }
 

@@ -84,11 +84,17 @@ struct GlRenderer::Parts {
   }
 
   // Clears and paints what lies behind all. \pre `set_state`.
-  void draw_background(const Background& colors, Size size) {
+  void draw_background(const Background& colors, const GlView& view, Size size) {
     glDisable(GL_DEPTH_TEST);
     background.use();
+    background.set("beneath", std::span<const float, 4>(parts_of(colors.beneath)));
     background.set("lower", std::span<const float, 4>(parts_of(colors.lower)));
     background.set("upper", std::span<const float, 4>(parts_of(colors.upper)));
+    background.set("slopes", view.slopes[0], view.slopes[1]);
+    background.set("right", std::span(view.right));
+    background.set("upward", std::span(view.upward));
+    background.set("forward", std::span(view.forward));
+    background.set("above", std::span(view.above));
     nothing.bind();
     slicer.in_bands(size, [&](int low, int high) {
       const Band band(size, low, high);
@@ -186,7 +192,7 @@ void GlRenderer::draw(const DrawList& list, const Camera& camera, Size size,
   p.statistics.marks = list.marks.size();
   p.target.resume();
   p.set_state();
-  p.draw_background(list.background, drawn);
+  p.draw_background(list.background, view, drawn);
   p.surfaces.draw_solid(view, p.shadows, p.slicer, p.statistics);
   p.ground.draw(list, view, p.shadows, p.statistics);
   p.finish.draw(list, view, drawn, options.relief && p.statistics.triangles > 0, p.target, p.slicer,

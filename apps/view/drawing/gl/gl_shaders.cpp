@@ -91,42 +91,17 @@ void main() {
   n = size > 0.0 ? n / size : -normalize(seen);
   n = dot(n, seen) > 0.0 ? -n : n;  // both sides of a triangle are lit
   vec3 light = mix(light_at(seen, n), vec3(1.0), flatness);
-  float away = focus.w > 0.0 ? smoothstep(1.0, 2.0, distance(seen, focus.xyz) / focus.w) : 0.0;
-  pixel = vec4(mix(color.rgb * light * shade, vec3(0.93, 0.93, 0.92), 0.6 * away), color.a);
+  // What is far loses color first and contrast later, so slowly that no border is seen.
+  float away = focus.w > 0.0 ? log2(max(distance(seen, focus.xyz) / focus.w, 1.0)) : 0.0;
+  vec3 near = color.rgb * light * shade;
+  vec3 gray = vec3(dot(near, vec3(0.2126, 0.7152, 0.0722)));
+  vec3 faded = mix(near, gray, 0.85 * smoothstep(0.3, 3.2, away));
+  pixel = vec4(mix(faded, vec3(0.93, 0.94, 0.945), 0.5 * smoothstep(0.0, 3.5, away)), color.a);
 }
 )";
 
 const char* const kShadowFragment = R"(#version 330 core
 void main() {}
-)";
-
-const char* const kGroundVertex = R"(#version 330 core
-uniform mat4 clip;
-uniform vec3 middle;
-uniform vec3 east;   // as long as the disc reaches
-uniform vec3 north;
-out vec3 seen;
-out vec2 at;
-void main() {
-  at = vec2((gl_VertexID & 1) * 2 - 1, (gl_VertexID & 2) - 1);
-  seen = middle + east * at.x + north * at.y;
-  gl_Position = clip * vec4(seen, 1.0);
-}
-)";
-
-const char* const kGroundFragment = R"(
-in vec3 seen;
-in vec2 at;
-uniform vec4 color;
-uniform float solid;  // share of the radius from which on it fades
-out vec4 pixel;
-void main() {
-  float opacity = 1.0 - smoothstep(solid, 1.0, length(at));
-  if (opacity <= 0.004) {
-    discard;
-  }
-  pixel = vec4(color.rgb * light_at(seen, above), opacity);
-}
 )";
 
 const char* const kBoxVertex = R"(#version 330 core
@@ -330,19 +305,6 @@ void main() {
   pixel = vec4(color.rgb, color.a * cover);
 }
 )";
-
-const char* const kBackgroundVertex = R"(#version 330 core
-uniform vec4 lower;
-uniform vec4 upper;
-out vec4 color;
-void main() {
-  vec2 corner = vec2((gl_VertexID & 1) * 4 - 1, (gl_VertexID & 2) * 2 - 1);
-  color = mix(lower, upper, corner.y * 0.5 + 0.5);
-  gl_Position = vec4(corner, 0.0, 1.0);
-}
-)";
-
-const char* const kBackgroundFragment = kStrokeFragment;
 
 // The inverse of the distance forward is a linear function of the depth.
 const char* const kPlaceHead = R"(#version 330 core
