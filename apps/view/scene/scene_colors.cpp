@@ -1,5 +1,6 @@
 #include "apps/view/scene/scene_colors.h"
 
+#include "apps/view/drawing/ground_colors.h"
 #include "apps/view/drawing/palette.h"
 
 #include <algorithm>
@@ -115,13 +116,17 @@ std::vector<Color> colors_by_building(const Mesh& mesh) {
     return {};
   }
   if (mesh.parts.size() > 1) {
-    return colors_of(parts_of_triangles(mesh));
+    std::vector<Color> colors = colors_of(parts_of_triangles(mesh));
+    color_named_ground(mesh, colors);
+    return colors;
   }
   const std::vector<std::uint32_t> pieces = pieces_of_triangles(mesh);
   const std::uint64_t count = *std::max_element(pieces.begin(), pieces.end()) + std::uint64_t{1};
   // A piece of a building has tens of triangles; a file without shared vertices has one a piece.
   const bool scattered = count > 1 && mesh.triangles.size() / count < 4;
-  return colors_of(scattered ? cells_of_triangles(mesh) : pieces);
+  std::vector<Color> colors = colors_of(scattered ? cells_of_triangles(mesh) : pieces);
+  color_ground(mesh, pieces, colors);
+  return colors;
 }
 
 }  // namespace soms::view

@@ -124,7 +124,7 @@ TEST(EventFinder, FindsWhatSimulateFinds) {
     const test::RunResult result = test::run_program(words);
     EXPECT_EQ(result.status, 0) << result.err;
   };
-  run({"generate", "city", "--triangles", "20000", "-o", path("town.ply")});
+  run({"generate", "city", "--triangles", "20000", "--extent", "4000", "-o", path("town.ply")});
   run({"generate", "car", "-o", path("car.ply")});
   run({"simulate", path("town.ply"), "--mover", path("car.ply"), "--count", "40", "--frames", "200",
        "-o", path("events.csv"), "--quiet"});
