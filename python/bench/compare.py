@@ -38,7 +38,7 @@ def ours(city, car, poses, calls):
 def main():
     twin, numbers = sys.argv[1], [int(word) for word in sys.argv[2:]]
     count, calls, turns = (*numbers, *(1_000_000, 200_000, 5)[len(numbers):])
-    city = soms.Body(soms.generate("city"))
+    city = soms.Body(soms.generate("city", size=4000, streets="bare"))
     car = soms.Shape(soms.generate("car"))
     poses = places(count)
     rows = []

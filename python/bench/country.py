@@ -44,8 +44,8 @@ def make_cities(soms_command, folder, count, triangles):
         path = folder / f"city-{number:03}.ply"
         paths.append(path)
         if not path.exists():
-            subprocess.run([soms_command, "generate", "city", "--triangles", str(triangles), "--seed", str(number % 4 + 1), "-o", path,
-                            "--quiet"], check=True)
+            subprocess.run([soms_command, "generate", "city", "--triangles", str(triangles), "--seed", str(number % 4 + 1), "--extent", "4000", "--streets", "bare",
+                            "-o", path, "--quiet"], check=True)
             soms.write_mesh(str(path), shifted(soms.read_mesh(str(path)), number, columns))
     return paths, columns
 

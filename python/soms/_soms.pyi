@@ -1833,8 +1833,10 @@ def read_robot(
     progress: Progress = None,
 ) -> Robot: ...
 def generate(
-    what: Literal["city", "car", "person", "drone", "knot", "sphere", "statue", "teapot"],
-    triangles: int = 0, *, seed: int = 1, size: float = 4000.0,
+    what: Literal["city", "car", "sedan", "van", "person", "drone", "knot", "sphere", "statue",
+                  "teapot"],
+    triangles: int = 0, *, seed: int = 1, size: float = 0.0,
+    streets: Literal["paved", "bare"] = "paved",
 ) -> Mesh: ...
 def _page(
     given: Any, answer: Any, poses: Any, title: str, triangles: int,

@@ -38,6 +38,9 @@ Mesh make_city(const Wanted& wanted, const Limits& limits) {
   if (wanted.triangles != 0) {
     options.triangles = wanted.triangles;
   }
+  if (options.size == 0) {
+    options.size = city_size(options.triangles);
+  }
   return generate_city(options, limits).mesh;
 }
 
@@ -58,6 +61,10 @@ constexpr Generator kGenerators[] = {
      [](const Wanted& w, const Limits&) { return generate_mover(MoverKind::person, w.triangles); }},
     {"drone",
      [](const Wanted& w, const Limits&) { return generate_mover(MoverKind::drone, w.triangles); }},
+    {"sedan",
+     [](const Wanted& w, const Limits&) { return generate_mover(MoverKind::sedan, w.triangles); }},
+    {"van",
+     [](const Wanted& w, const Limits&) { return generate_mover(MoverKind::van, w.triangles); }},
     {"knot", [](const Wanted& w, const Limits&) { return generate_knot(or_usual(w.triangles)); }},
     {"sphere",
      [](const Wanted& w, const Limits&) { return generate_sphere(or_usual(w.triangles)); }},
@@ -66,9 +73,19 @@ constexpr Generator kGenerators[] = {
     {"teapot", &make_teapot},
 };
 
+CityStreets streets_named(const std::string& word) {
+  for (const CityStreets streets : {CityStreets::paved, CityStreets::bare}) {
+    if (name(streets) == word) {
+      return streets;
+    }
+  }
+  throw usage("streets: \"" + word + "\"", "give paved or bare");
+}
+
 std::shared_ptr<Mesh> generate(const std::string& what, std::uint64_t triangles, std::uint64_t seed,
-                               double size) {
-  const Wanted wanted{.triangles = triangles, .city = {.size = size, .seed = seed}};
+                               double size, const std::string& streets) {
+  const Wanted wanted{.triangles = triangles,
+                      .city = {.size = size, .seed = seed, .streets = streets_named(streets)}};
   std::string names;
   for (const Generator& generator : kGenerators) {
     if (generator.name == what) {
@@ -85,14 +102,16 @@ std::shared_ptr<Mesh> generate(const std::string& what, std::uint64_t triangles,
 
 void bind_generated(py::module_& module) {
   module.def("generate", &generate, py::arg("what"), py::arg("triangles") = 0, py::kw_only(),
-             py::arg("seed") = 1, py::arg("size") = CityOptions{}.size,
-             R"(generate(what, triangles=0, *, seed=1, size=4000.0) -> Mesh
+             py::arg("seed") = 1, py::arg("size") = 0.0, py::arg("streets") = "paved",
+             R"(generate(what, triangles=0, *, seed=1, size=0, streets='paved') -> Mesh
 
-A model that is made, the same bits on every machine, in meters, z up: 'city', 'car', 'person',
-'drone', 'knot', 'sphere' (radius 1), 'statue' or 'teapot'.
+A model that is made, the same bits on every machine, in meters, z up: 'city', 'car', 'sedan',
+'van', 'person', 'drone', 'knot', 'sphere' (radius 1), 'statue' or 'teapot'.
 
-triangles: exactly so many; 0 for the usual number (city 1,000,000). seed, size: of a city, the side
-of its square in meters. Raises Error of kind usage, which names the least and nearest count.)");
+triangles: exactly so many; 0 for the usual number (city 1,000,000). seed, size, streets: of a city.
+Its square has sides of size meters; 0 takes 3 square meters a triangle, and at least 200 m. Streets
+are 'paved', with sidewalks and lane marks, or 'bare'. Raises Error of kind usage, which names the
+least and nearest count.)");
 }
 
 }  // namespace soms::python

@@ -7,7 +7,10 @@
 #include "soms/generate/detail/counts.h"
 #include "soms/generate/detail/furniture.h"
 #include "soms/generate/detail/ground.h"
+#include "soms/generate/detail/pavement.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace soms {
@@ -33,7 +36,21 @@ void check_options(const CityOptions& options) {
   }
 }
 
+/// Triangles for street furniture out of those above the ground. On paved streets, whose vehicles
+/// take more, it gets what buildings do not need.
+std::uint64_t furniture_budget(const City& city, std::uint64_t upper) {
+  constexpr std::uint64_t kBuilding = 100;
+  return city.options.streets == CityStreets::bare
+             ? 2 * upper / 5
+             : upper - std::min(2 * upper / 5, kBuilding * detail::lot_count(city));
+}
+
 }  // namespace
+
+double city_size(std::uint64_t triangles) {
+  const double side = std::round(std::sqrt(3 * static_cast<double>(triangles)));
+  return std::clamp(side, kLeastSize, kMostSize);
+}
 
 City generate_city(const CityOptions& options, const Limits& limits) {
   const PlainArithmetic plain;
@@ -42,12 +59,13 @@ City generate_city(const CityOptions& options, const Limits& limits) {
   city.options = options;
   detail::lay_out(city);
   const std::uint64_t blocks = city.street_lines.size() - 1;
-  const std::uint64_t upper =
-      options.triangles - detail::ground_triangles(blocks, city.block_cells);
-  const auto furniture = detail::plan_furniture(city, 2 * upper / 5);
+  const std::uint64_t upper = options.triangles -
+                              detail::ground_triangles(blocks, city.block_cells) -
+                              detail::pavement_triangles(city);
+  const auto furniture = detail::plan_furniture(city, furniture_budget(city, upper));
   std::uint64_t walls = upper;
   for (const detail::Furniture& piece : furniture) {
-    walls -= detail::furniture_triangles(piece.kind);
+    walls -= detail::furniture_triangles(piece.kind, options.streets);
   }
   check(limits);
   const auto buildings = detail::plan_buildings(city, walls);
@@ -58,6 +76,7 @@ City generate_city(const CityOptions& options, const Limits& limits) {
   city.mesh.vertices.reserve(options.triangles * 3 / 4 + 64);
   detail::add_terrain(city);
   detail::add_roads(city);
+  detail::add_pavement(city);
   detail::add_buildings(city, buildings, walls, limits);
   detail::add_furniture(city, furniture, limits);
   SOMS_ASSERT(city.mesh.triangles.size() == options.triangles);

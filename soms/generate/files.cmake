@@ -15,8 +15,10 @@ set(SOMS_SOURCES
   detail/counts.cpp
   detail/furniture.cpp
   detail/ground.cpp
+  detail/pavement.cpp
   detail/refine.cpp
   detail/solids.cpp
+  detail/vehicles.cpp
   movers.cpp
   print.cpp
   routes.cpp

@@ -3,6 +3,7 @@
 #include "soms/generate/detail/counts.h"
 #include "soms/generate/detail/refine.h"
 #include "soms/generate/detail/solids.h"
+#include "soms/generate/detail/vehicles.h"
 #include "soms/generate/shapes.h"
 
 #include <string>
@@ -115,6 +116,14 @@ void add_drone(Mesh& mesh) {
   box(mesh, "camera", {0.15, 0, -0.05}, {0.04, 0.03, 0.03});
 }
 
+void add_sedan(Mesh& mesh) {
+  detail::add_vehicle(mesh, {}, detail::Vehicle::sedan, detail::Finish::full, 1, true);
+}
+
+void add_van(Mesh& mesh) {
+  detail::add_vehicle(mesh, {}, detail::Vehicle::van, detail::Finish::full, 1, true);
+}
+
 struct Blueprint {
   void (*add)(Mesh&);
   std::uint64_t least;
@@ -127,6 +136,11 @@ Blueprint blueprint(MoverKind kind) {
       return {add_car, 384, 1000};
     case MoverKind::person:
       return {add_person, 392, 600};
+    case MoverKind::sedan:
+    case MoverKind::van: {
+      const std::uint64_t count = detail::vehicle_triangles(detail::Finish::full);
+      return {kind == MoverKind::van ? add_van : add_sedan, count, count};
+    }
     default:
       return {add_drone, 244, 308};
   }

@@ -22,7 +22,8 @@ std::ostream& operator<<(std::ostream& out, const CityOptions& value) {
   return out << PrintedFields("CityOptions")
                     .add("triangles", value.triangles)
                     .add("size", value.size)
-                    .add("seed", value.seed);
+                    .add("seed", value.seed)
+                    .add("streets", name(value.streets));
 }
 
 std::ostream& operator<<(std::ostream& out, const Route& value) {

@@ -18,6 +18,10 @@ CityOptions options(std::uint64_t triangles, double size = 4000, std::uint64_t s
   return {triangles, size, seed};
 }
 
+CityOptions paved(std::uint64_t triangles, std::uint64_t seed = 1) {
+  return {triangles, city_size(triangles), seed, CityStreets::paved};
+}
+
 const Part& part_named(const Mesh& mesh, const std::string& name) {
   for (const Part& part : mesh.parts) {
     if (part.name == name) {
@@ -180,6 +184,92 @@ TEST(City, LaneStaysFreeOfBuildingsAndFurniture) {
       }
     }
   }
+}
+
+TEST(City, ItsSquareGrowsWithItsTriangles) {
+  EXPECT_EQ(city_size(1), 200);
+  EXPECT_EQ(city_size(5'672), 200);
+  EXPECT_EQ(city_size(20'000), 245);
+  EXPECT_EQ(city_size(1'000'000), 1732);
+  EXPECT_EQ(city_size(100'000'000), 17'321);
+}
+
+// A picture of one is a street between houses, not specks on a plain.
+TEST(PavedCity, IsBuiltUp) {
+  for (const std::uint64_t n : {3'000U, 20'000U, 100'000U}) {
+    const City city = generate_city(paved(n));
+    const Mesh& mesh = city.mesh;
+    double roofs = 0;
+    const Part& buildings = part_named(mesh, "buildings");
+    for (std::uint32_t i = buildings.first; i < buildings.first + buildings.count; ++i) {
+      const Triangle t = mesh.triangle(i);
+      const Vec3 up = cross(t.b - t.a, t.c - t.a);
+      roofs += std::max(0.0, 0.5 * up.z);
+    }
+    const double square = city.options.size * city.options.size;
+    EXPECT_GT(roofs, 0.12 * square) << n;
+    EXPECT_LT(square / static_cast<double>(n), 14) << n;
+  }
+}
+
+TEST(PavedCity, HasItsCountNoFlatTriangleAndTheSameBits) {
+  for (const std::uint64_t n : {1'000U, 1'001U, 3'000U, 5'672U, 20'000U, 20'001U, 250'000U}) {
+    for (std::uint64_t seed = 1; seed < 4; ++seed) {
+      const Mesh mesh = generate_city(paved(n, seed)).mesh;
+      EXPECT_EQ(mesh.triangles.size(), n);
+      EXPECT_NO_THROW(check(mesh));
+      EXPECT_EQ(test::flat_triangles(mesh), 0U) << n;
+    }
+  }
+  EXPECT_EQ(corner_hash(generate_city(paved(20'000)).mesh), 10552463780522818429ULL);
+}
+
+TEST(PavedCity, ItsSidewalksAndVehiclesAreClosed) {
+  const Mesh mesh = generate_city(paved(20'000)).mesh;
+  const auto closed = [&](const Part& part) {
+    const Mesh one = test::part_mesh(mesh, part);
+    return test::faulty_edges(one) == 0 && test::volume6(one) > 0;
+  };
+  EXPECT_TRUE(closed(part_named(mesh, "sidewalks")));
+  std::size_t vehicles = 0;
+  for (const Part& part : mesh.parts) {
+    if (part.name.find("parked") == 0) {
+      EXPECT_TRUE(closed(part)) << part.name;
+      EXPECT_GT(part.count, 300U) << part.name;
+      ++vehicles;
+    }
+  }
+  EXPECT_GT(vehicles, 15U);
+}
+
+// What drives at the clearance of movers, 0.3 m, meets neither.
+TEST(PavedCity, MarksLieOnTheStreetAndSidewalksAreAKerbHigher) {
+  const City city = generate_city(paved(20'000));
+  const Part& marks = part_named(city.mesh, "lane marks");
+  for (std::uint32_t i = marks.first; i < marks.first + marks.count; ++i) {
+    const Triangle t = city.mesh.triangle(i);
+    for (const Vec3& p : {t.a, t.b, t.c}) {
+      ASSERT_NEAR(p.z - city.ground(p.x, p.y), 0.01, 1e-9);
+    }
+  }
+  const Part& walks = part_named(city.mesh, "sidewalks");
+  for (std::uint32_t i = walks.first; i < walks.first + walks.count; ++i) {
+    const Triangle t = city.mesh.triangle(i);
+    const Vec3 p = inside(t, 0.3, 0.3);
+    if (cross(t.b - t.a, t.c - t.a).z > 1e-9) {
+      ASSERT_NEAR(p.z, city.ground(p.x, p.y), 1e-9) << i;
+    }
+  }
+  const double middle = city.street_lines[1];
+  EXPECT_NEAR(city.ground(middle + 8, 60) - city.ground(middle + 2, 60), 0.12, 1e-9);
+}
+
+TEST(PavedCity, HasNoPavementThatItCannotPay) {
+  const Mesh small = generate_city({1'000, 4000, 1, CityStreets::paved}).mesh;
+  EXPECT_THROW((void)part_named(small, "sidewalks"), std::out_of_range);
+  EXPECT_THROW((void)part_named(small, "lane marks"), std::out_of_range);
+  const Mesh bare = generate_city({20'000, 245, 1, CityStreets::bare}).mesh;
+  EXPECT_THROW((void)part_named(bare, "sidewalks"), std::out_of_range);
 }
 
 TEST(City, NamesWhatIsOutOfRange) {

@@ -6,7 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace soms {
 namespace {
@@ -95,24 +99,90 @@ TEST(Mover, HasItsUsualCountAndSizeInMetres) {
   EXPECT_LT(bounds(drone).extent().x, 1.0);
   EXPECT_LT(bounds(drone).lower.z, 0);
   EXPECT_GT(bounds(drone).upper.z, 0);
+  const Vec3 sedan = bounds(generate_mover(MoverKind::sedan)).extent();
+  EXPECT_NEAR(sedan.x, 4.58, 0.01);
+  EXPECT_NEAR(sedan.y, 2.04, 0.01);
+  EXPECT_NEAR(sedan.z, 1.46, 1e-12);
+  const Vec3 van = bounds(generate_mover(MoverKind::van)).extent();
+  EXPECT_NEAR(van.x, 5.18, 0.01);
+  EXPECT_NEAR(van.y, 2.24, 0.01);
+  EXPECT_NEAR(van.z, 2.1, 1e-12);
+  for (const MoverKind kind : {MoverKind::sedan, MoverKind::van}) {
+    EXPECT_EQ(generate_mover(kind).triangles.size(), 700U);
+    EXPECT_NEAR(bounds(generate_mover(kind)).lower.z, 0, 1e-12);
+  }
+}
+
+std::vector<Vec3> corners_of(const Mesh& mesh) {
+  std::vector<Vec3> corners;
+  for (TriangleId i = 0; i < mesh.triangles.size(); ++i) {
+    const Triangle t = mesh.triangle(i);
+    corners.insert(corners.end(), {t.a, t.b, t.c});
+  }
+  return corners;
+}
+
+// A wheel of 16 corners is round to the eye, and stands below an arch of the body.
+TEST(Mover, VehiclesHaveWheelsBelowArchesAndARoofNarrowerThanTheBody) {
+  for (const MoverKind kind : {MoverKind::sedan, MoverKind::van}) {
+    const Mesh mesh = generate_mover(kind);
+    const auto part = [&](std::string_view word) {
+      const auto found = std::find_if(mesh.parts.begin(), mesh.parts.end(),
+                                      [&](const Part& p) { return p.name == word; });
+      return test::part_mesh(mesh, *found);
+    };
+    const std::vector<Vec3> body = corners_of(part("body"));
+    double wide = 0;
+    double roof = 0;
+    for (const Vec3& p : body) {
+      wide = std::max(wide, p.y);
+      roof = p.z > 1.2 ? std::max(roof, p.y) : roof;
+    }
+    EXPECT_GT(roof, 0.5);
+    EXPECT_LT(roof, kind == MoverKind::van ? wide : 0.75 * wide);
+    for (const char* word : {"wheel_front_left", "wheel_rear_right"}) {
+      Box wheel;
+      for (const Vec3& p : corners_of(part(word))) {
+        wheel.grow(p);
+      }
+      EXPECT_EQ(part(word).triangles.size(), 60U);
+      EXPECT_NEAR(wheel.extent().x, wheel.extent().z, 1e-9);
+      for (const Vec3& p : body) {
+        const bool is_above = std::abs(p.x - wheel.center().x) < wheel.extent().x / 2;
+        EXPECT_TRUE(!is_above || p.z > 0.8 * wheel.upper.z) << word;
+      }
+    }
+  }
+}
+
+/// Parts that cover all triangles, each closed and turned outward.
+void expect_closed_parts(const Mesh& mover, std::uint64_t triangles) {
+  ASSERT_EQ(mover.triangles.size(), triangles);
+  EXPECT_EQ(flat_triangles(mover), 0U);
+  std::uint32_t next = 0;
+  for (const Part& part : mover.parts) {
+    EXPECT_EQ(part.first, next);
+    next += part.count;
+    const Mesh one = test::part_mesh(mover, part);
+    EXPECT_EQ(faulty_edges(one), 0U) << mover.source << ' ' << triangles << ' ' << part.name;
+    EXPECT_GT(volume6(one), 0) << mover.source << ' ' << triangles << ' ' << part.name;
+  }
+  EXPECT_EQ(next, triangles);
+  EXPECT_NO_THROW(check(mover));
 }
 
 TEST(Mover, IsClosedPartByPartForManyCounts) {
   for (const MoverKind kind : {MoverKind::car, MoverKind::person, MoverKind::drone}) {
     for (const std::uint64_t n : {392U, 394U, 500U, 1'000U, 4'444U}) {
-      const Mesh mover = generate_mover(kind, n);
-      ASSERT_EQ(mover.triangles.size(), n);
-      EXPECT_EQ(flat_triangles(mover), 0U);
-      std::uint32_t next = 0;
-      for (const Part& part : mover.parts) {
-        EXPECT_EQ(part.first, next);
-        next += part.count;
-        const Mesh one = test::part_mesh(mover, part);
-        EXPECT_EQ(faulty_edges(one), 0U) << name(kind) << ' ' << n << ' ' << part.name;
-        EXPECT_GT(volume6(one), 0) << name(kind) << ' ' << n << ' ' << part.name;
-      }
-      EXPECT_EQ(next, n);
-      EXPECT_NO_THROW(check(mover));
+      expect_closed_parts(generate_mover(kind, n), n);
+    }
+  }
+}
+
+TEST(Mover, VehiclesAreClosedPartByPart) {
+  for (const MoverKind kind : {MoverKind::sedan, MoverKind::van}) {
+    for (const std::uint64_t n : {700U, 702U, 1'500U}) {
+      expect_closed_parts(generate_mover(kind, n), n);
     }
   }
 }
@@ -136,6 +206,8 @@ TEST(Shapes, AreTheSameBitsEverywhere) {
   EXPECT_EQ(corner_hash(generate_mover(MoverKind::car)), 17919677807536265853ULL);
   EXPECT_EQ(corner_hash(generate_mover(MoverKind::person)), 7280414510310810342ULL);
   EXPECT_EQ(corner_hash(generate_mover(MoverKind::drone)), 584692119688055545ULL);
+  EXPECT_EQ(corner_hash(generate_mover(MoverKind::sedan)), 15920159702099031457ULL);
+  EXPECT_EQ(corner_hash(generate_mover(MoverKind::van)), 13047138459706699585ULL);
 }
 
 }  // namespace

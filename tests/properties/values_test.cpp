@@ -388,7 +388,7 @@ TEST(Values, PrintFormatsAndWhatIsGenerated) {
   EXPECT_EQ(printed(Column{"length", true}), R"(Column{name: "length", may_be_infinite: true})");
   EXPECT_EQ(printed(Rounding{2, 0.5}), "Rounding{count: 2, most: 0.5}");
   EXPECT_EQ(printed(CityOptions{.triangles = 5000}),
-            "CityOptions{triangles: 5000, size: 4000, seed: 1}");
+            "CityOptions{triangles: 5000, size: 4000, seed: 1, streets: bare}");
   EXPECT_EQ(printed(Route{.points = {{0, 0, 0}}, .speed = 2.5}),
             "Route{1 point, closed: false, start: 0, speed: 2.5, base: 0}");
   EXPECT_EQ(printed(SpreadOptions{}).rfind("SpreadOptions{triangles: 20000, ratio: 1, ", 0), 0U);

@@ -30,19 +30,20 @@ std::uint64_t or_default(std::uint64_t triangles, std::uint64_t standard) {
   return triangles == 0 ? standard : triangles;
 }
 
-Mesh make_knot(std::uint64_t triangles, std::uint64_t, const Limits&) {
-  return generate_knot(or_default(triangles, kShapeTriangles));
+Mesh make_knot(const GenerateWish& wish, const Limits&) {
+  return generate_knot(or_default(wish.triangles, kShapeTriangles));
 }
 
-Mesh make_sphere(std::uint64_t triangles, std::uint64_t, const Limits&) {
-  return generate_sphere(or_default(triangles, kShapeTriangles));
+Mesh make_sphere(const GenerateWish& wish, const Limits&) {
+  return generate_sphere(or_default(wish.triangles, kShapeTriangles));
 }
 
-Mesh make_statue(std::uint64_t triangles, std::uint64_t, const Limits&) {
-  return generate_statue(or_default(triangles, kStatueTriangles));
+Mesh make_statue(const GenerateWish& wish, const Limits&) {
+  return generate_statue(or_default(wish.triangles, kStatueTriangles));
 }
 
-Mesh make_teapot(std::uint64_t triangles, std::uint64_t, const Limits&) {
+Mesh make_teapot(const GenerateWish& wish, const Limits&) {
+  const std::uint64_t triangles = wish.triangles;
   if (triangles == 0) {
     return generate_teapot(kTeapotSubdivisions);
   }
@@ -62,24 +63,26 @@ Mesh make_teapot(std::uint64_t triangles, std::uint64_t, const Limits&) {
                       : fmt::format("use {}", found));
 }
 
-Mesh make_city(std::uint64_t triangles, std::uint64_t seed, const Limits& limits) {
+Mesh make_city(const GenerateWish& wish, const Limits& limits) {
   CityOptions options;
-  options.triangles = or_default(triangles, options.triangles);
-  options.seed = seed;
+  options.triangles = or_default(wish.triangles, options.triangles);
+  options.seed = wish.seed;
+  options.size = wish.extent == 0 ? city_size(options.triangles) : wish.extent;
+  options.streets = wish.streets.value_or(CityStreets::paved);
   return generate_city(options, limits).mesh;
 }
 
 template <MoverKind kind>
-Mesh make_mover(std::uint64_t triangles, std::uint64_t, const Limits&) {
-  return generate_mover(kind, triangles);
+Mesh make_mover(const GenerateWish& wish, const Limits&) {
+  return generate_mover(kind, wish.triangles);
 }
 
 template <UrbanScene scene>
-Mesh make_urban(std::uint64_t triangles, std::uint64_t, const Limits&) {
+Mesh make_urban(const GenerateWish& wish, const Limits&) {
   Mesh mesh = generate_urban(scene);
-  if (triangles != 0 && triangles != mesh.triangles.size()) {
+  if (wish.triangles != 0 && wish.triangles != mesh.triangles.size()) {
     throw Error(ErrorKind::usage,
-                fmt::format("--triangles {}: this scene has {} triangles", triangles,
+                fmt::format("--triangles {}: this scene has {} triangles", wish.triangles,
                             mesh.triangles.size()),
                 "leave it out");
   }
@@ -92,8 +95,11 @@ constexpr std::array kKinds{
     GenerateKind{"statue", "a bust on a plinth, closed, with triangles of very different sizes",
                  make_statue},
     GenerateKind{"teapot", "Newell's teapot; 64 n^2 - 8 n triangles, not closed", make_teapot},
-    GenerateKind{"city", "hills, streets and buildings, 4 km by 4 km", make_city},
-    GenerateKind{"car", "a car, closed", make_mover<MoverKind::car>},
+    GenerateKind{"city", "hills, streets and buildings; the more triangles, the larger", make_city},
+    GenerateKind{"car", "a plain car, closed", make_mover<MoverKind::car>},
+    GenerateKind{"sedan", "a car with arches over round wheels, closed",
+                 make_mover<MoverKind::sedan>},
+    GenerateKind{"van", "a van, closed", make_mover<MoverKind::van>},
     GenerateKind{"person", "a person, closed", make_mover<MoverKind::person>},
     GenerateKind{"drone", "a drone, closed", make_mover<MoverKind::drone>},
     GenerateKind{"urban-mixed", "5,672 triangles: terrain, long roads, buildings, signs",
@@ -110,6 +116,28 @@ std::string help_of_kinds() {
     text += fmt::format("  {:<28}{}\n", kind.name, kind.text);
   }
   return text;
+}
+
+void add_city_options(Parser& parser, GenerateWish& wish) {
+  add_positive(
+      parser, "--extent", wish.extent,
+      "side of a city's square in meters (default: 3 square meters a triangle, at least 200)");
+  Choices<CityStreets> choices;
+  for (const auto& [word, streets] :
+       {std::pair("paved", CityStreets::paved), std::pair("bare", CityStreets::bare)}) {
+    choices.emplace_back(word, streets);
+  }
+  add_choice(parser, "--streets", wish.streets, choices,
+             "of a city, with sidewalks and lane marks or without");
+}
+
+/// Throws for an option that this kind does not have.
+void check_kind(const GenerateOptions& options) {
+  if ((options.wish.extent > 0 || options.wish.streets) && options.kind->make != make_city) {
+    throw Error(ErrorKind::usage,
+                fmt::format("--extent and --streets are of a city, not of {}", options.kind->name),
+                "leave them out");
+  }
 }
 
 }  // namespace
@@ -132,8 +160,9 @@ Action add_generate(Parser& parser, Shared&) {
           },
           "kind of model; see below")
       ->required();
-  add_count(parser, "--triangles", options->triangles, 1, kMaxPrimitives,
+  add_count(parser, "--triangles", options->wish.triangles, 1, kMaxPrimitives,
             "exact number of triangles");
+  add_city_options(parser, options->wish);
   parser
       .add_option("-o,--output", options->output.path,
                   fmt::format("file to write: {}; - is standard output", writable_extensions()))
@@ -141,26 +170,28 @@ Action add_generate(Parser& parser, Shared&) {
       ->option_text("FILE");
   add_format(parser, options->output);
   parser.footer(help_of_kinds() +
-                "\nThe same options and --seed give the same bytes on every machine.\n\nExample:\n"
+                "\nThe same options and --seed give the same bytes on every machine.\n"
+                "The embedded city is that of --extent 4000 --streets bare.\n\nExample:\n"
                 "  soms generate city --triangles 20000 --seed 7 -o city.ply");
   return [options](Console& console) { return run_generate(*options, console); };
 }
 
 int run_generate(const GenerateOptions& options, Console& console) {
   check(options.output, console);
+  check_kind(options);
   const MeshFormat format = format_of(options.output);
-  const std::uint64_t seed = console.shared().seed;
+  GenerateWish wish = options.wish;
+  wish.seed = console.shared().seed;
   Mesh mesh;
   try {
-    mesh = console.run("making " + std::string(options.kind->name), [&](const Limits& limits) {
-      return options.kind->make(options.triangles, seed, limits);
-    });
+    mesh = console.run("making " + std::string(options.kind->name),
+                       [&](const Limits& limits) { return options.kind->make(wish, limits); });
   } catch (const Error& error) {
     if (error.kind() == ErrorKind::cancelled || error.kind() == ErrorKind::timed_out) {
       throw;
     }
-    const std::string place = error.kind() == ErrorKind::usage && options.triangles != 0
-                                  ? fmt::format("--triangles {}", options.triangles)
+    const std::string place = error.kind() == ErrorKind::usage && wish.triangles != 0
+                                  ? fmt::format("--triangles {}", wish.triangles)
                                   : std::string(options.kind->name);
     throw Error(error.kind(), fmt::format("{}: {}", place, error.place()), error.remedy());
   }
@@ -172,7 +203,7 @@ int run_generate(const GenerateOptions& options, Console& console) {
                              {"format", format_name(format)},
                              {"triangles", mesh.triangles.size()},
                              {"vertices", mesh.vertices.size()},
-                             {"seed", seed}}));
+                             {"seed", wish.seed}}));
   } else {
     console.note(
         fmt::format("{}: {}", options.output.path, counted(mesh.triangles.size(), "triangle")));

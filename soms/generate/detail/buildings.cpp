@@ -269,6 +269,11 @@ void add_pennant(Mesh& mesh, const Building& b, std::uint64_t number) {
 
 }  // namespace
 
+std::uint64_t lot_count(const City& city) {
+  const Lots lots = lots_of(city);
+  return lots.blocks * lots.blocks * lots.across * lots.across;
+}
+
 std::uint64_t shell_triangles(const Building& building) {
   const std::uint64_t corners = building.outline.size();
   switch (building.kind) {

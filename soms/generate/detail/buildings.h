@@ -23,6 +23,9 @@ struct Building {
   std::uint64_t details = 0;  ///< balconies, window frames, roof units, 12 triangles each
 };
 
+/// Lots of a city, each with room for one building.
+[[nodiscard]] std::uint64_t lot_count(const City& city);
+
 /// Triangles of a building without its details.
 [[nodiscard]] std::uint64_t shell_triangles(const Building& building);
 

@@ -1,6 +1,7 @@
 #include "soms/generate/detail/furniture.h"
 
 #include "soms/generate/detail/ground.h"
+#include "soms/generate/detail/vehicles.h"
 
 #include <algorithm>
 #include <string>
@@ -142,7 +143,16 @@ void add_parked_van(Mesh& mesh, const Frame& f, Rng& rng) {
   add_wheels(mesh, f, 0.62 * half, 0.88, 0.33);
 }
 
-void add_piece(Mesh& mesh, const Furniture& piece, Rng& rng) {
+bool has_shape(FurnitureKind kind, CityStreets streets) {
+  return streets == CityStreets::paved &&
+         (kind == FurnitureKind::car || kind == FurnitureKind::van);
+}
+
+void add_piece(Mesh& mesh, const Furniture& piece, CityStreets streets, Rng& rng) {
+  if (has_shape(piece.kind, streets)) {
+    const Vehicle kind = piece.kind == FurnitureKind::car ? Vehicle::sedan : Vehicle::van;
+    return add_vehicle(mesh, piece.frame, kind, Finish::parked, rng.uniform(0.92, 1.04));
+  }
   switch (piece.kind) {
     case FurnitureKind::lamp:
       return add_lamp(mesh, piece.frame, rng);
@@ -182,7 +192,10 @@ const char* kind_name(FurnitureKind kind) {
 
 }  // namespace
 
-std::uint64_t furniture_triangles(FurnitureKind kind) {
+std::uint64_t furniture_triangles(FurnitureKind kind, CityStreets streets) {
+  if (has_shape(kind, streets)) {
+    return vehicle_triangles(Finish::parked);
+  }
   switch (kind) {
     case FurnitureKind::lamp:
       return prism_triangles(6) + 24;
@@ -214,10 +227,11 @@ std::vector<Furniture> plan_furniture(const City& city, std::uint64_t budget) {
   for (std::size_t i = 0; i < order.size(); ++i) {
     std::swap(order[i], order[i + rng.below(order.size() - i)]);
     const Furniture piece = draw_piece(city, bays, order[i]);
-    if (furniture_triangles(piece.kind) > left) {
+    const std::uint64_t cost = furniture_triangles(piece.kind, city.options.streets);
+    if (cost > left) {
       break;
     }
-    left -= furniture_triangles(piece.kind);
+    left -= cost;
     pieces.push_back(piece);
   }
   return pieces;
@@ -230,7 +244,7 @@ void add_furniture(City& city, const std::vector<Furniture>& pieces, const Limit
     const std::uint32_t part =
         open_part(city.mesh, std::string(kind_name(pieces[i].kind)) + ' ' + std::to_string(i), all);
     Rng rng = rng_for(city, kShapeKind, pieces[i].index);
-    add_piece(city.mesh, pieces[i], rng);
+    add_piece(city.mesh, pieces[i], city.options.streets, rng);
     close_part(city.mesh, part);
   }
   close_part(city.mesh, all);

@@ -21,7 +21,7 @@ struct Furniture {
 };
 
 /// Triangles of a piece.
-[[nodiscard]] std::uint64_t furniture_triangles(FurnitureKind kind);
+[[nodiscard]] std::uint64_t furniture_triangles(FurnitureKind kind, CityStreets streets);
 
 /// Pieces in bays along the streets, 6 m clear of crossings, of at most `budget` triangles
 /// together.

@@ -2,6 +2,7 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/generate/detail/circle.h"
+#include "soms/generate/detail/pavement.h"
 #include "soms/generate/detail/solids.h"
 
 #include <algorithm>
@@ -12,6 +13,7 @@ namespace soms::detail {
 namespace {
 
 constexpr double kLeastSpacing = 120;
+constexpr double kLeastPavedSpacing = 90;
 constexpr double kDeepest = 1.2;  ///< how far the middle of a block may lie below its kerbs
 
 /// Rolling hills. The slope along either axis is at most 0.037, so that what is left of a street
@@ -37,7 +39,8 @@ class Hills {
 
 /// Most blocks along a side that `triangles` can pay for and `size` has room for.
 std::uint64_t blocks_for(const CityOptions& options) {
-  const auto room = static_cast<std::uint64_t>((options.size - kStreetWidth) / kLeastSpacing);
+  const double least = options.streets == CityStreets::paved ? kLeastPavedSpacing : kLeastSpacing;
+  const auto room = static_cast<std::uint64_t>((options.size - kStreetWidth) / least);
   std::uint64_t blocks = 1;
   while (blocks < room && ground_triangles(blocks + 1, 1) <= 3 * options.triangles / 20) {
     ++blocks;
@@ -195,6 +198,7 @@ namespace soms {
 
 double City::ground(double x, double y) const {
   const PlainArithmetic plain;
+  const double kerb = detail::on_sidewalk(*this, x, y) ? detail::kKerb : 0;
   const std::size_t i = detail::line_below(*this, x);
   const std::size_t j = detail::line_below(*this, y);
   const double s = detail::share_between(*this, x, i);
@@ -212,10 +216,10 @@ double City::ground(double x, double y) const {
   const double c = detail::terrain_height(*this, i, j, u + 1, v + 1);
   if (fx >= fy) {
     const double b = detail::terrain_height(*this, i, j, u + 1, v);
-    return settled(a + fx * (b - a) + fy * (c - b));
+    return settled(a + fx * (b - a) + fy * (c - b) + kerb);
   }
   const double d = detail::terrain_height(*this, i, j, u, v + 1);
-  return settled(a + fy * (d - a) + fx * (c - d));
+  return settled(a + fy * (d - a) + fx * (c - d) + kerb);
 }
 
 }  // namespace soms
