@@ -1,14 +1,23 @@
 #!/bin/sh
-# Draws the pictures of docs/pictures that docs/render.md and docs/view.md show, without a screen: the
-# window's on a display of xvfb-run. Those of models and cities of others need SOMS_DATA, the folder of the test data; without it they are left as they are.
-# Usage: tools/make_pictures.sh [soms-view [NAME...]]
+# Makes every file of docs/pictures, without a screen: the window's on a display of xvfb-run. Those of models and
+# cities of others need SOMS_DATA, the folder of the test data; without it they are left as they are. `soms` is taken
+# from the folder of soms-view, and limits_bench for limits.svg.
+# Usage: tools/make_pictures.sh [soms-view [NAME...]], or --names, which lists all names.
 set -eu
 root=$(CDPATH= cd -- "$(dirname -- "$0")/.." && pwd)
+if [ "${1:-}" = --names ]; then
+  sed -n 's/^ *\(draw\|shot\|made\) "\{0,1\}\([a-z][a-z_0-9.$]*\).*/\2/p' "$0" |
+    sed 's/\(.*\)\$level$/\11 \13 \15 \16/' | tr ' ' '\n'
+  exit
+fi
 view=${1:-$root/build/release/bin/soms-view}
 [ $# -eq 0 ] || shift
 wanted=" $* "
 out=$root/docs/pictures
 most=450000  # bytes
+soms=$(dirname -- "$view")/soms
+models=$(mktemp -d)
+trap 'rm -rf "$models"' EXIT
 
 # draw NAME[.svg] OPTIONS...: a PNG file, or the map of a point.
 draw() {
@@ -30,6 +39,16 @@ check_size() {
   [ "$size" -le $most ] || { echo "$1 has $size bytes, more than $most" >&2; exit 1; }
 }
 
+# made NAME COMMAND...: a file that a command writes there itself.
+made() {
+  name=$1
+  shift
+  case $wanted in "  " | *" $name "*) ;; *) return 0 ;; esac
+  command -v "$1" > /dev/null || { echo "$name: left as it is, $1 is missing" >&2; return 0; }
+  "$@" > /dev/null
+  [ -d "$out/$name" ] || check_size "$name"
+}
+
 # shot NAME OPTIONS...: the window with its panels, on a display of its own.
 shot() {
   name=$1
@@ -44,8 +63,18 @@ shot() {
 
 data=${SOMS_DATA:-/nonexistent}
 
-draw city_contact --frame 60 --camera contact,1.5x --size 1200x675
-draw city_above --frame 60 --camera contact,215:40,0.09x --size 960x540
+# A street of a generated city, and cars of their own.
+"$soms" generate city --triangles 40000 --seed 3 -o "$models/town.obj" -q
+"$soms" generate city --triangles 20000 -o "$models/town.ply" -q
+"$soms" generate sedan -o "$models/sedan.obj" -q
+"$soms" generate van -o "$models/van.obj" -q
+draw city_contact "$models/town.obj" --mover "$models/sedan.obj" --pose "-50.42 -74.9 -1.2 0.819152 0 0 0.573576" \
+  --scale 1 --camera contact,335:15,1.7x --size 1200x675
+draw town "$models/town.ply" --scale 1 --size 960x540
+draw vehicles "$models/van.obj" --mover "$models/sedan.obj" --pose "1.2 -3.2 0" --no-gap --no-key \
+  --camera scene,125:14,0.92x --size 960x480
+draw city_above "$models/town.ply" --mover "$models/sedan.obj" --count 40 --frame 60 --no-ground --scale 1 --camera scene,215:38,1.1x \
+  --size 960x540
 
 for level in 1 3 5 6; do
   draw "bunny_level_$level" "$data/ply/bun_zipper.ply" --up y --level $level --tree rule=soms \
@@ -71,3 +100,13 @@ draw new_york_depth "$data/cities/new_york_south.ply" "$data/cities/new_york_mid
 draw new_york_sight "$data/cities/new_york_south.ply" "$data/cities/new_york_mid.ply" \
   --visible-from=-1500,-5200,350 --camera 200:28 --size 900x506
 draw rotterdam_sight.svg "$data/cities/rotterdam.ply" --visible-from 0,0,60
+
+made city.svg "$soms" simulate -q -o "$out/city.svg"
+made terms python3 "$root/tools/draw_terms.py"
+# Its times belong to those of docs/performance.md, so it is drawn by name alone.
+limits() {
+  "$(dirname -- "$view")/limits_bench" "$models" && cp "$models/limits.svg" "$out/limits.svg"
+}
+if [ "$wanted" != "  " ]; then
+  made limits.svg limits
+fi
