@@ -23,7 +23,7 @@ def main():
     soms.write_mesh(folder / "car.ply", soms.generate("car"))
     lower, upper = city.bounds
     poses = np.random.default_rng(1).uniform(lower, upper, (count, 3))
-    poses[:, 2] = -3
+    poses[:, 2] = -1
     np.save(folder / "poses.npy", poses)
     answer = soms.dask.overlap(folder / "car.ply", folder / "city.ply", folder / "poses.npy", out=folder / "answers",
                                mode="any", pairs=False)

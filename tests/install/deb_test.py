@@ -34,7 +34,7 @@ g++ -std=c++20 catcher.cpp -o one-line $(pkg-config --cflags --libs soms)
 ./build/consumer | tail -1; ./build/catcher; ./one-line
 """
 PYTHON = """import soms
-car = soms.Body(soms.generate("car"), [10, 0, -3])
+car = soms.Body(soms.generate("car"), [10, 0, -2])
 city = soms.Body(soms.generate("city", 5672))
 answer = soms.overlap(car, city, threads=2)
 assert "<html" in soms.Page([car, city], answer).html

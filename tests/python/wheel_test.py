@@ -19,7 +19,7 @@ USE = """
 import pathlib, soms
 assert str(pathlib.Path(soms.__file__)).startswith({environment!r}), soms.__file__
 car, city = soms.generate("car"), soms.generate("city", 5672)
-answer = soms.overlap(soms.Body(car, [10, 0, -3]), city, threads=2)
+answer = soms.overlap(soms.Body(car, [10, 0, -2]), city, threads=2)
 print(len(answer.pairs), "pairs,", soms.__version__)
 assert answer.any
 assert "soms-scene" in soms.Page([car, city]).html
