@@ -36,9 +36,9 @@ TEST(Generate, MakesExactlyTheTrianglesRequestedFor) {
 TEST(Generate, HasItsOwnNumberForEveryKind) {
   const TemporaryFolder folder;
   const std::vector<std::pair<std::string, std::uint64_t>> cases{
-      {"knot", 10'000},      {"sphere", 10'000},   {"statue", 948}, {"teapot", 6320},
-      {"car", 1000},         {"person", 600},      {"drone", 308},  {"urban-mixed", 5672},
-      {"urban-boxes", 5672}, {"urban-plain", 5672}};
+      {"knot", 10'000},      {"sphere", 10'000},    {"statue", 948}, {"teapot", 6320},
+      {"car", 1000},         {"person", 600},       {"drone", 308},  {"urban-mixed", 5672},
+      {"urban-boxes", 5672}, {"urban-plain", 5672}, {"sedan", 700},  {"van", 700}};
   for (const auto& [kind, triangles] : cases) {
     EXPECT_EQ(triangles_of(generate(folder, kind, "", "model.ply")), triangles) << kind;
   }
@@ -67,6 +67,27 @@ TEST(Generate, WritesTheSameBytesForTheSameSeedAndOthersForAnother) {
   };
   EXPECT_EQ(city("5", "1"), city("5", "3"));
   EXPECT_NE(city("5", "1"), city("6", "1"));
+}
+
+// The first picture of one's own is of such a town.
+TEST(Generate, ACityIsAsLargeAsItsTrianglesFillUnlessItsExtentIsStated) {
+  const TemporaryFolder folder;
+  const std::string path = (folder.path() / "town.ply").string();
+  const auto width = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"generate", "city", "-o", path});
+    EXPECT_EQ(soms_run(words).status, 0);
+    const RunResult info = soms_run({"info", path, "--no-trees", "--json"});
+    const auto bounds = json_lines(info.out).at(0).at("bounds");
+    return bounds.at(1).at(0).get<double>() - bounds.at(0).at(0).get<double>();
+  };
+  EXPECT_NEAR(width({"--triangles", "20000"}), 245, 2);
+  EXPECT_NEAR(width({"--triangles", "3000"}), 200, 2);
+  EXPECT_NEAR(width({"--triangles", "3000", "--extent", "4000"}), 4000, 2);
+  const std::string paved = read_text(path);
+  EXPECT_NEAR(width({"--triangles", "3000", "--extent", "200", "--streets", "bare"}), 200, 2);
+  EXPECT_NE(read_text(path), paved);
+  EXPECT_EQ(soms_run({"generate", "city", "--extent", "10", "-o", path}).status, 2);
+  EXPECT_EQ(soms_run({"generate", "car", "--streets", "bare", "-o", path}).status, 2);
 }
 
 TEST(Generate, WritesTheFormatOfTheNameOrOfTheOption) {

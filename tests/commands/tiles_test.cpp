@@ -15,7 +15,7 @@ namespace {
 class Tiles : public testing::Test {
  protected:
   void SetUp() override {
-    run({"generate", "city", "--triangles", "6000", "-o", "city.ply"});
+    run({"generate", "city", "--triangles", "6000", "--extent", "4000", "-o", "city.ply"});
     run({"generate", "car", "-o", "car.ply"});
     run({"generate", "sphere", "--triangles", "80", "-o", "ball.ply"});
     run({"tile", "city.ply", "--most", "900", "-o", "tiles"});

@@ -65,7 +65,7 @@ def answers_of_scenes():
     scene.add_environment(soms.Body(soms.generate("city", 5672), name="city"))
     car = soms.Shape(soms.generate("car"))
     for i in range(2):
-        scene.add_mover(soms.Body(car, [10 + i, 0, -3], f"car {i}"))
+        scene.add_mover(soms.Body(car, [10 + i, 0, -2], f"car {i}"))
     report = scene.step(clearance=10)
     tracker, spans = soms.ContactTracker(), soms.ContactSpans()
     spans.follow(0, report, scene)
