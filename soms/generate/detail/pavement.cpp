@@ -19,7 +19,7 @@ constexpr double kDash = 3;          ///< length of a dash, and of the gap after
 constexpr double kDashWidth = 0.18;
 constexpr double kZebraFrom = 1;  ///< from the crossing's square to its zebra, and its end
 constexpr double kZebraTo = 4;
-constexpr int kZebraStripes = 12;  ///< half a meter wide, a meter apart
+constexpr std::uint64_t kZebraStripes = 12;  ///< half a meter wide, a meter apart
 constexpr std::uint64_t kMostShare = 10;
 constexpr std::uint64_t kRingTriangles = 64;
 
@@ -141,8 +141,8 @@ void add_marks(City& city, const Stretch& street) {
     const double from = begin + 2 * kDash * static_cast<double>(k);
     add_mark(city.mesh, street, from, from + kDash, -0.5 * kDashWidth, 0.5 * kDashWidth);
   }
-  for (int k = 0; k < kZebraStripes; ++k) {
-    const double right = k - 0.5 * kZebraStripes + 0.25;
+  for (std::uint64_t k = 0; k < kZebraStripes; ++k) {
+    const double right = static_cast<double>(k) - 0.5 * kZebraStripes + 0.25;
     const double far = street.length();
     add_mark(city.mesh, street, kZebraFrom, kZebraTo, right, right + 0.5);
     add_mark(city.mesh, street, far - kZebraTo, far - kZebraFrom, right, right + 0.5);

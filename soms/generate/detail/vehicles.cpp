@@ -144,7 +144,7 @@ void add_vehicle_body(Mesh& mesh, const Frame& frame, std::span<const Slice> sli
       mesh.vertices.push_back(frame.at(stretch * s.x, c.x, c.y));
     }
   }
-  constexpr auto n = static_cast<std::uint32_t>(kSliceCorners);
+  const auto n = static_cast<std::uint32_t>(kSliceCorners);
   const std::uint32_t last = first + n * static_cast<std::uint32_t>(slices.size() - 1);
   for (std::uint32_t i = 1; i + 1 < n; ++i) {
     mesh.triangles.push_back({first, first + i, first + i + 1});
@@ -199,7 +199,7 @@ void add_trims(Mesh& mesh, NamedParts& parts, const Frame& frame, const VehicleP
 }  // namespace
 
 std::uint64_t vehicle_triangles(Finish finish) {
-  constexpr std::uint64_t body = 2 * kSliceCorners * (kSlices - 1) + 2 * (kSliceCorners - 2);
+  const std::uint64_t body = 2 * kSliceCorners * (kSlices - 1) + 2 * (kSliceCorners - 2);
   const std::uint64_t hubs = finish == Finish::full ? kWheels * prism_triangles(8) : 0;
   const std::uint64_t boxes = kMirrors + (finish == Finish::full ? kTrims : 0);
   return body + kWheels * prism_triangles(wheel_corners(finish)) + hubs + boxes * 12;
