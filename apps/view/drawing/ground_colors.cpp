@@ -34,15 +34,25 @@ class SheetHeights {
   explicit SheetHeights(const Box& box)
       : lower_(box.lower), side_(longer_side(box) / kHeightCells) {}
 
-  void add(const Triangle& t) {
+  /// False once triangles have taken more cells than a ground of streets or hills does.
+  [[nodiscard]] bool add(const Triangle& t) {
     const double area = (t.b.x - t.a.x) * (t.c.y - t.a.y) - (t.b.y - t.a.y) * (t.c.x - t.a.x);
     if (area == 0) {
-      return;
+      return true;
     }
     const auto [left, right] = std::minmax({t.a.x, t.b.x, t.c.x});
     const auto [low, high] = std::minmax({t.a.y, t.b.y, t.c.y});
-    for (std::size_t j = cell(low - lower_.y); j <= cell(high - lower_.y); ++j) {
-      for (std::size_t i = cell(left - lower_.x); i <= cell(right - lower_.x); ++i) {
+    const std::size_t first_i = cell(left - lower_.x);
+    const std::size_t last_i = cell(right - lower_.x);
+    const std::size_t first_j = cell(low - lower_.y);
+    const std::size_t last_j = cell(high - lower_.y);
+    const std::size_t cells = (last_i - first_i + 1) * (last_j - first_j + 1);
+    if (cells > left_) {
+      return false;
+    }
+    left_ -= cells;
+    for (std::size_t j = first_j; j <= last_j; ++j) {
+      for (std::size_t i = first_i; i <= last_i; ++i) {
         const double x = lower_.x + side_ * (static_cast<double>(i) + 0.5);
         const double y = lower_.y + side_ * (static_cast<double>(j) + 0.5);
         const double u = ((x - t.a.x) * (t.c.y - t.a.y) - (y - t.a.y) * (t.c.x - t.a.x)) / area;
@@ -52,6 +62,7 @@ class SheetHeights {
         }
       }
     }
+    return true;
   }
 
   [[nodiscard]] double at(const Vec3& p) const {
@@ -68,6 +79,7 @@ class SheetHeights {
 
   Vec3 lower_;
   double side_;
+  std::size_t left_ = 64 * kHeightCells * kHeightCells;
   std::vector<double> heights_ =
       std::vector<double>(kHeightCells * kHeightCells, std::numeric_limits<double>::quiet_NaN());
 };
@@ -115,8 +127,8 @@ void color_ground(const Mesh& mesh, const std::vector<std::uint32_t>& pieces,
   }
   SheetHeights heights(all);
   for (TriangleId i = 0; i < pieces.size(); ++i) {
-    if (pieces[i] == ground) {
-      heights.add(mesh.triangle(i));
+    if (pieces[i] == ground && !heights.add(mesh.triangle(i))) {
+      return;
     }
   }
   std::vector<bool> lies;
