@@ -59,7 +59,7 @@ TEST(GlSky, FarSurfacesLoseColorWithoutABorder) {
   floor.triangles = {{0, 1, 2}, {0, 2, 3}};
   DrawList list = list_of(std::move(floor), {220, 180, 90, 255});
   list.focus = Focus{{0, 0, -2}, 4};
-  const Camera camera{{0, -10, 4}, {0, 0, -2}, {0, 0, 1}, 0.8};
+  const Camera camera{{0, -10, 4}, {0, 20, -2}, {0, 0, 1}, 0.8};
   drawing.renderer->draw(list, camera, kSkySize, kSkyOptions);
   const Picture picture = drawing.renderer->read_pixels();
   const auto at = [&](double y) {
