@@ -92,7 +92,7 @@ struct BoxGroup {
   std::uint64_t version = 0;
   Pose pose = {};
   BoxStyle style = BoxStyle::wire;
-  float width = 1;      ///< of edges, in pixels
+  float width = 1;      ///< of edges, in points (`DrawOptions::density`), as lengths below
   bool on_top = false;  ///< seen through everything
   std::vector<BoxItem> boxes = {};
 };
@@ -101,18 +101,18 @@ struct Line {
   Vec3 a = {};
   Vec3 b = {};
   Color color{0, 0, 0, 255};
-  float width = 1;      ///< in pixels
+  float width = 1;      ///< in points
   bool on_top = false;  ///< seen through everything
   Color rim{255, 255, 255, 255};
-  float rim_width = 0;  ///< of a border beside the line, on either side, in pixels
+  float rim_width = 0;  ///< of a border beside the line, on either side, in points
 };
 
 struct Point {
   Vec3 at = {};
   Color color{0, 0, 0, 255};
-  float diameter = 6;          ///< in pixels
+  float diameter = 6;          ///< in points
   bool on_top = false;         ///< seen through everything
-  Color rim{26, 26, 26, 255};  ///< of points wider than 6 pixels
+  Color rim{26, 26, 26, 255};  ///< of points wider than 6
 };
 
 /// A disc of constant size with a number, upon everything: a place that is found from afar. Those
@@ -146,7 +146,9 @@ struct Captions {
   std::vector<KeyEntry> key = {};  ///< below, at the left
   double meters = 0;               ///< a unit; 0 leaves out the scale bar, below at the right
   bool north = false;              ///< an arrow toward +y above the scale bar
-  double covered = 0;              ///< pixels at the left that something else covers
+  double covered = 0;              ///< share of the width, at the left, that something else covers
+  double covered_right = 0;        ///< likewise
+  double covered_below = 0;        ///< of the height
 };
 
 /// A number with its unit beside the middle of a segment, on top of everything, unless it would
@@ -157,7 +159,7 @@ struct Label {
   std::string text = {};
   Color color{0, 0, 0, 255};
   Color rim{255, 255, 255, 255};  ///< around the letters
-  float height = 13;              ///< of digits, in pixels
+  float height = 13;              ///< of digits, in points
 };
 
 /// Fills the picture before anything is drawn: a sky above the horizon, haze below it.

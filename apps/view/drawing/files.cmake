@@ -1,5 +1,6 @@
 set(SOMS_VIEW_HEADERS
   camera.h
+  cut_meshes.h
   draw_list.h
   gap_marks.h
   ground_colors.h
@@ -34,6 +35,7 @@ set(SOMS_VIEW_HEADERS
 )
 set(SOMS_VIEW_SOURCES
   camera.cpp
+  cut_meshes.cpp
   draw_list.cpp
   gap_marks.cpp
   ground_colors.cpp

@@ -20,7 +20,7 @@ namespace {
 constexpr double kOverlayPen = 0.15;  // of the height of digits
 constexpr double kOverlayLetterRim = 2;
 constexpr double kOverlayMargin = 18;
-constexpr double kKeyHeight = 11;  // of letters, and of other lengths below in pixels
+constexpr double kKeyHeight = 11;  // of letters, and of other lengths below in points
 constexpr double kKeyRow = 24;
 constexpr double kSignWidth = 26;
 constexpr double kOverlayTitleHeight = 17;
@@ -139,12 +139,22 @@ class OverlayWriter {
     }
   }
 
+  /// Where words begin that stand at the left.
+  [[nodiscard]] double left_end() const {
+    return kOverlayMargin + list_.captions.covered * size_.width;
+  }
+
+  /// Where they end above what covers the lower edge.
+  [[nodiscard]] double lower_end() const {
+    return size_.height * (1 - list_.captions.covered_below) - kOverlayMargin;
+  }
+
   void key() {
-    double y = size_.height - kOverlayMargin;
+    double y = lower_end();
     const std::vector<KeyEntry>& entries = list_.captions.key;
     for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry) {
       if (is_shown(*entry)) {
-        const double left = kOverlayMargin + list_.captions.covered;
+        const double left = left_end();
         sign(*entry, {left, y - 0.5 * kKeyHeight});
         text({left + kSignWidth, y}, entry->text, kKeyHeight, palette::kInk, palette::kPaper);
         y -= kKeyRow;
@@ -154,8 +164,8 @@ class OverlayWriter {
 
   void title() {
     if (!list_.captions.title.empty()) {
-      text({kOverlayMargin + list_.captions.covered, kOverlayMargin + kOverlayTitleHeight},
-           list_.captions.title, kOverlayTitleHeight, palette::kInk, palette::kPaper);
+      text({left_end(), kOverlayMargin + kOverlayTitleHeight}, list_.captions.title,
+           kOverlayTitleHeight, palette::kInk, palette::kPaper);
     }
   }
 
@@ -164,8 +174,8 @@ class OverlayWriter {
     if (forward.z > -0.17) {
       return;  // from the side, distances differ too much for one bar
     }
-    const double right = size_.width - kOverlayMargin;
-    double y = size_.height - kOverlayMargin;
+    const double right = size_.width * (1 - list_.captions.covered_right) - kOverlayMargin;
+    double y = lower_end();
     if (list_.captions.meters > 0) {
       const ScaleBar bar = scale_bar(camera_, size_, list_.captions.meters);
       const bool kilometers = bar.meters >= 1000;

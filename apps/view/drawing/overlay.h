@@ -10,7 +10,7 @@
 
 namespace soms::view {
 
-/// A straight stroke of a round pen, in pixels from the upper left corner.
+/// A straight stroke of a round pen, in points from the upper left corner.
 struct OverlayStroke {
   PixelPoint from;
   PixelPoint to;
@@ -26,7 +26,8 @@ struct Overlay {
   std::uint64_t marked = 0;   ///< the sum of their counts
 };
 
-/// All of a list's. Entries of the key for contacts are left out where the picture shows none.
+/// All of a list's, in a picture of so many points. Entries of the key for contacts are left out
+/// where the picture shows none.
 [[nodiscard]] Overlay overlay_of(const DrawList& list, const Camera& camera, Size size);
 
 /// Length of the scale bar in meters and in pixels: round, and at most a fifth of the picture's

@@ -21,6 +21,7 @@ struct DrawOptions {
   std::uint64_t most_triangles = kAll;
   int samples = 4;      ///< for each pixel: 1 is fast, 4 and 8 make smooth edges
   double scale = 1;     ///< sides of the picture drawn, in those wanted: below 1 is coarse
+  double density = 1;   ///< pixels of a point: lengths of strokes, letters and signs are in points
   bool relief = true;   ///< darken where near surfaces hide the sky; takes passes over the picture
   bool shadows = true;  ///< of the sun; takes two more views of all triangles
 };

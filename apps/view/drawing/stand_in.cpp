@@ -1,10 +1,11 @@
 #include "apps/view/drawing/stand_in.h"
 
-#include "soms/base/hash.h"
-
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
 #include <cstdint>
+#include <map>
 #include <set>
 #include <unordered_map>
 #include <utility>
@@ -27,19 +28,16 @@ double longest_side(const Box& box) {
   return std::max({extent.x, extent.y, extent.z});
 }
 
-/// Triangles that hang together by their corners.
-struct Piece {
-  std::vector<TriangleId> triangles;
-  Box box;
-};
+using Piece = StandInMaker::Piece;
 
 struct HashOfPlace {
   std::size_t operator()(const Vec3& p) const {
-    Fnv1a hash;
+    std::uint64_t hash = 0;
     for (const double x : {p.x, p.y, p.z}) {
-      hash.add(x + 0.0);  // -0 as 0
+      hash = (hash ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9e3779b97f4a7c15U;  // -0 as 0
+      hash ^= hash >> 29;
     }
-    return hash.value();
+    return hash;
   }
 };
 
@@ -73,17 +71,20 @@ class Roots {
 /// In the order of their first triangles.
 std::vector<Piece> pieces_of(const Mesh& mesh, std::span<const TriangleId> triangles) {
   Roots roots;
+  std::vector<std::size_t> places;  // of the first corners
+  places.reserve(triangles.size());
   for (const TriangleId i : triangles) {
     const Triangle t = mesh.triangle(i);
     const std::size_t a = roots.place(t.a);
     roots.join(a, roots.place(t.b));
     roots.join(a, roots.place(t.c));
+    places.push_back(a);
   }
   std::vector<Piece> pieces;
   std::unordered_map<std::size_t, std::size_t> number;
-  for (const TriangleId i : triangles) {
-    const std::size_t root = roots.of(roots.place(mesh.triangle(i).a));
-    const auto [at, fresh] = number.try_emplace(root, pieces.size());
+  for (std::size_t k = 0; k < triangles.size(); ++k) {
+    const TriangleId i = triangles[k];
+    const auto [at, fresh] = number.try_emplace(roots.of(places[k]), pieces.size());
     if (fresh) {
       pieces.emplace_back();
     }
@@ -151,6 +152,61 @@ class Cubes {
   std::unordered_map<std::uint64_t, std::uint32_t> outermost_;
 };
 
+/// Neighbors that become one box.
+struct Neighbors {
+  const Piece* largest = nullptr;
+  Box box;
+  double footprint = 0;
+  double volume = 0;
+
+  void add(const Piece& piece) {
+    const Vec3 extent = piece.box.extent();
+    largest = largest == nullptr ? &piece : largest;
+    box.grow(piece.box);
+    footprint += extent.x * extent.y;
+    volume += extent.x * extent.y * extent.z;
+  }
+
+  /// About their middle: what was free between them is free around it, so streets stay.
+  [[nodiscard]] Piece together() const {
+    const Vec3 extent = box.extent();
+    const double covered = extent.x * extent.y;
+    const double part = covered > 0 ? std::sqrt(std::min(1.0, footprint / covered)) : 1;
+    const double height = footprint > 0 ? volume / footprint : extent.z;
+    const Vec3 middle = box.center();
+    const Vec3 half = extent * (0.5 * part);
+    const double top = std::min(box.upper.z, box.lower.z + std::max(height, 0.0));
+    const Box block{{middle.x - half.x, middle.y - half.y, box.lower.z},
+                    {middle.x + half.x, middle.y + half.y, top}};
+    return {{largest->triangles.front()}, block};
+  }
+};
+
+/// At most `room` pieces, but one at least: those in a square of the ground become one.
+/// \pre `pieces` are sorted, the largest first.
+std::vector<Piece> joined(const std::vector<Piece>& pieces, const Box& box, std::size_t room) {
+  std::map<std::pair<int, int>, Neighbors> squares;
+  for (int side = kSides.front(); side > 0; side = side > 8 ? side - 8 : side - 1) {
+    squares.clear();
+    const double scale = longest_side(box) > 0 ? side / longest_side(box) : 0;
+    for (const Piece& piece : pieces) {
+      const Vec3 at = (piece.box.center() - box.lower) * scale;
+      squares[{static_cast<int>(at.x), static_cast<int>(at.y)}].add(piece);
+    }
+    if (squares.size() <= room) {
+      break;
+    }
+  }
+  std::vector<Piece> blocks;
+  for (const auto& [square, neighbors] : squares) {
+    blocks.push_back(neighbors.together());
+  }
+  std::stable_sort(blocks.begin(), blocks.end(), [](const Piece& a, const Piece& b) {
+    return half_area(a.box) > half_area(b.box);
+  });
+  return blocks;
+}
+
 /// What is left of a triangle that shrinks to a line is dropped, and of equal ones the first stays.
 std::vector<StandInTriangle> merged(const Mesh& mesh, std::span<const TriangleId> triangles,
                                     const Box& box, int side) {
@@ -188,29 +244,36 @@ std::vector<StandInTriangle> coarser(const Mesh& mesh, std::span<const TriangleI
 
 }  // namespace
 
-std::vector<StandInTriangle> stand_in(const Mesh& mesh, std::span<const TriangleId> triangles,
-                                      const Box& box, std::size_t most) {
-  std::vector<Piece> small;
-  std::vector<TriangleId> far_reaching;
+StandInMaker::StandInMaker(const Mesh& mesh, std::span<const TriangleId> triangles, const Box& box)
+    : mesh_(mesh), box_(box) {
   for (Piece& piece : pieces_of(mesh, triangles)) {
     if (longest_side(piece.box) <= kSmall * longest_side(box) &&
-        piece.triangles.size() > kTrianglesOfBox) {
-      small.push_back(std::move(piece));
+        piece.triangles.size() >= kTrianglesOfBox) {
+      small_.push_back(std::move(piece));
     } else {
-      far_reaching.insert(far_reaching.end(), piece.triangles.begin(), piece.triangles.end());
+      far_reaching_.insert(far_reaching_.end(), piece.triangles.begin(), piece.triangles.end());
     }
   }
-  std::stable_sort(small.begin(), small.end(), [](const Piece& a, const Piece& b) {
+  std::stable_sort(small_.begin(), small_.end(), [](const Piece& a, const Piece& b) {
     return half_area(a.box) > half_area(b.box);
   });
-  const double share = far_reaching.empty() ? 1 : kShareOfBoxes;
-  const auto room = static_cast<std::size_t>(share * static_cast<double>(most));
-  small.resize(std::min(small.size(), room / kTrianglesOfBox));
+}
+
+std::vector<StandInTriangle> StandInMaker::at_most(std::size_t most) const {
+  const double share = far_reaching_.empty() ? 1 : kShareOfBoxes;
+  const auto room = static_cast<std::size_t>(share * static_cast<double>(most)) / kTrianglesOfBox;
+  const std::vector<Piece> blocks = small_.size() > room ? joined(small_, box_, room) : small_;
   std::vector<StandInTriangle> few =
-      coarser(mesh, far_reaching, box, most - kTrianglesOfBox * small.size());
-  for (const Piece& piece : small) {
-    add_box(piece.box, piece.triangles.front(), few);
+      coarser(mesh_, far_reaching_, box_, most - std::min(most, kTrianglesOfBox * blocks.size()));
+  for (const Piece& block : blocks) {
+    add_box(block.box, block.triangles.front(), few);
   }
+  return few;
+}
+
+std::vector<StandInTriangle> one_box(TriangleId of, const Box& box) {
+  std::vector<StandInTriangle> few;
+  add_box(box, of, few);
   return few;
 }
 

@@ -1,5 +1,7 @@
 #include "apps/view/drawing/tiles.h"
 
+#include "soms/base/parallel.h"
+
 #include "apps/view/drawing/stand_in.h"
 
 #include <algorithm>
@@ -17,6 +19,9 @@ using Order = std::vector<std::uint32_t>;
 
 /// A tile of fewer triangles has no stand-in.
 constexpr std::size_t kLeastOfStandIn = 200;
+/// The coarsest copy has one triangle for so many, and these at most: 128 tiles have 20,000.
+constexpr std::size_t kLeastOf = 48;
+constexpr std::size_t kMostOfLeast = 160;
 
 struct Run {
   std::size_t first;
@@ -95,6 +100,12 @@ void put_large_first(const Mesh& mesh, std::span<std::uint32_t> order) {
   std::transform(keyed.begin(), keyed.end(), order.begin(), [](const auto& k) { return k.second; });
 }
 
+/// Coarse copies of a tile.
+struct Copies {
+  std::vector<StandInTriangle> stand_in;
+  std::vector<StandInTriangle> least;
+};
+
 // Gives out the vertices of one tile after the other; a vertex is shared by triangles of one color.
 class VertexWriter {
  public:
@@ -111,10 +122,28 @@ class VertexWriter {
     }
   }
 
-  /// The coarse copy of the tile that was written last; it is kept for `finish`.
-  void write_stand_in(Tile& tile, std::span<const StandInTriangle> triangles) {
+  /// The coarse copies of the tile that was written last; they are kept for `finish`.
+  void write(Tile& tile, const Copies& copies) {
     tile.stand_in_first = static_cast<std::uint32_t>(stand_ins_.size() / 3);
-    tile.stand_in_count = static_cast<std::uint32_t>(triangles.size());
+    tile.stand_in_count = static_cast<std::uint32_t>(copies.stand_in.size());
+    write_copy(tile, copies.stand_in);
+    tile.least_first = static_cast<std::uint32_t>(stand_ins_.size() / 3);
+    tile.least_count = static_cast<std::uint32_t>(copies.least.size());
+    write_copy(tile, copies.least);
+  }
+
+  /// Puts the stand-ins behind all triangles.
+  void finish() {
+    const auto before = static_cast<std::uint32_t>(result_.indices.size() / 3);
+    for (Tile& tile : result_.tiles) {
+      tile.stand_in_first += before;
+      tile.least_first += before;
+    }
+    result_.indices.insert(result_.indices.end(), stand_ins_.begin(), stand_ins_.end());
+  }
+
+ private:
+  void write_copy(const Tile& tile, std::span<const StandInTriangle> triangles) {
     for (const StandInTriangle& triangle : triangles) {
       const Color color = colors_.empty() ? Color{} : colors_[triangle.of];
       for (const Vec3& corner : {triangle.corners.a, triangle.corners.b, triangle.corners.c}) {
@@ -124,16 +153,6 @@ class VertexWriter {
     }
   }
 
-  /// Puts the stand-ins behind all triangles.
-  void finish() {
-    const auto before = static_cast<std::uint32_t>(result_.indices.size() / 3);
-    for (Tile& tile : result_.tiles) {
-      tile.stand_in_first += before;
-    }
-    result_.indices.insert(result_.indices.end(), stand_ins_.begin(), stand_ins_.end());
-  }
-
- private:
   static constexpr std::uint32_t kNone = 0xffffffffU;
 
   static TileVertex vertex(const Vec3& place, Color color, const Tile& tile) {
@@ -171,6 +190,23 @@ Tile make_tile(const Mesh& mesh, const Run& run, std::span<const std::uint32_t> 
   return tile;
 }
 
+Copies copies_of(const Mesh& mesh, std::span<const TriangleId> triangles, const Box& bounds,
+                 const TileOptions& options) {
+  if (options.stand_in_of == 0 || triangles.size() < kLeastOfStandIn) {
+    return {};
+  }
+  const StandInMaker maker(mesh, triangles, bounds);
+  Copies copies{
+      maker.at_most(std::max(triangles.size() / options.stand_in_of, kLeastOfStandIn / 4)), {}};
+  const std::size_t few = std::min(triangles.size() / kLeastOf, kMostOfLeast);
+  copies.least =
+      few < kLeastOfStandIn / 4 ? one_box(triangles.front(), bounds) : maker.at_most(few);
+  if (copies.least.size() >= copies.stand_in.size()) {
+    copies.least.clear();
+  }
+  return copies;
+}
+
 }  // namespace
 
 TiledMesh cut_in_tiles(const Mesh& mesh, std::span<const Color> colors, const TileOptions& options,
@@ -182,21 +218,25 @@ TiledMesh cut_in_tiles(const Mesh& mesh, std::span<const Color> colors, const Ti
   Order order(mesh.triangles.size());
   std::iota(order.begin(), order.end(), 0U);
   const std::vector<Run> runs = runs_of(mesh, order, options, limits);
+  const auto part = [&](std::size_t i) {
+    return std::span(order).subspan(runs[i].first, runs[i].count);
+  };
+  result.tiles.resize(runs.size());
+  std::vector<Copies> copies(runs.size());
+  for_each_chunk(runs.size(), 1, limits, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      put_large_first(mesh, part(i));
+      result.tiles[i] = make_tile(mesh, runs[i], part(i));
+      copies[i] = copies_of(mesh, part(i), result.tiles[i].bounds, options);
+    }
+  });
   result.vertices.reserve(mesh.vertices.size());
   result.indices.reserve(3 * order.size());
   VertexWriter writer(mesh, colors, result);
-  for (const Run& run : runs) {
+  for (std::size_t i = 0; i < runs.size(); ++i) {
     check_stop(limits);
-    const std::span<std::uint32_t> mine = std::span(order).subspan(run.first, run.count);
-    put_large_first(mesh, mine);
-    Tile tile = make_tile(mesh, run, mine);
-    writer.write(tile, mine);
-    if (options.stand_in_of > 0 && run.count >= kLeastOfStandIn) {
-      writer.write_stand_in(tile, stand_in(mesh, mine, tile.bounds,
-                                           std::max<std::size_t>(run.count / options.stand_in_of,
-                                                                 kLeastOfStandIn / 4)));
-    }
-    result.tiles.push_back(tile);
+    writer.write(result.tiles[i], part(i));
+    writer.write(result.tiles[i], copies[i]);
   }
   writer.finish();
   return result;

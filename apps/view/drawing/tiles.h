@@ -31,6 +31,10 @@ struct Tile {
   /// A coarse copy (`stand_in.h`), likewise; none for tiles of few triangles.
   std::uint32_t stand_in_first = 0;
   std::uint32_t stand_in_count = 0;
+  /// A far coarser one: a box for some houses, or one box for all; none where the other is as
+  /// short.
+  std::uint32_t least_first = 0;
+  std::uint32_t least_count = 0;
 };
 
 struct TiledMesh {
@@ -52,8 +56,8 @@ struct TileOptions {
 ///
 /// \shape `colors`: one a triangle, or empty.
 /// \pre The mesh passes `check(Mesh)`.
-/// \errors ErrorKind::cancelled.
-/// \cost O(n log tiles).
+/// \errors ErrorKind::cancelled, and what the progress throws, which any thread reports.
+/// \cost O(n log tiles); the stand-ins are made by the threads of `limits`.
 [[nodiscard]] TiledMesh cut_in_tiles(const Mesh& mesh, std::span<const Color> colors,
                                      const TileOptions& options = {}, const Limits& limits = {});
 

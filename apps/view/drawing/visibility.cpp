@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -16,6 +17,9 @@ namespace {
 
 // Without more of the triangles than this part, holes would be seen.
 constexpr double kLittle = 0.4;
+
+// What looks as large as this part of the picture, at least, is near.
+constexpr double kNear = 0.25;
 
 // How large a box looks: pixels squared, at most the picture.
 double seen_area(const Camera& camera, Size size, const Box& box, double depth) {
@@ -53,41 +57,73 @@ void share(Visible& visible, const std::vector<double>& areas, std::uint64_t mos
   }
 }
 
-void make_coarse(Visible& visible, std::span<const std::span<const Tile>> tiles) {
-  for (TileGroup& group : visible.groups) {
+void set_form(TileGroup& group, const Tile& tile, TileForm form) {
+  group.form = form;
+  group.triangles = run_of(tile, form).count;
+}
+
+std::uint64_t triangles_of(const TileGroup& group) {
+  return std::uint64_t{group.triangles} * group.instances.size();
+}
+
+// Draws groups in a finer form as long as there is room, those first that need the fewest triangles
+// for what they cover.
+void make_finer(Visible& visible, const std::vector<std::size_t>& order,
+                std::span<const std::span<const Tile>> tiles, TileForm form, std::uint64_t& left) {
+  for (const std::size_t g : order) {
+    TileGroup& group = visible.groups[g];
     const Tile& tile = tiles[group.mesh][group.tile];
-    if (tile.stand_in_count > 0) {
-      group.coarse = true;
-      group.triangles = tile.stand_in_count;
+    const std::uint64_t wanted =
+        std::uint64_t{run_of(tile, form).count} * std::uint64_t{group.instances.size()};
+    const std::uint64_t more = wanted - std::min(wanted, triangles_of(group));
+    if (more <= left && group.form < form) {
+      left -= more;
+      set_form(group, tile, form);
     }
   }
 }
 
-// Draws coarse groups whole as long as there is room, those first that need the fewest triangles
-// for what they cover.
-void make_whole(Visible& visible, const std::vector<double>& areas,
-                std::span<const std::span<const Tile>> tiles, std::uint64_t most) {
+// Draws all that has copies by the coarsest ones that must be, and the rest in shares of what is
+// left.
+void make_coarse(Visible& visible, const std::vector<double>& areas,
+                 std::span<const std::span<const Tile>> tiles, Size size, std::uint64_t most) {
+  std::vector<std::pair<double, std::size_t>> needs;
+  Visible bare;
+  std::vector<double> bare_areas;
+  std::vector<std::size_t> bare_groups;
   std::uint64_t used = 0;
-  std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t g = 0; g < visible.groups.size(); ++g) {
-    const TileGroup& group = visible.groups[g];
-    used += std::uint64_t{group.triangles} * group.instances.size();
-    if (group.coarse) {
-      order.emplace_back(tiles[group.mesh][group.tile].count / areas[g], g);
-    }
-  }
-  std::sort(order.begin(), order.end());
-  for (const auto& [need, g] : order) {
     TileGroup& group = visible.groups[g];
-    const std::uint64_t whole = tiles[group.mesh][group.tile].count;
-    const std::uint64_t more = (whole - std::min<std::uint64_t>(whole, group.triangles)) *
-                               std::uint64_t{group.instances.size()};
-    if (used + more <= most) {
-      used += more;
-      group.coarse = false;
-      group.triangles = static_cast<std::uint32_t>(whole);
+    const Tile& tile = tiles[group.mesh][group.tile];
+    if (tile.stand_in_count > 0) {
+      set_form(group, tile, TileForm::least);
+      used += triangles_of(group);
+      needs.emplace_back(tile.count / areas[g], g);
+    } else {
+      bare.groups.push_back(group);
+      bare_areas.push_back(areas[g]);
+      bare_groups.push_back(g);
     }
   }
+  share(bare, bare_areas, most - std::min(most, used));
+  for (std::size_t k = 0; k < bare_groups.size(); ++k) {
+    visible.groups[bare_groups[k]].triangles = bare.groups[k].triangles;
+    used += triangles_of(bare.groups[k]);
+  }
+  std::sort(needs.begin(), needs.end());
+  std::vector<std::size_t> order;
+  for (const auto& [need, g] : needs) {
+    order.push_back(g);
+  }
+  // Boxes about the eye would hide all, so what is near gets its share in any case.
+  std::uint64_t left = std::max(most - std::min(most, used), most / 2);
+  const double whole_picture = static_cast<double>(size.width) * static_cast<double>(size.height);
+  std::vector<std::size_t> near;
+  std::copy_if(order.begin(), order.end(), std::back_inserter(near),
+               [&](std::size_t g) { return areas[g] >= kNear * whole_picture; });
+  make_finer(visible, near, tiles, TileForm::whole, left);
+  make_finer(visible, order, tiles, TileForm::stand_in, left);
+  make_finer(visible, order, tiles, TileForm::whole, left);
 }
 
 }  // namespace
@@ -123,11 +159,34 @@ Pass pass_of(const Instance& instance) {
   return instance.color.a < 255 ? Pass::translucent : Pass::solid;
 }
 
+TileRun run_of(const Tile& tile, TileForm form) {
+  if (form == TileForm::least && tile.least_count > 0) {
+    return {tile.least_first, tile.least_count};
+  }
+  if (form != TileForm::whole && tile.stand_in_count > 0) {
+    return {tile.stand_in_first, tile.stand_in_count};
+  }
+  return {tile.first, tile.count};
+}
+
+namespace {
+
+/// How large an instance looks, as far as it matters to what is drawn of it.
+enum class SeenAs : std::uint8_t { speck, small, large };
+
+SeenAs seen_as(double area, const Tile& tile) {
+  return area >= kSmallInstance * kSmallInstance             ? SeenAs::large
+         : area < kSpeck * kSpeck && tile.stand_in_count > 0 ? SeenAs::speck
+                                                             : SeenAs::small;
+}
+
+}  // namespace
+
 Visible choose_tiles(const DrawList& list, std::span<const std::span<const Tile>> tiles,
                      const Camera& camera, Size size, std::uint64_t most_triangles) {
   Visible visible;
   const Frustum view = frustum(camera, size);
-  std::map<std::tuple<Pass, bool, std::uint32_t, std::uint32_t, bool>, std::size_t> group_of;
+  std::map<std::tuple<Pass, bool, std::uint32_t, std::uint32_t, SeenAs>, std::size_t> group_of;
   std::vector<double> areas;
   for (std::uint32_t i = 0; i < list.instances.size(); ++i) {
     const Instance& instance = list.instances[i];
@@ -142,18 +201,17 @@ Visible choose_tiles(const DrawList& list, std::span<const std::span<const Tile>
       }
       const double depth = dot(box.center() - view.eye, view.forward);
       const double area = seen_area(camera, size, box, depth);
-      const bool speck = area < kSpeck * kSpeck && mine[t].stand_in_count > 0;
+      const SeenAs seen = seen_as(area, mine[t]);
       const auto [at, fresh] =
-          group_of.try_emplace({pass, edges, instance.mesh, t, speck}, visible.groups.size());
+          group_of.try_emplace({pass, edges, instance.mesh, t, seen}, visible.groups.size());
       if (fresh) {
-        visible.groups.push_back({instance.mesh,
-                                  t,
-                                  pass,
-                                  edges,
-                                  {},
-                                  speck ? mine[t].stand_in_count : mine[t].count,
-                                  speck,
-                                  std::numeric_limits<double>::infinity()});
+        TileGroup& group = visible.groups.emplace_back();
+        group.mesh = instance.mesh;
+        group.tile = t;
+        group.pass = pass;
+        group.edges = edges;
+        group.depth = std::numeric_limits<double>::infinity();
+        set_form(group, mine[t], seen == SeenAs::speck ? TileForm::least : TileForm::whole);
         areas.push_back(0);
       }
       TileGroup& group = visible.groups[at->second];
@@ -166,25 +224,23 @@ Visible choose_tiles(const DrawList& list, std::span<const std::span<const Tile>
   for (std::size_t g = 0; g < visible.groups.size(); ++g) {
     const TileGroup& group = visible.groups[g];
     areas[g] /= static_cast<double>(group.instances.size());
-    seen += std::uint64_t{group.triangles} * group.instances.size();
+    seen += triangles_of(group);
     visible.tiles_drawn += group.instances.size();
   }
   if (seen > most_triangles) {
     const bool is_little =
         static_cast<double>(most_triangles) < kLittle * static_cast<double>(seen);
     if (is_little) {
-      make_coarse(visible, tiles);
-    }
-    share(visible, areas, most_triangles);
-    if (is_little) {
-      make_whole(visible, areas, tiles, most_triangles);
+      make_coarse(visible, areas, tiles, size, most_triangles);
+    } else {
+      share(visible, areas, most_triangles);
     }
   }
   for (const TileGroup& group : visible.groups) {
-    visible.triangles += std::uint64_t{group.triangles} * group.instances.size();
+    visible.triangles += triangles_of(group);
     visible.tiles_drawn -= group.triangles == 0 ? group.instances.size() : 0;
   }
-  visible.triangles_left = seen - visible.triangles;
+  visible.triangles_left = seen - std::min(seen, visible.triangles);
   std::erase_if(visible.groups, [](const TileGroup& group) { return group.triangles == 0; });
   std::sort(visible.groups.begin(), visible.groups.end(),
             [](const TileGroup& a, const TileGroup& b) {
@@ -210,8 +266,8 @@ std::vector<TileGroup> choose_casters(const DrawList& list,
         TileGroup& group = groups[{instance.mesh, t}];
         group.mesh = instance.mesh;
         group.tile = t;
-        group.coarse = mine[t].stand_in_count > 0 && diagonal(mine[t].bounds) < speck;
-        group.triangles = group.coarse ? mine[t].stand_in_count : mine[t].count;
+        set_form(group, mine[t],
+                 diagonal(mine[t].bounds) < speck ? TileForm::stand_in : TileForm::whole);
         group.instances.push_back(i);
       }
     }

@@ -303,19 +303,79 @@ TEST(GlRenderer, SmoothsEdgesWithMoreSamples) {
   EXPECT_GT(between(smooth), 50U);
 }
 
-TEST(GlRenderer, DrawsFewerPixelsOfTheSamePicture) {
+TEST(GlRenderer, DrawsFewerPixelsOfTheSamePictureAndStretchesThem) {
   SOMS_NEEDS_GL(drawing);
   const DrawList list = on_ground(list_of(wall(0, -3, -3, 3, 3)));
   drawing.renderer->draw(list, before_origin(), {200, 100}, {.samples = 1});
   const Picture whole = drawing.renderer->read_pixels();
   drawing.renderer->draw(list, before_origin(), {200, 100}, {.samples = 1, .scale = 0.5});
   const Picture half = drawing.renderer->read_pixels();
-  EXPECT_EQ(half.size, (Size{100, 50}));
+  EXPECT_EQ(half.size, whole.size);
   for (const auto& [x, y] : {std::pair(100, 50), std::pair(10, 10), std::pair(190, 90)}) {
     const Color a = whole.at(x, y);
-    const Color b = half.at(x / 2, y / 2);
+    const Color b = half.at(x, y);
     EXPECT_LE(std::abs(a.r - b.r), 3) << x << ' ' << y;
   }
+}
+
+/// Ink of the key, and a curve, over a scene.
+DrawList with_words() {
+  DrawList list = on_ground(list_of(wall(0, -3, -3, 3, 3)));
+  list.captions.key = {{KeySign::area, {0, 0, 255, 255}, "moves: car"},
+                       {KeySign::area, {0, 160, 0, 255}, "at rest"}};
+  return list;
+}
+
+TEST(GlRenderer, WhatIsWrittenIsAsSharpOverFewPixelsOfTheScene) {
+  SOMS_NEEDS_GL(drawing);
+  const auto words = [&](double scale) {
+    const DrawOptions options{.samples = 1, .scale = scale, .relief = false, .shadows = false};
+    drawing.renderer->draw(with_words(), before_origin(), {400, 240}, options);
+    return drawing.renderer->read_pixels();
+  };
+  const Picture sharp = words(1);
+  const Picture moving = words(0.49);
+  const Color ink = palette::kInk;
+  EXPECT_GT(count_near(sharp, ink, 8), 200U);
+  EXPECT_EQ(count_near(moving, ink, 8), count_near(sharp, ink, 8));
+  EXPECT_EQ(count_near(moving, {0, 0, 255, 255}, 8), count_near(sharp, {0, 0, 255, 255}, 8));
+}
+
+TEST(GlRenderer, StrokesAndWordsGrowWithTheDensityOfTheDisplay) {
+  SOMS_NEEDS_GL(drawing);
+  DrawList list = with_words();
+  list.lines.push_back({.a = {-2, -1, 1}, .b = {2, -1, 1}, .color = {255, 0, 0, 255}, .width = 4});
+  list.points.push_back({.at = {0, -1, 0}, .color = {255, 0, 255, 255}, .diameter = 24});
+  list.captions.covered = 0.25;
+  const auto drawn_at = [&](double density) {
+    const DrawOptions options{.samples = 1, .density = density, .relief = false, .shadows = false};
+    const Size size{static_cast<int>(360 * density), static_cast<int>(240 * density)};
+    drawing.renderer->draw(list, before_origin(), size, options);
+    return drawing.renderer->read_pixels();
+  };
+  const Picture one = drawn_at(1);
+  const Picture two = drawn_at(2);
+  for (const Color color :
+       {palette::kInk, Color{255, 0, 0, 255}, Color{0, 0, 255, 255}, Color{255, 0, 255, 255}}) {
+    const auto small = static_cast<double>(count_near(one, color, 60));
+    ASSERT_GT(small, 40);
+    // Twice as long and as wide; rims of letters are blended.
+    EXPECT_NEAR(static_cast<double>(count_near(two, color, 60)) / small, 4, 1.2)
+        << int{color.r} << ' ' << int{color.g} << ' ' << int{color.b};
+  }
+  const auto leftmost = [](const Picture& picture) {
+    for (int x = 0; x < picture.size.width; ++x) {
+      for (int y = 0; y < picture.size.height; ++y) {
+        const Color c = picture.at(x, y);
+        if (c.b > 200 && c.r < 60 && c.g < 60) {
+          return x;
+        }
+      }
+    }
+    return -1;
+  };
+  EXPECT_GT(leftmost(one), 90) << "beside what covers a quarter";
+  EXPECT_NEAR(leftmost(two), 2 * leftmost(one), 2);
 }
 
 }  // namespace

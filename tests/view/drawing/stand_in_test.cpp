@@ -21,6 +21,11 @@ std::vector<TriangleId> all_of(const Mesh& mesh) {
   return all;
 }
 
+std::vector<StandInTriangle> stand_in(const Mesh& mesh, const std::vector<TriangleId>& triangles,
+                                      const Box& box, std::size_t most) {
+  return StandInMaker(mesh, triangles, box).at_most(most);
+}
+
 using Edge = std::array<std::array<double, 3>, 2>;
 
 /// True if each edge belongs to two triangles at least.
@@ -89,6 +94,41 @@ TEST(StandIn, OfHousesOnAGroundAreBoxesTheLargestFirst) {
   }
 }
 
+TEST(StandIn, OfManyHousesLeavesOutNoneButJoinsNeighbors) {
+  Mesh mesh = test::box_body({0, 0, -1}, {100, 100, 0}, 8);
+  const std::size_t ground = mesh.triangles.size();
+  for (int x = 0; x < 10; ++x) {
+    for (int y = 0; y < 10; ++y) {
+      const double at_x = 10 * x + 3;
+      const double at_y = 10 * y + 3;
+      append(mesh, test::box_body({at_x, at_y, 0}, {at_x + 5, at_y + 5, x == 9 ? 20.0 : 6.0}, 1));
+    }
+  }
+  const auto few = stand_in(mesh, all_of(mesh), {{0, 0, -1}, {100, 100, 20}}, 200);
+  EXPECT_LE(few.size(), 200U);
+  std::vector<Box> boxes;
+  for (std::size_t k = few.size() % 10; k < few.size(); k += 10) {
+    if (few[k].of >= ground) {
+      boxes.push_back(box_of({few.begin() + static_cast<std::ptrdiff_t>(k),
+                              few.begin() + static_cast<std::ptrdiff_t>(k + 10)}));
+    }
+  }
+  ASSERT_GE(boxes.size(), 4U);
+  double footprint = 0;
+  Box all;
+  for (const Box& box : boxes) {
+    footprint += box.extent().x * box.extent().y;
+    all.grow(box);
+  }
+  EXPECT_NEAR(footprint, 100 * 25, 1) << "what was free stays free";
+  EXPECT_LT(all.lower.x, 20);
+  EXPECT_GT(all.upper.x, 80);
+  EXPECT_LT(all.lower.y, 20);
+  EXPECT_GT(all.upper.y, 80);
+  EXPECT_GT(all.upper.z, 6) << "where the high ones are";
+  EXPECT_LE(all.upper.z, 20);
+}
+
 TEST(StandIn, KeepsTheFirstOfEqualTrianglesAndItsColor) {
   Mesh mesh;
   mesh.vertices = {{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {0.01, 0, 0}, {8, 0.01, 0}, {0, 7.99, 0}};
@@ -99,7 +139,7 @@ TEST(StandIn, KeepsTheFirstOfEqualTrianglesAndItsColor) {
 }
 
 TEST(StandIn, OfNothingIsNothing) {
-  EXPECT_TRUE(stand_in({}, {}, {}, 10).empty());
+  EXPECT_TRUE(StandInMaker(Mesh{}, {}, {}).at_most(10).empty());
 }
 
 TEST(StandIn, OfTilesComeBehindAllTrianglesInTheColorsOfTheirOwn) {
@@ -120,9 +160,10 @@ TEST(StandIn, OfTilesComeBehindAllTrianglesInTheColorsOfTheirOwn) {
     EXPECT_EQ(tile.stand_in_first, next);
     EXPECT_GT(tile.stand_in_count, 0U);
     EXPECT_LE(tile.stand_in_count, tile.count / 12);
-    next += tile.stand_in_count;
-    for (std::size_t k = 3 * tile.stand_in_first;
-         k < 3 * std::size_t{tile.stand_in_first + tile.stand_in_count}; ++k) {
+    EXPECT_EQ(tile.least_first, next + tile.stand_in_count);
+    EXPECT_LT(tile.least_count, tile.stand_in_count);
+    next += tile.stand_in_count + tile.least_count;
+    for (std::size_t k = 3 * tile.stand_in_first; k < 3 * std::size_t{next}; ++k) {
       const TileVertex& v = cut.vertices.at(cut.indices.at(k));
       EXPECT_LE(std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}), 1.001F);
       EXPECT_EQ(v.color.g, 7);

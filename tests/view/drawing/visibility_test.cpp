@@ -93,32 +93,83 @@ TEST(ChooseTiles, DrawsStandInsWhereAllIsTooMuchAndTilesThatLookLargeWhole) {
     return choose_tiles(list, tiles, camera, {640, 360}, most);
   };
   const Visible whole = choose(DrawOptions::kAll);
-  std::uint64_t least = 0;
+  std::uint64_t stand_ins = 0;
   for (const TileGroup& group : whole.groups) {
-    EXPECT_FALSE(group.coarse);
-    least += cut.tiles[group.tile].stand_in_count;
+    EXPECT_EQ(group.form, TileForm::whole);
+    stand_ins += cut.tiles[group.tile].stand_in_count;
   }
-  ASSERT_GT(least, 0U);
-  const Visible coarse = choose(least);
+  ASSERT_GT(stand_ins, 0U);
+  const Visible coarse = choose(stand_ins);
   EXPECT_EQ(coarse.groups.size(), whole.groups.size());  // no tile is missing
-  EXPECT_EQ(coarse.triangles, least);
-  EXPECT_EQ(coarse.triangles_left, whole.triangles - least);
+  EXPECT_EQ(coarse.triangles, stand_ins);
+  EXPECT_EQ(coarse.triangles_left, whole.triangles - stand_ins);
   const Visible some = choose(whole.triangles / 3);
   EXPECT_EQ(some.groups.size(), whole.groups.size());
   EXPECT_LE(some.triangles, whole.triangles / 3);
-  EXPECT_FALSE(some.groups.front().coarse);  // from near to far
-  EXPECT_TRUE(some.groups.back().coarse);
+  EXPECT_EQ(some.groups.front().form, TileForm::whole);  // from near to far
+  EXPECT_NE(some.groups.back().form, TileForm::whole);
   for (const TileGroup& group : some.groups) {
-    const Tile& tile = cut.tiles[group.tile];
-    EXPECT_EQ(group.triangles, group.coarse ? tile.stand_in_count : tile.count);
+    EXPECT_EQ(group.triangles, run_of(cut.tiles[group.tile], group.form).count);
   }
-  EXPECT_LE(choose(least / 2).triangles, least / 2);
   for (const TileGroup& group : choose(whole.triangles / 2).groups) {
-    EXPECT_FALSE(group.coarse);  // only small triangles are missing
+    EXPECT_EQ(group.form, TileForm::whole);  // only small triangles are missing
   }
 }
 
-TEST(ChooseTiles, DrawsWhatIsSmallerThanTwoPixelsByItsStandIn) {
+TEST(ChooseTiles, LeavesOutNoTileThatHasACopyHoweverFewTrianglesAreGranted) {
+  const Mesh mesh = test_drawing::blocks(40);
+  const TiledMesh cut = cut_in_tiles(mesh, {}, {.triangles = 8192});
+  const std::vector<std::span<const Tile>> tiles{cut.tiles};
+  const DrawList list = test_drawing::list_of(mesh);
+  const Camera camera{{0, -450, 60}, {0, 0, 0}, {0, 0, 1}, 0.9};
+  const Visible whole = choose_tiles(list, tiles, camera, {640, 360}, DrawOptions::kAll);
+  std::uint64_t least = 0;
+  for (const TileGroup& group : whole.groups) {
+    const Tile& tile = cut.tiles[group.tile];
+    ASSERT_GT(tile.least_count, 0U);
+    EXPECT_LT(tile.least_count, tile.stand_in_count);
+    EXPECT_LE(tile.least_count, 160U);
+    least += tile.least_count;
+  }
+  for (const std::uint64_t most : {std::uint64_t{0}, least / 2, least}) {
+    const Visible few = choose_tiles(list, tiles, camera, {640, 360}, most);
+    EXPECT_EQ(few.groups.size(), whole.groups.size());
+    EXPECT_EQ(few.triangles, least);
+  }
+}
+
+TEST(ChooseTiles, DrawsWhatIsNearWholeThoughFarTilesTakeAllThatIsGranted) {
+  const Mesh mesh = test_drawing::blocks(60);
+  const TiledMesh cut = cut_in_tiles(mesh, {}, {.triangles = 1500});
+  const std::vector<std::span<const Tile>> tiles{cut.tiles};
+  const DrawList list = test_drawing::list_of(mesh);
+  const Camera camera{{0, -590, 20}, {0, 0, 0}, {0, 0, 1}, 0.9};  // in the first row of houses
+  const Visible few = choose_tiles(list, tiles, camera, {640, 360}, 3'200);
+  ASSERT_GT(few.groups.size(), 10U);
+  EXPECT_EQ(few.groups.front().form, TileForm::whole);
+  EXPECT_NE(few.groups.back().form, TileForm::whole);
+}
+
+TEST(ChooseTiles, NearCopiesOfAMeshStayWholeBesideFarOnes) {
+  const Mesh mesh = test_drawing::blocks(10);
+  const TiledMesh cut = cut_in_tiles(mesh, {});
+  ASSERT_EQ(cut.tiles.size(), 1U);
+  const std::vector<std::span<const Tile>> tiles{cut.tiles};
+  DrawList list = test_drawing::list_of(mesh);
+  for (int k = 1; k < 40; ++k) {
+    list.instances.push_back(list.instances[0]);
+    list.instances.back().pose = Pose::translation(300.0 * (k - 20), 8000, 0);
+  }
+  const Camera camera{{0, -450, 60}, {0, 0, 60}, {0, 0, 1}, 0.9};
+  const std::uint64_t one = mesh.triangles.size();
+  const Visible some = choose_tiles(list, tiles, camera, {640, 360}, 8 * one);
+  ASSERT_EQ(some.groups.size(), 2U);
+  EXPECT_EQ(some.groups[0].form, TileForm::whole);
+  EXPECT_EQ(some.groups[0].instances, std::vector<std::uint32_t>{0});
+  EXPECT_NE(some.groups[1].form, TileForm::whole);
+}
+
+TEST(ChooseTiles, DrawsWhatIsSmallerThanTwoPixelsByItsCoarsestCopy) {
   const Mesh mesh = test_drawing::blocks(10);  // some 200 across
   const TiledMesh cut = cut_in_tiles(mesh, {});
   ASSERT_EQ(cut.tiles.size(), 1U);
@@ -130,13 +181,13 @@ TEST(ChooseTiles, DrawsWhatIsSmallerThanTwoPixelsByItsStandIn) {
   const Camera camera{{0, -450, 60}, {0, 0, 60}, {0, 0, 1}, 0.9};
   const Visible all = choose_tiles(list, tiles, camera, {640, 360}, DrawOptions::kAll);
   ASSERT_EQ(all.groups.size(), 2U);  // from near to far
-  EXPECT_FALSE(all.groups[0].coarse);
-  EXPECT_TRUE(all.groups[1].coarse);
-  EXPECT_EQ(all.groups[1].triangles, cut.tiles[0].stand_in_count);
+  EXPECT_EQ(all.groups[0].form, TileForm::whole);
+  EXPECT_EQ(all.groups[1].form, TileForm::least);
+  EXPECT_EQ(all.groups[1].triangles, run_of(cut.tiles[0], TileForm::least).count);
   EXPECT_EQ(all.triangles_left, 0U);
   const auto everywhere = [](const Box&) { return true; };
-  EXPECT_FALSE(choose_casters(list, tiles, everywhere, 1)[0].coarse);
-  EXPECT_TRUE(choose_casters(list, tiles, everywhere, 1000)[0].coarse);
+  EXPECT_EQ(choose_casters(list, tiles, everywhere, 1)[0].form, TileForm::whole);
+  EXPECT_EQ(choose_casters(list, tiles, everywhere, 1000)[0].form, TileForm::stand_in);
 }
 
 TEST(ChooseTiles, DrawsEdgesOfThoseAloneThatShowThem) {

@@ -101,7 +101,7 @@ void GlBoxes::begin(const GlProgram& program, const GlView& view, const BoxGroup
   program.set("nearest", view.nearest);
   program.set("slope", view.slope);
   program.set("half_size", view.half_width, view.half_height);
-  program.set("width", boxes.width);
+  program.set("width", view.point * boxes.width);
   program.set("least_alpha", boxes.style == BoxStyle::both ? 1.0F : 0.0F);
   shadows.light(program, view);
   program.set("flatness", 0.3F);

@@ -5,7 +5,9 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -30,17 +32,20 @@ GlLabels::GlLabels() : program_("label", shader::kLetterVertex, shader::kLetterF
   reading_.floats(3, 1, strokes_, sizeof(StrokeRow), offsetof(StrokeRow, width), 1);
 }
 
-void GlLabels::draw(const DrawList& list, const Camera& camera, Size size,
+void GlLabels::draw(const DrawList& list, const Camera& camera, Size size, double density,
                     DrawStatistics& statistics) {
-  const Overlay overlay = overlay_of(list, camera, size);
-  const auto pixel = [size](PixelPoint p) {  // from the middle, y up
-    return std::array<float, 2>{static_cast<float>(p.x - 0.5 * size.width),
-                                static_cast<float>(0.5 * size.height - p.y)};
+  const auto points = [density](int pixels) {
+    return std::max(1, static_cast<int>(std::lround(pixels / density)));
+  };
+  const Overlay overlay = overlay_of(list, camera, {points(size.width), points(size.height)});
+  const auto pixel = [size, density](PixelPoint p) {  // from the middle, y up
+    return std::array<float, 2>{static_cast<float>(density * p.x - 0.5 * size.width),
+                                static_cast<float>(0.5 * size.height - density * p.y)};
   };
   std::vector<StrokeRow> rows;
   rows.reserve(overlay.strokes.size());
   for (const OverlayStroke& s : overlay.strokes) {
-    rows.push_back({pixel(s.from), pixel(s.to), s.color, static_cast<float>(s.width)});
+    rows.push_back({pixel(s.from), pixel(s.to), s.color, static_cast<float>(density * s.width)});
   }
   if (rows.empty()) {
     return;

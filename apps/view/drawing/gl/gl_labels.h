@@ -13,8 +13,9 @@ class GlLabels {
  public:
   GlLabels();
 
-  /// Draws what `overlay.h` makes, in one draw call.
-  void draw(const DrawList& list, const Camera& camera, Size size, DrawStatistics& statistics);
+  /// Draws what `overlay.h` makes, in one draw call. A point has `density` pixels.
+  void draw(const DrawList& list, const Camera& camera, Size size, double density,
+            DrawStatistics& statistics);
 
  private:
   GlProgram program_;

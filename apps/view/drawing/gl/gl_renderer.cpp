@@ -20,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <span>
+#include <utility>
 
 namespace soms::view {
 
@@ -164,7 +165,6 @@ struct GlRenderer::Parts {
   GlLabels labels;
   DrawStatistics statistics;
   bool drawn = false;
-  Size wanted;  ///< of the picture that was drawn
 };
 
 GlRenderer::GlRenderer() {
@@ -184,7 +184,8 @@ void GlRenderer::draw(const DrawList& list, const Camera& camera, Size size,
   p.target.begin(drawn, options.samples);
   p.surfaces.bring(list, p.slicer, p.statistics);
   p.boxes.bring(list, p.statistics);
-  const GlView view = gl_view(camera, size, list.light, p.depths(list, camera), p.mode);
+  GlView view = gl_view(camera, size, list.light, p.depths(list, camera), p.mode);
+  view.point = static_cast<float>(options.density);
   p.slicer.begin(count_triangles(list), drawn);
   p.set_state();
   p.shadows.draw(list, camera, view, options.shadows, p.surfaces, p.slicer, p.statistics);
@@ -201,12 +202,17 @@ void GlRenderer::draw(const DrawList& list, const Camera& camera, Size size,
   p.surfaces.draw_translucent(view, p.shadows, p.slicer, p.statistics);
   glDisable(GL_DEPTH_TEST);
   p.draw_layer(list, view, true);
-  p.labels.draw(list, camera, size, p.statistics);
+  // What is written stays sharp where the scene is drawn with fewer pixels.
+  p.target.finish(p.slicer, size);
+  p.labels.draw(list, camera, size, options.density, p.statistics);
   p.reset_state();
-  p.target.finish(p.slicer);
+  GlTarget::leave();
   check_device("drawing a frame");
   p.drawn = true;
-  p.wanted = size;
+}
+
+void GlRenderer::take(CutMeshes cut) {
+  parts_->surfaces.take(std::move(cut));
 }
 
 void GlRenderer::watch(const Limits& limits) {
@@ -215,7 +221,7 @@ void GlRenderer::watch(const Limits& limits) {
 
 void GlRenderer::present() {
   if (parts_->drawn) {
-    parts_->target.present(parts_->wanted);
+    parts_->target.present();
   }
 }
 

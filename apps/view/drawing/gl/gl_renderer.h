@@ -4,6 +4,7 @@
 
 #include "soms/base/parallel.h"
 
+#include "apps/view/drawing/cut_meshes.h"
 #include "apps/view/drawing/renderer.h"
 
 #include <memory>
@@ -25,6 +26,9 @@ class GlRenderer final : public Renderer {
 
   void draw(const DrawList& list, const Camera& camera, Size size,
             const DrawOptions& options = {}) override;
+  /// Takes tiles of meshes that will be drawn, which `draw` then need not cut.
+  void take(CutMeshes cut);
+
   /// Draws and reads in parts from here on, between which stop requests are checked and the share
   /// done is reported. \errors Of `draw` and `read_pixels` then: ErrorKind::cancelled.
   void watch(const Limits& limits);

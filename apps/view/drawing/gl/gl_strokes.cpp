@@ -68,8 +68,8 @@ void GlStrokes::draw_lines(const DrawList& list, const GlView& view, bool on_top
   std::vector<LineRow> rows;
   for (const Line& line : list.lines) {
     if (line.on_top == on_top) {
-      rows.push_back({view.relative(line.a), view.relative(line.b), line.color, line.width,
-                      line.rim, line.rim_width});
+      rows.push_back({view.relative(line.a), view.relative(line.b), line.color,
+                      view.point * line.width, line.rim, view.point * line.rim_width});
     }
   }
   if (rows.empty()) {
@@ -88,7 +88,8 @@ void GlStrokes::draw_points(const DrawList& list, const GlView& view, bool on_to
   std::vector<PointRow> rows;
   for (const Point& point : list.points) {
     if (point.on_top == on_top) {
-      rows.push_back({view.relative(point.at), point.color, point.diameter, point.rim});
+      rows.push_back(
+          {view.relative(point.at), point.color, view.point * point.diameter, point.rim});
     }
   }
   if (rows.empty()) {

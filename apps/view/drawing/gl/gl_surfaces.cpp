@@ -39,9 +39,10 @@ GlSurfaces::GlSurfaces() : program_("surface", shader::kSurfaceVertex, shader::k
 }
 
 void GlSurfaces::upload(const DrawMesh& mesh, OnDevice& place, const GlSlicer& slicer) {
-  TiledMesh cut = cut_in_tiles(
-      *mesh.mesh, mesh.colors == nullptr ? std::span<const Color>{} : std::span(*mesh.colors), {},
-      slicer.limits());
+  // Who watches a drawing expects reports of its own thread alone.
+  const Limits quiet{.threads = slicer.limits().threads, .stop = slicer.limits().stop};
+  std::optional<TiledMesh> known = cut_.take(mesh);
+  TiledMesh cut = known ? std::move(*known) : tiles_of(mesh, quiet);
   place.version = mesh.version;
   place.vertices.fill(std::as_bytes(std::span(cut.vertices)));
   place.indices.fill(std::as_bytes(std::span(cut.indices)));
@@ -96,9 +97,8 @@ void GlSurfaces::place(const DrawList& list, const GlView& view,
   calls_.clear();
   for (const TileGroup& group : groups) {
     const Tile& tile = of_list_[group.mesh]->tiles[group.tile];
-    calls_.push_back({of_list_[group.mesh], group.pass, group.edges,
-                      group.coarse ? tile.stand_in_first : tile.first, group.triangles, rows.size(),
-                      group.instances.size()});
+    calls_.push_back({of_list_[group.mesh], group.pass, group.edges, run_of(tile, group.form).first,
+                      group.triangles, rows.size(), group.instances.size()});
     const bool plain = list.meshes[group.mesh].colors == nullptr;
     for (const std::uint32_t i : group.instances) {
       const Instance& instance = list.instances[i];

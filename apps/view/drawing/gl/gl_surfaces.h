@@ -2,6 +2,7 @@
 /// Meshes on the device and the passes that draw their instances. Private to the renderer.
 #pragma once
 
+#include "apps/view/drawing/cut_meshes.h"
 #include "apps/view/drawing/gl/gl_light.h"
 #include "apps/view/drawing/gl/gl_objects.h"
 #include "apps/view/drawing/gl/gl_slicer.h"
@@ -16,6 +17,7 @@
 #include <functional>
 #include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace soms::view {
@@ -25,6 +27,9 @@ class GlShadows;
 class GlSurfaces {
  public:
   GlSurfaces();
+
+  /// Takes tiles of meshes that `bring` will bring.
+  void take(CutMeshes cut) { cut_ = std::move(cut); }
 
   /// Brings new and changed meshes to the device and drops those that the list no longer names.
   /// \errors ErrorKind::out_of_memory; ErrorKind::cancelled.
@@ -85,7 +90,7 @@ class GlSurfaces {
     std::size_t copies;
   };
 
-  static void upload(const DrawMesh& mesh, OnDevice& place, const GlSlicer& slicer);
+  void upload(const DrawMesh& mesh, OnDevice& place, const GlSlicer& slicer);
   [[nodiscard]] std::vector<std::span<const Tile>> tiles() const;
   void place(const DrawList& list, const GlView& view, std::span<const TileGroup> groups);
   void begin(const GlView& view, const GlShadows& shadows, float flatness, float shade,
@@ -93,6 +98,7 @@ class GlSurfaces {
   void issue(const Call& call, GlSlicer& slicer, DrawStatistics& statistics) const;
 
   GlLitProgram program_;
+  CutMeshes cut_;                    ///< still to be brought
   std::array<float, 4> focus_ = {};  ///< of the list: a place relative to the eye, and a radius
   std::map<std::uint64_t, OnDevice> meshes_;
   std::vector<const OnDevice*> of_list_;  ///< of each mesh of the list

@@ -19,6 +19,10 @@ int limit(GLenum what) {
   return value;
 }
 
+std::string in_text(Size size) {
+  return std::to_string(size.width) + "x" + std::to_string(size.height);
+}
+
 unsigned make_store(Size size, int samples, GLenum format) {
   unsigned id = 0;
   glGenRenderbuffers(1, &id);
@@ -43,6 +47,8 @@ unsigned make_frame(unsigned color, unsigned depth) {
 
 GlTarget::~GlTarget() {
   release();
+  glDeleteFramebuffers(1, &wide_frame_);
+  glDeleteRenderbuffers(1, &wide_color_);
 }
 
 void GlTarget::release() {
@@ -68,10 +74,9 @@ void GlTarget::make(Size size, int samples) {
     smooth_frame_ = make_frame(smooth_color_, 0);
     whole = whole && glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
   }
-  check_device("making a picture of " + std::to_string(size.width) + "x" +
-               std::to_string(size.height));
+  const std::string pixels = in_text(size);
+  check_device("making a picture of " + pixels);
   if (!whole) {
-    const std::string pixels = std::to_string(size.width) + "x" + std::to_string(size.height);
     throw Error(ErrorKind::cannot_write,
                 "OpenGL: the driver has no memory for a picture of " + pixels + " with " +
                     std::to_string(samples) + (samples == 1 ? " sample" : " samples") +
@@ -84,10 +89,8 @@ void GlTarget::make(Size size, int samples) {
 void GlTarget::begin(Size size, int samples) {
   const int largest = std::min(limit(GL_MAX_RENDERBUFFER_SIZE), 1 << 15);
   if (size.width < 1 || size.height < 1 || size.width > largest || size.height > largest) {
-    throw Error(
-        ErrorKind::usage,
-        "picture: a size of " + std::to_string(size.width) + "x" + std::to_string(size.height),
-        "give a width and a height from 1 to " + std::to_string(largest));
+    throw Error(ErrorKind::usage, "picture: a size of " + in_text(size),
+                "give a width and a height from 1 to " + std::to_string(largest));
   }
   const int possible = std::clamp(samples, 1, std::max(limit(GL_MAX_SAMPLES), 1));
   if (!(size == size_) || possible != samples_) {
@@ -134,7 +137,23 @@ void GlTarget::resume() const {
   glViewport(0, 0, size_.width, size_.height);
 }
 
-void GlTarget::finish(GlSlicer& slicer) {
+void GlTarget::make_wide(Size size) {
+  if (size == wide_size_) {
+    return;
+  }
+  glDeleteFramebuffers(1, &wide_frame_);
+  glDeleteRenderbuffers(1, &wide_color_);
+  wide_color_ = make_store(size, 1, GL_RGBA8);
+  wide_frame_ = make_frame(wide_color_, 0);
+  check_device("making a picture of " + in_text(size));
+  wide_size_ = size;
+}
+
+unsigned GlTarget::finished_frame() const {
+  return wanted_ != size_ ? wide_frame_ : smooth_frame_ != 0 ? smooth_frame_ : frame_;
+}
+
+void GlTarget::finish(GlSlicer& slicer, Size wanted) {
   if (smooth_frame_ != 0) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, frame_);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, smooth_frame_);
@@ -143,21 +162,35 @@ void GlTarget::finish(GlSlicer& slicer) {
                         GL_NEAREST);
     });
   }
+  wanted_ = wanted;
+  if (wanted != size_) {
+    make_wide(wanted);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, smooth_frame_ != 0 ? smooth_frame_ : frame_);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, wide_frame_);
+    glBlitFramebuffer(0, 0, size_.width, size_.height, 0, 0, wanted.width, wanted.height,
+                      GL_COLOR_BUFFER_BIT, GL_LINEAR);
+  }
+  glBindFramebuffer(GL_FRAMEBUFFER, finished_frame());
+  glViewport(0, 0, wanted.width, wanted.height);
+}
+
+void GlTarget::leave() {
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
 Picture GlTarget::read(GlSlicer& slicer) const {
-  const std::size_t row = std::size_t{4} * static_cast<std::size_t>(size_.width);
-  Picture picture{size_, std::vector<std::uint8_t>(row * static_cast<std::size_t>(size_.height))};
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, smooth_frame_ != 0 ? smooth_frame_ : frame_);
+  const std::size_t row = std::size_t{4} * static_cast<std::size_t>(wanted_.width);
+  Picture picture{wanted_,
+                  std::vector<std::uint8_t>(row * static_cast<std::size_t>(wanted_.height))};
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, finished_frame());
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  slicer.in_bands(size_, [&](int low, int high) {
+  slicer.in_bands(wanted_, [&](int low, int high) {
     // OpenGL's first row is the lowest.
-    auto upper = picture.bytes.begin() + static_cast<std::ptrdiff_t>(row) * (size_.height - high);
+    auto upper = picture.bytes.begin() + static_cast<std::ptrdiff_t>(row) * (wanted_.height - high);
     const auto begin = upper;
     auto lower = begin + static_cast<std::ptrdiff_t>(row) * (high - low);
     const auto end = lower;
-    glReadPixels(0, low, size_.width, high - low, GL_RGBA, GL_UNSIGNED_BYTE, &*begin);
+    glReadPixels(0, low, wanted_.width, high - low, GL_RGBA, GL_UNSIGNED_BYTE, &*begin);
     for (; lower - upper > static_cast<std::ptrdiff_t>(row);
          upper += static_cast<std::ptrdiff_t>(row)) {
       lower -= static_cast<std::ptrdiff_t>(row);
@@ -172,12 +205,12 @@ Picture GlTarget::read(GlSlicer& slicer) const {
   return picture;
 }
 
-void GlTarget::present(Size size) const {
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, smooth_frame_ != 0 ? smooth_frame_ : frame_);
+void GlTarget::present() const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, finished_frame());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-  glBlitFramebuffer(0, 0, size_.width, size_.height, 0, 0, size.width, size.height,
-                    GL_COLOR_BUFFER_BIT, size == size_ ? GL_NEAREST : GL_LINEAR);
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glBlitFramebuffer(0, 0, wanted_.width, wanted_.height, 0, 0, wanted_.width, wanted_.height,
+                    GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  leave();
 }
 
 }  // namespace soms::view

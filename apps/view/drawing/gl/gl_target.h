@@ -28,18 +28,26 @@ class GlTarget {
   /// Makes the target current again after others were drawn into.
   void resume() const;
 
-  /// Averages the samples.
-  void finish(GlSlicer& slicer);
+  /// Averages the samples, and stretches the picture to `wanted` pixels. What is drawn next lies
+  /// upon that, until `leave`.
+  void finish(GlSlicer& slicer, Size wanted);
+
+  /// Makes the frame buffer of the window current.
+  static void leave();
 
   /// \pre After `finish`.
   [[nodiscard]] Picture read(GlSlicer& slicer) const;
 
-  /// Copies to the frame buffer of the window, stretched to `size` pixels. \pre After `finish`.
-  void present(Size size) const;
+  /// Copies to the frame buffer of the window. \pre After `finish`.
+  void present() const;
 
  private:
   void release();
   void make(Size size, int samples);
+  void make_wide(Size size);
+
+  /// What holds the finished picture.
+  [[nodiscard]] unsigned finished_frame() const;
 
   Size size_{0, 0};
   int samples_ = 0;
@@ -48,6 +56,10 @@ class GlTarget {
   unsigned depth_ = 0;
   unsigned smooth_frame_ = 0;  ///< averaged; 0 with one sample
   unsigned smooth_color_ = 0;
+  unsigned wide_frame_ = 0;  ///< stretched; made when it is first needed
+  unsigned wide_color_ = 0;
+  Size wide_size_{0, 0};
+  Size wanted_{0, 0};         ///< of the finished picture
   unsigned depth_frame_ = 0;  ///< one depth a pixel, made when it is first requested
   unsigned depth_texture_ = 0;
 };

@@ -30,6 +30,7 @@ struct GlView {
   float half_width = 0;           ///< of the picture, in pixels
   float half_height = 0;          ///< of the picture, in pixels
   float slope = 0;                ///< width of a pixel at distance 1
+  float point = 1;                ///< pixels of a point, in which widths of strokes are given
   float lift = 1;                 ///< factor that brings overlays nearer than their surfaces
   std::array<float, 3> toward{};  ///< unit vector to the light
   std::array<float, 3> above{};   ///< the world's up
