@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 namespace soms::view {
@@ -42,6 +44,23 @@ Box touching_box(BodyRef body, const std::vector<Touch>& touches, PartBoxes& par
   Box box;
   for (const Touch& touch : touches) {
     box.grow(part_boxes(body, touch.a == body ? touch.i : touch.j));
+  }
+  return box;
+}
+
+/// Bounds of the movers that touch, and of the parts of the city; not of those that reach far, such
+/// as the ground.
+Box whole_box(const ViewScene& scene, const Box& around, const std::vector<Touch>& touches,
+              PartBoxes& part_boxes) {
+  constexpr double kFar = 5;  // in extents of what is looked at
+  Box box;
+  for (const Touch& touch : touches) {
+    for (const auto& [body, i] : {std::pair(touch.a, touch.i), std::pair(touch.b, touch.j)}) {
+      const Box own = body.role == Role::mover ? scene.bounds(body) : part_boxes(body, i);
+      if (body.role == Role::mover || diagonal(own) <= kFar * diagonal(around)) {
+        box.grow(own);
+      }
+    }
   }
   return box;
 }
@@ -104,6 +123,45 @@ double front_of(const Box& box, const Camera& camera) {
          std::abs(forward.y) * half.y - std::abs(forward.z) * half.z;
 }
 
+/// Height of what the city has below the middle of a box; nothing where there is none.
+std::optional<double> ground_below(const Box& box, const ViewScene& scene) {
+  constexpr int kMostMovers = 8;  // on the way down
+  Vec3 from = box.center();
+  for (int k = 0; k < kMostMovers; ++k) {
+    const Ray down{from, {0, 0, -1}};
+    const SurfaceHit hit = scene.first_hits({&down, 1}).front();
+    if (!hit.body) {
+      break;
+    }
+    if (hit.body->role == Role::city) {
+      return hit.point.z;
+    }
+    from.z = hit.point.z - 1e-6 * diagonal(box);
+  }
+  return std::nullopt;
+}
+
+/// Distance from the eye, forward, at which the picture begins to show the ground below an aim;
+/// infinity where it does not.
+double ground_from(const Aim& aim, const std::optional<double>& height, const Camera& camera) {
+  constexpr double kRise = 0.5;  // of the ground toward the eye, in heights of the aim
+  if (!height) {
+    return std::numeric_limits<double>::infinity();
+  }
+  const CameraFrame axes = frame(camera);
+  const double slope = axes.forward.z - std::tan(camera.field_of_view / 2) * axes.up.z;
+  const double ground = *height + kRise * aim.around.extent().z;
+  return slope < 0 ? std::max(0.0, (ground - camera.eye.z) / slope)
+                   : std::numeric_limits<double>::infinity();
+}
+
+/// How far from the eye a cut may be: before the bodies that touch, and before all of the ground.
+double deepest_cut(const Aim& aim, const std::optional<double>& ground, const Camera& camera) {
+  const Box& whole = aim.whole.empty() ? aim.around : aim.whole;
+  return std::max(0.0, std::min({front_of(aim.around, camera), front_of(whole, camera),
+                                 ground_from(aim, ground, camera)}));
+}
+
 /// A camera on the subject's surroundings, from the side from which most of what matters is seen;
 /// of sides that are about alike the first. With `cut` what lies before the surroundings is left
 /// out.
@@ -114,9 +172,10 @@ Aimed aimed(const ViewScene& scene, const Aim& aim, const Sides& sides, const Fi
   const Vec3 half = aim.around.extent() * kAimSurroundings;
   const Vec3 center = aim.around.center();
   const Box wide = common_box({center - half, center + half}, scene_bounds(scene));
+  const std::optional<double> ground = cut ? ground_below(aim.around, scene) : std::nullopt;
   const auto from = [&](double bearing, double elevation) {
     Camera camera = fit(wide, toward_eye(bearing, elevation));
-    camera.cut = cut ? std::max(0.0, front_of(aim.around, camera)) : 0.0;
+    camera.cut = cut ? deepest_cut(aim, ground, camera) : 0.0;
     return Aimed{camera, seen_share(aim, camera, scene)};
   };
   Aimed best = from(sides.bearing, sides.elevation);
@@ -162,7 +221,9 @@ std::pair<Aimed, Box> best_of(const ViewScene& scene, std::span<const Aim> aims,
 
 Aim aim_at_touches(const ViewScene& scene, BodyRef body, const std::vector<Touch>& touches,
                    PartBoxes& part_boxes) {
-  return {places_of(touches, scene), touching_box(body, touches, part_boxes), body};
+  Aim aim{places_of(touches, scene), touching_box(body, touches, part_boxes), body};
+  aim.whole = whole_box(scene, aim.around, touches, part_boxes);
+  return aim;
 }
 
 AimedCamera aimed_camera(const ViewScene& scene, std::span<const Aim> aims, const Sides& sides,

@@ -22,6 +22,7 @@ struct Aim {
   Box around;
   BodyRef body;
   bool is_middle = false;  ///< the one point is the body's own middle
+  Box whole = {};          ///< of the bodies that touch: nothing of it is cut away
 };
 
 /// A body where it touches others: places on the curves of the contacts, and the parts of the body
