@@ -17,6 +17,13 @@ constexpr double kRoomForPixels = 0.4;          ///< of the goal: twice the pixe
 
 }  // namespace
 
+void Detail::begin(std::uint64_t triangles) {
+  if (triangles > kFirstGuess) {
+    slow_ = true;
+    granted_ = kFirstGuess;
+  }
+}
+
 void Detail::add(double ms, std::uint64_t triangles, const DrawOptions& options) {
   if (options.samples > 1) {
     slow_ = ms > kGoalMs;
@@ -24,7 +31,8 @@ void Detail::add(double ms, std::uint64_t triangles, const DrawOptions& options)
   }
   if (options.scale < 1 && ms < kRoomForPixels * kGoalMs) {
     scale_ = options.scale < kLessScale ? kLessScale : 1;
-  } else if (ms > (1 + kSlack) * kGoalMs && triangles <= kLeast) {
+  } else if (ms > (1 + kSlack) * kGoalMs &&
+             (triangles <= kLeast || options.most_triangles <= kLeast)) {
     scale_ = std::max(options.scale * kLessScale, kLeastScale);
   } else if (std::abs(ms / kGoalMs - 1) > kSlack && (ms > kGoalMs || options.scale == 1)) {
     const double factor = std::clamp(kGoalMs / std::max(ms, 1e-3), kMostCut, kMostGrowth);

@@ -25,6 +25,10 @@ class Detail {
   static constexpr std::uint64_t kLeast = 20'000;
   static constexpr double kLeastScale = 0.49;
 
+  /// Before any frame: so many triangles may be too many for this device, so the first picture of
+  /// more than a few is coarse.
+  void begin(std::uint64_t triangles);
+
   /// A frame with these options drew so many triangles in so long.
   void add(double ms, std::uint64_t triangles, const DrawOptions& options);
 

@@ -73,6 +73,16 @@ void FileList::up() {
   choose(row == rows_.end() ? 0 : static_cast<std::size_t>(row - rows_.begin()));
 }
 
+std::optional<fs::path> FileList::go_to(const std::string& text) {
+  const fs::path path = folder_ / text;
+  std::error_code unknown;
+  if (fs::is_regular_file(path, unknown)) {
+    return path;
+  }
+  enter(path);
+  return std::nullopt;
+}
+
 std::optional<fs::path> FileList::open() {
   if (rows_.empty()) {
     return std::nullopt;

@@ -46,6 +46,10 @@ class FileList {
   /// To the folder that this one is in.
   void up();
 
+  /// Enters the folder of a path, which begins at this one unless it is whole, or gives its file.
+  /// Where there is neither, `fault` says so.
+  [[nodiscard]] std::optional<std::filesystem::path> go_to(const std::string& text);
+
   /// Enters the folder chosen, or gives the file chosen.
   [[nodiscard]] std::optional<std::filesystem::path> open();
 

@@ -12,6 +12,7 @@ set(SOMS_VIEW_HEADERS
   imgui_input.h
   input_event.h
   keys.h
+  opening_panel.h
   panel_text.h
   panels.h
   playback.h
@@ -33,6 +34,7 @@ set(SOMS_VIEW_SOURCES
   gizmo.cpp
   help.cpp
   keys.cpp
+  opening_panel.cpp
   panel_lists.cpp
   panel_text.cpp
   panel_trees.cpp
@@ -41,6 +43,7 @@ set(SOMS_VIEW_SOURCES
   preset.cpp
   row_filter.cpp
   session.cpp
+  session_camera.cpp
   session_lists.cpp
   style.cpp
   view_state.cpp

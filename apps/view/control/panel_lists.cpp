@@ -70,7 +70,7 @@ void Panels::files(ViewState& state) {
   ImGui::SetNextWindowBgAlpha(1);
   bool open = true;
   if (ImGui::Begin("Open a model", &open, kFixed)) {
-    ImGui::TextUnformatted(files.folder().string().c_str());
+    open = !path_field(state) && open;
     ImGui::BeginChild("rows", ImVec2(0, -2.2F * line), true);
     for (std::size_t i = 0; i < files.rows().size(); ++i) {
       const bool chosen = i == files.chosen();
@@ -101,6 +101,24 @@ void Panels::files(ViewState& state) {
   if (!open) {
     state.files.reset();
   }
+}
+
+/// Shows the folder, and takes the path of another or of a model; true if it is to be opened.
+bool Panels::path_field(ViewState& state) {
+  FileList& files = *state.files;
+  if (path_of_ != files.folder()) {
+    path_of_ = files.folder();
+    typed_path_ = path_of_.string();
+  }
+  if (!widgets_.enter("##path", "path of a folder or a model", typed_path_)) {
+    return false;
+  }
+  const auto file = files.go_to(typed_path_);
+  path_of_.clear();  // the field shows where that led
+  if (file) {
+    state.requests.open.push_back(file->string());
+  }
+  return file.has_value();
 }
 
 void Panels::begin_right(const char* name, float height) {
@@ -200,13 +218,16 @@ void Panels::learn(Session& session) {
   if (facts->tests > 0) {
     draw_bars(facts->a);
     draw_bars(facts->b);
-    legend(facts->a.now, "now");
+    legend(facts->a.now, "now, upper tree");
     ImGui::SameLine();
-    legend(facts->b.now, "now");
+    legend(facts->b.now, "now, lower tree");
+    const char* between = nullptr;
     for (const auto& [what, words] :
          {std::pair(TreeBars::Look::visited, "entered"), std::pair(TreeBars::Look::found, "found"),
           std::pair(TreeBars::Look::pruned, "pruned")}) {
-      ImGui::SameLine();
+      if (std::exchange(between, words) != nullptr) {
+        ImGui::SameLine();
+      }
       legend(color_of(facts->a, what), words);
     }
   }

@@ -126,10 +126,15 @@ std::string words_of(const ContactEvent& event) {
          ", in frame " + command::with_commas(event.most_frame);
 }
 
+bool awaits_event(const ViewState& state) {
+  return state.requests.event_step != 0 || state.requests.event;
+}
+
 std::string event_line(const ViewState& state, const EventList& list) {
   const auto count = [](std::uint64_t n) { return command::with_commas(n); };
-  if (state.requests.event_step != 0) {
-    return count(list.searched) + " of " + count(list.frames) + " frames searched";
+  if (awaits_event(state)) {
+    return count(list.searched) + " of " + count(list.frames) + " frames searched" +
+           (state.requests.event ? "; this contact still goes on" : "");
   }
   if (!state.at_event || !state.event || *state.event >= list.rows.size()) {
     return {};

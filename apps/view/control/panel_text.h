@@ -29,6 +29,9 @@ namespace soms::view {
 /// An event in two lines: who touches whom, and when and how much.
 [[nodiscard]] std::string words_of(const ContactEvent& event);
 
+/// True while an event was wished for that is not yet found, or not yet over.
+[[nodiscard]] bool awaits_event(const ViewState& state);
+
 /// What a window without panels says of events: how far the search for the next is, or the event
 /// that is looked at; else nothing.
 [[nodiscard]] std::string event_line(const ViewState& state, const EventList& list);

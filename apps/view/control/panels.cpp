@@ -25,7 +25,7 @@ void row(const char* label, const std::string& value) {
   ImGui::TableNextColumn();
   const float free = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(value.c_str()).x;
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(free, 0.0F));
-  ImGui::TextUnformatted(value.c_str());
+  ImGui::TextWrapped("%s", value.c_str());
 }
 
 bool begin_rows(const char* name) {
@@ -55,7 +55,9 @@ void Panels::draw(Session& session, const FrameTimes& times, const FrameRates& r
   widgets_.begin_frame();
   const ViewState& state = session.state();
   const float line = state.panels ? ImGui::GetFontSize() : 0;
-  session.set_covered({kSidebar * line, state.events || state.learn ? kRightColumn * line : 0});
+  const double right = kRightColumn * line;
+  const bool is_right_open = state.events || state.learn || session.picked();
+  session.set_covered({kSidebar * line, is_right_open ? right : 0}, right);
   axis_letters(session);
   if (state.panels) {
     menu_bar(session);
@@ -312,7 +314,8 @@ std::string Panels::message(const Session& session) {
   if (!session.message().empty()) {
     return session.message();
   }
-  return state.panels ? session.facts().note : event_line(state, session.events());
+  return state.panels && !awaits_event(state) ? session.facts().note
+                                              : event_line(state, session.events());
 }
 
 void Panels::message_line(const Session& session) {

@@ -10,6 +10,7 @@
 #include "apps/view/drawing/renderer.h"
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -55,6 +56,7 @@ class Panels {
   void begin_right(const char* name, float height);
   void end_right();
   void files(ViewState& state);
+  [[nodiscard]] bool path_field(ViewState& state);
   void events(Session& session);
   void event_rows(Session& session);
   void learn(Session& session);
@@ -64,7 +66,9 @@ class Panels {
   static constexpr float kRightColumn = 26;  ///< width in heights of a line of text
 
   Widgets widgets_;
-  std::size_t shown_file_ = 0;  ///< that was scrolled to
+  std::size_t shown_file_ = 0;     ///< that was scrolled to
+  std::filesystem::path path_of_;  ///< the folder that the field of the path began with
+  std::string typed_path_;
   std::optional<std::size_t> shown_event_;
   std::string wanted_;  ///< words of events to be listed
   RowFilter listed_;

@@ -15,14 +15,14 @@ namespace soms::view {
 
 namespace {
 
-constexpr double kTremble = 4;         ///< pixels within which a press is a click
+constexpr double kTremble = 4;         ///< points within which a press is a click
 constexpr double kDoubleClick = 0.35;  ///< seconds
-constexpr double kHandleSlack = 7;     ///< pixels
-constexpr double kGizmoPixels = 40;    ///< length of an arrow
+constexpr double kHandleSlack = 7;     ///< points
+constexpr double kGizmoPoints = 40;    ///< length of an arrow
+constexpr double kMessagePoints = 30;  ///< height of the line of messages
 constexpr double kStepOfObject = 0.1;  ///< keyboard step in sizes of the object
 constexpr double kTurnOfObject = std::numbers::pi / 36;
 constexpr double kLongestTick = 0.25;  ///< a longer one was a rest: nothing leaps after it
-constexpr double kFollowDistance = 3;  ///< times what would fill the picture
 
 double apart(PixelPoint a, PixelPoint b) {
   return std::hypot(a.x - b.x, a.y - b.y);
@@ -48,8 +48,10 @@ CameraDrag kind_of(const MouseDown& event) {
   return CameraDrag::turn;
 }
 
-Box usable(const Box& box) {
-  return box.empty() ? Box{{-1, -1, -1}, {1, 1, 1}} : box;
+/// True of what a user does on purpose.
+bool is_act(const InputEvent& event) {
+  return std::holds_alternative<KeyDown>(event) || std::holds_alternative<MouseDown>(event) ||
+         std::holds_alternative<Wheel>(event) || std::holds_alternative<FileDropped>(event);
 }
 
 }  // namespace
@@ -62,30 +64,16 @@ Session::Session(Subject& subject, Size window) : subject_(subject), window_(win
   frame_again();
 }
 
-void Session::frame_again() {
-  if (camera_ == first_) {
-    const Box& box = facts_.framed.empty() ? facts_.bounds : facts_.framed;
-    camera_ = first_ =
-        seen_from(usable(box), Side::corner, window_, camera_.field_of_view, covered_);
-  }
-}
-
-Camera Session::seen_whole(Side side) const {
-  return seen_from(usable(facts_.bounds), side, window_, camera_.field_of_view, covered_);
-}
-
-Camera Session::fit(const Box& box) const {
-  return fitted_beside(box, camera_.eye - camera_.target, window_, covered_, camera_.field_of_view);
-}
-
-void Session::set_covered(const Covered& covered) {
+void Session::set_covered(const Covered& covered, double right_of_picked) {
+  right_of_picked_ = right_of_picked;
   if (covered != covered_) {
     covered_ = covered;
     frame_again();
   }
 }
 
-void Session::resize(Size window) {
+void Session::resize(Size window, double point) {
+  point_ = point;
   if (window != window_) {
     window_ = window;
     frame_again();
@@ -109,6 +97,7 @@ void Session::handle(const Captured& captured) {
   events.swap(events_);
   std::optional<PixelPoint> moved;
   for (const InputEvent& event : events) {
+    awaits_first_ = awaits_first_ && !is_act(event);
     // Only the last of several moves counts: each would ask for all contacts again.
     if (const auto* const move = std::get_if<MouseMove>(&event)) {
       moved = move->at;
@@ -122,7 +111,7 @@ void Session::handle(const Captured& captured) {
         [&](const auto& e) {
           using Event = std::decay_t<decltype(e)>;
           if constexpr (std::is_same_v<Event, KeyDown>) {
-            if (state_.files && e.press.key < Key::f1) {
+            if (state_.files && e.press.key < Key::f1 && !captured.keys) {
               take_in_files(e.press);
             } else if (!captured.keys) {
               take(e);
@@ -205,8 +194,8 @@ void Session::take(const MouseDown& event) {
       drag_.emplace(*gizmo(), *handle, *facts_.object, ray_through(camera_, window_, event.at));
       return;
     }
-    const bool twice =
-        click_ && event.time - click_time_ <= kDoubleClick && apart(*click_, event.at) <= kTremble;
+    const bool twice = click_ && event.time - click_time_ <= kDoubleClick &&
+                       apart(*click_, event.at) <= kTremble * point_;
     click_ = twice ? std::nullopt : std::optional(event.at);
     click_time_ = event.time;
     if (twice) {
@@ -252,7 +241,7 @@ void Session::drag_to(PixelPoint at) {
   if (!press_) {
     return;
   }
-  if (!press_->dragging && apart(at, press_->from) <= kTremble) {
+  if (!press_->dragging && apart(at, press_->from) <= kTremble * point_) {
     return;
   }
   press_->dragging = true;
@@ -273,6 +262,7 @@ std::optional<PickedFacts> Session::seen_at(PixelPoint at) {
 
 void Session::pick(PixelPoint at) {
   picked_ = seen_at(at);
+  picked_at_ = {facts_.frame, facts_.object};
   state_.selected = picked_.has_value();
   state_.at_event = false;
   if (picked_) {
@@ -298,6 +288,7 @@ void Session::tick(double seconds) {
   tell_choice();
   run(passed);
   refresh();
+  renew_picked();
   follow(before);
   do_camera_requests();
   if (fly_.any() && state_.camera == CameraMode::fly) {
@@ -387,57 +378,6 @@ void Session::do_requests() {
   }
 }
 
-void Session::do_camera_requests() {
-  Requests& wishes = state_.requests;
-  if (wishes.fit_all) {
-    wishes.fit_all = false;
-    go(seen_whole(Side::corner));
-  }
-  if (wishes.look_from) {
-    go(seen_whole(*wishes.look_from));
-    wishes.look_from.reset();
-  }
-  if (wishes.fit_gap) {
-    wishes.fit_gap = false;
-    if (facts_.gap && !facts_.gap->surroundings.empty()) {
-      go(fit(facts_.gap->surroundings));
-    } else {
-      message_ = "there is no gap: it is not shown, not known, or the object touches something";
-    }
-  }
-  if (wishes.fit_object) {
-    wishes.fit_object = false;
-    const Box box = picked_ ? picked_->bounds : facts_.object_bounds;
-    if (!box.empty()) {
-      go(dollied(fit(box), kFollowDistance));
-    }
-  }
-}
-
-void Session::start_following() {
-  const Pose& pose = *facts_.followed;
-  const Vec3 back{-pose.m[0], -pose.m[4], 0.5};
-  const Camera near =
-      fitted_beside(usable(facts_.followed_bounds), back, window_, covered_, camera_.field_of_view);
-  camera_ = dollied(near, kFollowDistance);
-  flight_.reset();
-}
-
-void Session::follow(const std::optional<Pose>& before) {
-  const bool begins = state_.camera == CameraMode::follow &&
-                      (mode_before_ != CameraMode::follow || followed_before_ != state_.followed);
-  mode_before_ = state_.camera;
-  followed_before_ = state_.followed;
-  if (state_.camera != CameraMode::follow || !facts_.followed) {
-    return;
-  }
-  if (begins) {
-    start_following();
-  } else if (before && *before != *facts_.followed) {
-    camera_ = followed(camera_, *before, *facts_.followed);
-  }
-}
-
 void Session::move_object(const ObjectMove& move) {
   if (!facts_.object || drag_) {
     return;
@@ -461,7 +401,7 @@ std::optional<Gizmo> Session::gizmo() const {
   if (!state_.shown.gizmo || !facts_.object || facts_.object_bounds.empty()) {
     return std::nullopt;
   }
-  return gizmo_at(camera_, window_, facts_.object_bounds.center(), kGizmoPixels);
+  return gizmo_at(camera_, window_, facts_.object_bounds.center(), kGizmoPoints * point_);
 }
 
 std::optional<Handle> Session::handle_in_use() const {
@@ -472,12 +412,14 @@ std::optional<Handle> Session::handle_in_use() const {
   if (!handles || !cursor_ || press_) {
     return std::nullopt;
   }
-  return handle_at(*handles, camera_, window_, *cursor_, kHandleSlack);
+  return handle_at(*handles, camera_, window_, *cursor_, kHandleSlack * point_);
 }
 
 const DrawList& Session::picture() {
   (void)bare_picture();
-  list_.captions.covered = covered_.left;
+  list_.captions.covered = covered_.left / std::max(window_.width, 1);
+  list_.captions.covered_right = covered_.right / std::max(window_.width, 1);
+  list_.captions.covered_below = kMessagePoints * point_ / std::max(window_.height, 1);
   if (const auto handles = gizmo()) {
     draw(*handles, handle_in_use(), list_);
   }
@@ -498,7 +440,7 @@ const DrawList& Session::bare_picture() {
   }
   list_.lines.resize(scene_lines_);
   list_.marks.resize(scene_marks_);
-  list_.captions.covered = 0;
+  list_.captions.covered = list_.captions.covered_right = list_.captions.covered_below = 0;
   return list_;
 }
 

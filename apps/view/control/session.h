@@ -37,10 +37,18 @@ class Session {
   /// Looks at all of the subject. The subject must outlive the session.
   Session(Subject& subject, Size window);
 
-  void resize(Size window);
+  /// `point` is how many units of the window, those of the cursor, a point has on its display.
+  void resize(Size window, double point = 1);
 
-  /// Panels cover parts of the window: the camera fits things beside them.
-  void set_covered(const Covered& covered);
+  /// Panels cover parts of the window: the camera fits things beside them. What is picked gets a
+  /// panel at the right, which covers so much.
+  void set_covered(const Covered& covered, double right_of_picked = 0);
+
+  [[nodiscard]] const Covered& covered() const { return covered_; }
+
+  /// From here on the first event that is found is gone to once, unless the user does anything
+  /// before.
+  void await_first_event() { awaits_first_ = true; }
 
   /// Keeps an event for `handle`.
   void push(InputEvent event) { events_.push_back(std::move(event)); }
@@ -124,7 +132,10 @@ class Session {
   void do_requests();
   void do_camera_requests();
   void do_event_requests();
-  void go_to_event(std::size_t row);
+  void go_to_event(std::size_t row, bool with_panel);
+  void go_to_first_event();
+  void step_events();
+  void renew_picked();
   void open_files(const std::vector<std::string>& paths);
   [[nodiscard]] bool searching() const;
   [[nodiscard]] bool changing() const;
@@ -153,12 +164,16 @@ class Session {
 
   Subject& subject_;
   Size window_;
+  double point_ = 1;
   Covered covered_;
+  double right_of_picked_ = 0;
   Camera first_;  ///< that the viewer chose: it follows the window until the user moves it
   ViewState state_;
   Camera camera_;
   Facts facts_;
   std::optional<PickedFacts> picked_;
+  std::pair<std::uint64_t, std::optional<Pose>> picked_at_;  ///< frame and object then
+  bool awaits_first_ = false;  ///< the first event is still to be shown
   std::string message_;
   std::vector<InputEvent> events_;
   std::optional<Press> press_;

@@ -163,6 +163,9 @@ class Subject {
   /// Draws what the last `pick` gave brighter. A mover becomes the object that is moved by hand.
   virtual void select() = 0;
 
+  /// What is drawn brighter, as of now; nothing once it is a contact no more.
+  [[nodiscard]] virtual std::optional<PickedFacts> selection() const = 0;
+
   /// Draws nothing brighter any more.
   virtual void deselect() = 0;
 

@@ -129,13 +129,23 @@ Widgets::RowPress Widgets::row(const std::string& text, std::size_t number, bool
 }
 
 bool Widgets::write(const char* label, const char* hint, std::string& value) {
-  std::array<char, 128> text{};
+  return input(label, hint, value, false);
+}
+
+bool Widgets::enter(const char* label, const char* hint, std::string& value) {
+  return input(label, hint, value, true);
+}
+
+bool Widgets::input(const char* label, const char* hint, std::string& value, bool until_enter) {
+  std::array<char, 1024> text{};
   value.copy(text.data(), text.size() - 1);
   ImGui::SetNextItemWidth(-1);
-  const bool changed = ImGui::InputTextWithHint(label, hint, text.data(), text.size());
+  const bool done = ImGui::InputTextWithHint(
+      label, hint, text.data(), text.size(),
+      until_enter ? ImGuiInputTextFlags_EnterReturnsTrue : ImGuiInputTextFlags_None);
   note(label, std::nullopt);
   value = text.data();
-  return changed;
+  return done;
 }
 
 bool Widgets::heading(const char* label, bool open) {

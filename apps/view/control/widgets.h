@@ -66,10 +66,15 @@ class Widgets {
   /// A field to write in, with a hint while it is empty. True when it changed.
   bool write(const char* label, const char* hint, std::string& value);
 
+  /// The same. True when Enter was pressed in it.
+  bool enter(const char* label, const char* hint, std::string& value);
+
   /// Where widgets stood in this frame, in order.
   [[nodiscard]] const std::vector<WidgetPlace>& places() const { return places_; }
 
  private:
+  bool input(const char* label, const char* hint, std::string& value, bool until_enter);
+
   void note(const char* label, std::optional<Action> action);
 
   std::vector<WidgetPlace> places_;

@@ -357,19 +357,20 @@ class Drawing {
       if (!is_drawn(*gap)) {
         add_gap(list_, {.point_a = near.point_a,
                         .point_b = near.point_b,
-                        .length = length_in_text(*gap),
+                        .length = options_.in_meters ? meters_in_text(*gap) : length_in_text(*gap),
                         .color = options_.colors.gap});
       }
     }
   }
 
-  /// Its triangles' outlines: painted whole, one as large as a wall would cover all.
+  /// Its triangles' outlines, in another color than the contact: a wall's reach far off. Painted
+  /// whole, it would cover all.
   void add_chosen(const Touch& touch) {
     for (const auto& [body, i] : {std::pair(touch.a, touch.i), std::pair(touch.b, touch.j)}) {
       const Triangle t = scene_.triangle(body, i);
       for (const auto& [from, to] :
            {std::pair(t.a, t.b), std::pair(t.b, t.c), std::pair(t.c, t.a)}) {
-        list_.lines.push_back({from, to, options_.colors.contact, 2, true, palette::kPaper, 1});
+        list_.lines.push_back({from, to, palette::kInk, 1, true, palette::kPaper, 1});
       }
     }
     add_crossing(touch, true, false, true);

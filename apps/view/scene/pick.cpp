@@ -91,31 +91,36 @@ std::vector<SurfaceHit> ViewScene::first_hits(std::span<const Ray> rays, bool wi
   return hits;
 }
 
+Picked ViewScene::picked(BodyRef at, TriangleId i) const {
+  Picked it;
+  it.body = at;
+  it.triangle = i;
+  const MeshView& mesh = body(at).shape.mesh();
+  it.face = mesh.faces.empty() ? i : mesh.faces[i];
+  it.part = part_of(mesh, i);
+  it.part_name = it.part == Part::kNoParent ? std::string() : mesh.parts[it.part].name;
+  it.vertices = mesh.triangles[i];
+  for (std::uint32_t& vertex : it.vertices) {
+    vertex = numbers().vertex(at, vertex);
+  }
+  it.corners = triangle(at, i);
+  it.point = soms::bounds(it.corners).center();
+  for (const Touch& touch : contacts()) {
+    if ((touch.a == at && touch.i == i) || (touch.b == at && touch.j == i)) {
+      it.touches.push_back(touch);
+    }
+  }
+  return it;
+}
+
 std::optional<Picked> ViewScene::pick(const Ray& ray, bool with_movers) const {
   const SurfaceHit hit = first_hits({&ray, 1}, with_movers).front();
   if (!hit.body) {
     return std::nullopt;
   }
-  std::optional<Picked> best(std::in_place);
-  best->body = *hit.body;
-  best->triangle = hit.triangle;
+  std::optional<Picked> best(picked(*hit.body, hit.triangle));
   best->point = hit.point;
   best->distance = hit.t;
-  const MeshView& mesh = body(best->body).shape.mesh();
-  best->face = mesh.faces.empty() ? best->triangle : mesh.faces[best->triangle];
-  best->part = part_of(mesh, best->triangle);
-  best->part_name = best->part == Part::kNoParent ? std::string() : mesh.parts[best->part].name;
-  best->vertices = mesh.triangles[best->triangle];
-  for (std::uint32_t& vertex : best->vertices) {
-    vertex = numbers().vertex(best->body, vertex);
-  }
-  best->corners = triangle(best->body, best->triangle);
-  for (const Touch& touch : contacts()) {
-    if ((touch.a == best->body && touch.i == best->triangle) ||
-        (touch.b == best->body && touch.j == best->triangle)) {
-      best->touches.push_back(touch);
-    }
-  }
   best->explanation = describe(*this, *best);
   return best;
 }

@@ -111,6 +111,7 @@ struct ViewOptions {
   FrameGapMarks frame_gaps;
   bool gap =
       true;  ///< nearest points of the pair, if its bodies share none: a line with its length
+  bool in_meters = false;              ///< units are meters: the length of the gap says so
   bool ground = true;                  ///< a plain ground below everything
   bool key = true;                     ///< what the colors mean
   std::optional<BodyRef> highlighted;  ///< drawn brighter

@@ -197,6 +197,9 @@ class ViewScene {
                                                    bool with_movers = true,
                                                    const Limits& limits = {}) const;
 
+  /// A triangle with facts for people, as of now: its middle, and no distance.
+  [[nodiscard]] Picked picked(BodyRef at, TriangleId i) const;
+
   /// The first triangle that a ray meets, with facts for people. \errors As `first_hits`.
   [[nodiscard]] std::optional<Picked> pick(const Ray& ray, bool with_movers = true) const;
 

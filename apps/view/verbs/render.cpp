@@ -362,11 +362,8 @@ bool stands_still(const RenderOptions& options, const ViewScene& scene) {
 
 /// Meters of the scene's unit; 0 where nobody said it.
 double meters_of(const RenderOptions& options, const ViewScene& scene) {
-  if (options.world.cities.empty() || options.world.city_model.scale_is_given ||
-      scene.replaying()) {
-    return 1;
-  }
-  return scene.city_parts() == 0 ? 0 : scene.body(city_part(0)).shape.mesh().unit;
+  return meters_of_unit(options.world, scene.replaying(),
+                        scene.city_parts() == 0 ? 0 : scene.body(city_part(0)).shape.mesh().unit);
 }
 
 /// What is drawn, and from where.

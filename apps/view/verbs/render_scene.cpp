@@ -85,4 +85,9 @@ SceneContent load_tested(command::WorldOptions options, const std::string& pose,
   return placed(std::move(options), "0 0 0", console);
 }
 
+double meters_of_unit(const command::WorldOptions& options, bool is_recording, double declared) {
+  const bool is_meter = options.cities.empty() || options.city_model.scale_is_given || is_recording;
+  return is_meter ? 1 : declared;
+}
+
 }  // namespace soms::view

@@ -35,4 +35,9 @@ void add_test(command::Parser& parser, std::string& test, const std::string& tex
 [[nodiscard]] SceneContent load_tested(command::WorldOptions options, const std::string& pose,
                                        command::Console& console);
 
+/// Meters a unit of a scene: of the embedded city, a recording and a scale that was given it is
+/// one; else what the city's first model declares. 0: not known.
+[[nodiscard]] double meters_of_unit(const command::WorldOptions& options, bool is_recording,
+                                    double declared);
+
 }  // namespace soms::view

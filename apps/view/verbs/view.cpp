@@ -11,6 +11,7 @@
 #include "apps/view/verbs/tree_options.h"
 #include "apps/view/window/app_window.h"
 #include "apps/view/window/scene_subject.h"
+#include "apps/world/world.h"
 
 #include <fmt/format.h>
 
@@ -139,6 +140,15 @@ std::optional<StartedTest> started_test(const ViewVerbOptions& options) {
                      options.frame.value_or(plays ? 0 : fullest_frame(options.test))};
 }
 
+/// What is done before there is a scene.
+std::string reading_in_words(const command::WorldOptions& world) {
+  if (world.cities.empty()) {
+    return "making the embedded city";
+  }
+  return "reading " + command::short_name(world.cities.front()) +
+         (world.cities.size() + world.movers.size() > 1 ? " and other models" : "");
+}
+
 }  // namespace
 
 int run_view(const ViewVerbOptions& options, command::Console& console) {
@@ -152,13 +162,21 @@ int run_view(const ViewVerbOptions& options, command::Console& console) {
   AppWindow::require_display();
   command::WorldOptions world = options.world;
   world.guess_up = true;
-  SceneContent content = options.test.empty()
-                             ? load_content(std::move(world), options.pose, console)
-                             : load_tested(std::move(world), options.pose, console);
-  SceneSubject subject(std::move(content), console.limits().without_deadline());
-  subject.set_gap_patience(kGapPatience);
-  subject.set_step_patience(kStepPatience);
-  run_viewer(subject, viewer, console.limits().stop);
+  const SubjectMaker make = [&](const Say& say) {
+    say(reading_in_words(world), kNoShare);
+    SceneContent content = options.test.empty() ? load_content(world, options.pose, console)
+                                                : load_tested(world, options.pose, console);
+    const double meters =
+        meters_of_unit(world, content.recording != nullptr,
+                       content.city.empty() ? 0 : content.city.front().shape.mesh().unit);
+    auto subject =
+        std::make_unique<SceneSubject>(std::move(content), console.limits().without_deadline());
+    subject->set_gap_patience(kGapPatience);
+    subject->set_step_patience(kStepPatience);
+    subject->set_meters(meters);
+    return subject;
+  };
+  run_viewer(make, viewer, console.limits().stop);
   if (console.interrupted()) {
     throw Error(ErrorKind::cancelled, "interrupted", "");
   }

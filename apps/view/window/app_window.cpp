@@ -69,20 +69,23 @@ GLFWwindow* open_window(const std::string& title, Size size) {
   return window;
 }
 
-/// Pixels of a point of text: above 1 on dense displays whose windows are measured in pixels.
-double text_scale(GLFWwindow* window) {
-  float x = 1;
-  float y = 1;
-  glfwGetWindowContentScale(window, &x, &y);
+/// Pixels of a unit of the cursor.
+double pixels_of_unit(GLFWwindow* window) {
   int width = 0;
   int height = 0;
   int pixel_width = 0;
   int pixel_height = 0;
   glfwGetWindowSize(window, &width, &height);
   glfwGetFramebufferSize(window, &pixel_width, &pixel_height);
-  const double density =
-      width > 0 && pixel_width > 0 ? static_cast<double>(pixel_width) / width : 1;
-  return std::max(1.0, static_cast<double>(std::max(x, y)) / density);
+  return width > 0 && pixel_width > 0 ? static_cast<double>(pixel_width) / width : 1;
+}
+
+/// Units of the cursor that a point of text has.
+double units_of_point(GLFWwindow* window) {
+  float x = 1;
+  float y = 1;
+  glfwGetWindowContentScale(window, &x, &y);
+  return std::max(1.0, static_cast<double>(std::max(x, y)) / pixels_of_unit(window));
 }
 
 }  // namespace
@@ -199,7 +202,7 @@ AppWindow::AppWindow(const std::string& title, Size size)
   glfwSwapInterval(1);
   state_->listen();
   ImGui::CreateContext();
-  set_style(text_scale(state_->window));
+  set_style(point());
   ImGui_ImplGlfw_InitForOpenGL(state_->window, false);
   ImGui_ImplOpenGL3_Init("#version 330 core");
 }
@@ -260,6 +263,20 @@ Size AppWindow::pixels() const {
   return size;
 }
 
+double AppWindow::point() const {
+  return units_of_point(state_->window);
+}
+
+double AppWindow::density() const {
+  return point() * pixels_of_unit(state_->window);
+}
+
+void AppWindow::clear() {
+  const ImVec4& color = ImGui::GetStyle().Colors[ImGuiCol_WindowBg];
+  glClearColor(color.x, color.y, color.z, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+}
+
 void AppWindow::begin_panels() {
   state_->in_frame = true;
   ImGui_ImplOpenGL3_NewFrame();
@@ -302,6 +319,10 @@ void AppWindow::finish() {
 
 void AppWindow::show() {
   glfwSwapBuffers(state_->window);
+}
+
+void AppWindow::hide() {
+  glfwHideWindow(state_->window);
 }
 
 void AppWindow::set_title(const std::string& title) {

@@ -50,6 +50,16 @@ class AppWindow {
   /// Size in pixels; 0 x 0 while it is an icon.
   [[nodiscard]] Size pixels() const;
 
+  /// Units of the cursor and the panels that a point of text has: above 1 on dense displays whose
+  /// windows are measured in pixels.
+  [[nodiscard]] double point() const;
+
+  /// Pixels of a point.
+  [[nodiscard]] double density() const;
+
+  /// Fills the frame buffer with the color of the panels.
+  void clear();
+
   /// Begins a frame of the panels.
   void begin_panels();
 
@@ -64,6 +74,9 @@ class AppWindow {
 
   /// Shows the frame.
   void show();
+
+  /// Takes the window off the screen.
+  void hide();
 
   void set_title(const std::string& title);
 

@@ -5,6 +5,7 @@ set(SOMS_VIEW_HEADERS
   glfw_input.h
   glfw_keys.h
   imgui_backends.h
+  opening.h
   scene_subject.h
   viewer.h
 )
@@ -12,6 +13,7 @@ set(SOMS_VIEW_SOURCES
   app_window.cpp
   display_loss.cpp
   glfw_keys.cpp
+  opening.cpp
   scene_subject.cpp
   subject_events.cpp
   subject_lesson.cpp

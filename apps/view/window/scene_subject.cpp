@@ -274,6 +274,10 @@ void SceneSubject::add_costs(Facts& facts) const {
   }
 }
 
+std::string SceneSubject::gap_in_text(const Gap& gap) const {
+  return meters_ == 1 ? meters_in_text(gap) : length_in_text(gap);
+}
+
 std::optional<GapFacts> SceneSubject::gap_facts() const {
   const std::optional<Gap>& gap = scene_.gap();
   if (!gap) {
@@ -285,15 +289,17 @@ std::optional<GapFacts> SceneSubject::gap_facts() const {
   const Distance& near = gap->distance;
   if (!gap->known()) {
     return GapFacts{.length = {},
-                    .numbers = {{"Gap", fmt::format("at most {:.6g}", near.distance.upper)}},
+                    .numbers = {{"Gap", fmt::format("at most {:.6g}{}", near.distance.upper,
+                                                    meters_ == 1 ? " m" : "")}},
                     .surroundings = {}};
   }
-  return GapFacts{.length = length_in_text(*gap),
-                  .numbers = {{"Gap", fmt::format("{:.6g}", near.distance.lower)},
-                              {"from triangle", side(gap->a, near.triangles->a)},
-                              {"to triangle", side(gap->b, near.triangles->b)}},
-                  .surroundings = surroundings(*gap, scene_.bounds(gap->a), scene_.bounds(gap->b),
-                                               scene_.bounds())};
+  return GapFacts{
+      .length = gap_in_text(*gap),
+      .numbers = {{"Gap", fmt::format("{:.6g}{}", near.distance.lower, meters_ == 1 ? " m" : "")},
+                  {"from triangle", side(gap->a, near.triangles->a)},
+                  {"to triangle", side(gap->b, near.triangles->b)}},
+      .surroundings =
+          surroundings(*gap, scene_.bounds(gap->a), scene_.bounds(gap->b), scene_.bounds())};
 }
 
 void SceneSubject::advance(int count) {
@@ -378,8 +384,10 @@ PickedFacts SceneSubject::triangle_facts(const Picked& picked) const {
   facts.numbers.emplace_back("vertices", fmt::format("{}, {}, {}", picked.vertices[0],
                                                      picked.vertices[1], picked.vertices[2]));
   add_corners(picked.corners, facts);
-  facts.numbers.emplace_back("point", in_words(picked.point));
-  facts.numbers.emplace_back("distance", fmt::format("{:.6g}", picked.distance));
+  if (picked.distance > 0) {
+    facts.numbers.emplace_back("point", in_words(picked.point));
+    facts.numbers.emplace_back("distance", fmt::format("{:.6g}", picked.distance));
+  }
   facts.numbers.emplace_back("touches", std::to_string(picked.touches.size()));
   facts.why = reasons(scene_, picked);
   facts.point = picked.point;
@@ -423,6 +431,17 @@ void SceneSubject::select() {
   }
 }
 
+std::optional<PickedFacts> SceneSubject::selection() const {
+  if (!selected_) {
+    return std::nullopt;
+  }
+  if (selected_->touch) {
+    return touching(selected_->touch) ? std::optional(contact_facts(*selected_->touch))
+                                      : std::nullopt;
+  }
+  return triangle_facts(scene_.picked(selected_->body, selected_->triangle));
+}
+
 void SceneSubject::deselect() {
   selected_.reset();
   focus_.reset();
@@ -455,6 +474,7 @@ bool SceneSubject::touching(const std::optional<Touch>& touch) const {
 
 DrawList SceneSubject::draw_list(const ViewState& state) {
   ViewOptions options = options_of(state);
+  options.in_meters = meters_ == 1;
   if (state.shown.tree_boxes) {
     if (const auto body = tree_body(state.tree_of)) {
       options.level = LevelBoxes{*body, state.level};
@@ -482,6 +502,8 @@ DrawList SceneSubject::draw_list(const ViewState& state) {
       list.lines.push_back({from, to, palette::kBlack, 3, true});
     }
   }
+  list.captions.meters = meters_;
+  list.captions.north = meters_ > 0;
   prepare_lesson(state);
   add_lesson(list);
   changed();

@@ -30,6 +30,9 @@ class SceneSubject final : public Subject {
   /// As `ViewScene::set_gap_patience`.
   void set_gap_patience(GapStore::Patience patience);
 
+  /// Meters of a unit, for the scale and the length of the gap; 0: not known.
+  void set_meters(double meters) { meters_ = meters; }
+
   /// As `StepCounter::set_patience`.
   void set_step_patience(std::chrono::steady_clock::duration patience);
 
@@ -42,6 +45,7 @@ class SceneSubject final : public Subject {
   void object_home() override;
   [[nodiscard]] std::optional<PickedFacts> pick(const Ray& ray) override;
   void select() override;
+  [[nodiscard]] std::optional<PickedFacts> selection() const override;
   void deselect() override;
 
   [[nodiscard]] const EventList& events() const override { return events_; }
@@ -60,6 +64,7 @@ class SceneSubject final : public Subject {
   };
 
   [[nodiscard]] PickedFacts triangle_facts(const Picked& picked) const;
+  [[nodiscard]] std::string gap_in_text(const Gap& gap) const;
   [[nodiscard]] PickedFacts contact_facts(const Touch& touch) const;
   [[nodiscard]] std::optional<GapFacts> gap_facts() const;
   void add_costs(Facts& facts) const;
@@ -106,6 +111,7 @@ class SceneSubject final : public Subject {
   std::optional<Box> focus_;              ///< of an event, while its contact is selected
   std::map<std::uint32_t, Pose> home_;    ///< where movers were that the hand moved
   std::vector<std::uint32_t> at_moment_;  ///< movers that stand between two frames, at a passage
+  double meters_ = 0;                     ///< of a unit
   mutable StepCounter counter_;           ///< of named traversals
   mutable std::optional<SceneStatistics> statistics_;  ///< counts whole trees: kept till a change
 };

@@ -14,8 +14,10 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <memory>
 #include <stop_token>
 #include <utility>
+#include <vector>
 
 namespace soms::view {
 
@@ -42,6 +44,8 @@ struct Drawn {
   std::uint64_t most_triangles = 0;
   int samples = 0;
   double scale = 1;
+  double density = 1;
+  Covered covered;  ///< words stand beside it
 
   [[nodiscard]] bool operator==(const Drawn&) const = default;
 };
@@ -53,6 +57,19 @@ struct Shot {
   int frames = kEcho;   ///< still to draw before
 };
 
+/// \errors ErrorKind::cannot_write where a picture is wanted and the window was closed before it.
+void check_picture(const ViewerOptions& options, std::uint64_t played) {
+  if (options.screenshot.empty()) {
+    return;
+  }
+  throw Error(ErrorKind::cannot_write,
+              options.screenshot + ": the window was closed before its picture was finished" +
+                  (options.frames ? ", " + std::to_string(played) + " of " +
+                                        std::to_string(*options.frames) + " frames had run"
+                                  : std::string()),
+              options.frames ? "leave it open, or give fewer --frames" : "leave it open");
+}
+
 /// The first free name of a picture in the present folder.
 std::filesystem::path free_name() {
   for (int i = 1;; ++i) {
@@ -63,20 +80,71 @@ std::filesystem::path free_name() {
   }
 }
 
+/// What is shown, as the options begin.
+std::unique_ptr<Session> begun(Subject& subject, Size size, const ViewerOptions& options) {
+  auto session = std::make_unique<Session>(subject, size);
+  ViewState& state = session->state();
+  state.panels = options.panels;
+  begin_with(state, options.build, options.traversal);
+  if (options.boxes) {
+    show_traversed(state);
+  }
+  if (options.test) {
+    session->start_test(options.test->row, options.test->frame);
+  }
+  const bool moves = session->facts().limits.moves;
+  state.paused = !(options.run || options.frames) || !moves;
+  if (moves && state.paused && !options.test && options.screenshot.empty()) {
+    session->await_first_event();
+  }
+  return session;
+}
+
+/// The window, and what it shows.
+struct Opened {
+  Opened(const SubjectMaker& make, const ViewerOptions& options, const std::stop_token& stop)
+      : window("soms view", options.size) {
+    const Size size = window.size();
+    CutMeshes cut;
+    const auto work = [&](const Say& say) {
+      subject = make(say);
+      say("building trees and finding contacts", kNoShare);
+      session = begun(*subject, size, options);
+      const auto share = [&](double done) { say("cutting the picture in blocks", done); };
+      share(0);
+      Limits limits;
+      limits.progress = share;
+      limits.stop = stop;
+      cut.cut(session->bare_picture(), limits);
+    };
+    // The device compiles its shaders while models are read.
+    const auto meanwhile = [this] { renderer = std::make_unique<GlRenderer>(); };
+    ready = work_behind(window, work, meanwhile, events, stop);
+    if (ready) {
+      renderer->take(std::move(cut));
+    }
+  }
+
+  AppWindow window;
+  std::unique_ptr<Subject> subject;
+  std::unique_ptr<Session> session;
+  std::unique_ptr<GlRenderer> renderer;
+  std::vector<InputEvent> events;  ///< that came meanwhile
+  bool ready = false;              ///< else the window was closed
+};
+
 class Loop {
  public:
-  Loop(Subject& subject, const ViewerOptions& options)
-      : options_(options), window_("soms view", options.size), session_(subject, window_.size()) {
-    session_.state().panels = options.panels;
-    begin_with(session_.state(), options.build, options.traversal);
-    if (options.boxes) {
-      show_traversed(session_.state());
+  Loop(Opened& opened, const ViewerOptions& options)
+      : options_(options),
+        window_(opened.window),
+        renderer_(*opened.renderer),
+        session_(*opened.session) {
+    for (InputEvent& event : opened.events) {
+      session_.push(std::move(event));
     }
-    if (options.test) {
-      session_.start_test(options.test->row, options.test->frame);
-    }
-    session_.state().paused = !(options.run || options.frames) || !session_.facts().limits.moves;
     window_.set_title("soms view: " + session_.facts().name);
+    detail_.begin(session_.facts().triangles);
     lay_out_panels();
   }
 
@@ -93,13 +161,8 @@ class Loop {
         due_ = 0;  // an icon, or nothing to draw
       }
     }
-    if (!options_.screenshot.empty() && !finished_ && !stop.stop_requested()) {
-      throw Error(ErrorKind::cannot_write,
-                  options_.screenshot + ": the window was closed before its picture was finished" +
-                      (options_.frames ? ", " + std::to_string(played_) + " of " +
-                                             std::to_string(*options_.frames) + " frames had run"
-                                       : std::string()),
-                  options_.frames ? "leave it open, or give fewer --frames" : "leave it open");
+    if (!finished_ && !stop.stop_requested()) {
+      check_picture(options_, played_);
     }
   }
 
@@ -157,7 +220,7 @@ class Loop {
   void frame(Size pixels) {
     const Clock::time_point begin = Clock::now();
     const double passed = seconds_between(std::exchange(last_, begin), begin);
-    session_.resize(window_.size());
+    session_.resize(window_.size(), window_.point());
     window_.begin_panels();
     session_.handle(captured());
     session_.tick(scripted() ? (playing() ? kFrame : 0) : passed);
@@ -194,8 +257,9 @@ class Loop {
   bool draw_with(Care care, const DrawList& list, Size pixels) {
     const DrawOptions options = as_cut(detail_.options(care, session_.facts().triangles));
     const Drawn now{
-        session_.version(),     session_.camera(), pixels,       session_.handle_in_use(),
-        options.most_triangles, options.samples,   options.scale};
+        session_.version(),     session_.camera(), pixels,        session_.handle_in_use(),
+        options.most_triangles, options.samples,   options.scale, options.density,
+        session_.covered()};
     care_ = options.samples > 1 ? Care::full : care;
     if (now == drawn_) {
       return true;
@@ -247,8 +311,9 @@ class Loop {
     return true;
   }
 
-  /// What is cut away would still cast its shadow.
+  /// On this display. What is cut away would still cast its shadow.
   [[nodiscard]] DrawOptions as_cut(DrawOptions options) const {
+    options.density = window_.density();
     options.shadows = options.shadows && session_.camera().cut == 0;
     return options;
   }
@@ -303,17 +368,17 @@ class Loop {
   }
 
   ViewerOptions options_;
-  AppWindow window_;
-  GlRenderer renderer_;
-  Session session_;
+  AppWindow& window_;
+  GlRenderer& renderer_;
+  Session& session_;
   Panels panels_;
   FrameTimes times_;
   FrameRates rates_;
   Detail detail_;
   Drawn drawn_;
   Clock::time_point last_ = Clock::now();
-  Clock::time_point moved_ = Clock::now() - std::chrono::hours(1);
-  Care care_ = Care::full;  ///< of the last picture
+  Clock::time_point moved_ = Clock::now();  ///< the first picture is needed at once
+  Care care_ = Care::moving;                ///< of the last picture
   int due_ = kEcho;
   std::optional<Shot> shot_;
   std::uint64_t played_ = 0;  ///< of `ViewerOptions::frames`
@@ -322,8 +387,14 @@ class Loop {
 
 }  // namespace
 
-void run_viewer(Subject& subject, const ViewerOptions& options, const std::stop_token& stop) {
-  Loop(subject, options).run(stop);
+void run_viewer(const SubjectMaker& make, const ViewerOptions& options,
+                const std::stop_token& stop) {
+  Opened opened(make, options, stop);
+  if (opened.ready) {
+    Loop(opened, options).run(stop);
+  } else if (!stop.stop_requested()) {
+    check_picture(options, 0);
+  }
 }
 
 }  // namespace soms::view

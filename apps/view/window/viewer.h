@@ -5,9 +5,12 @@
 #include "apps/view/control/session.h"
 #include "apps/view/control/subject.h"
 #include "apps/view/drawing/camera.h"
+#include "apps/view/window/opening.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -35,10 +38,14 @@ struct ViewerOptions {
   std::optional<std::uint64_t> frames;  ///< runs as many, each a sixtieth of a second, then ends
 };
 
-/// Shows the subject until the window is closed, the user quits, or a stop is requested. Draws only
-/// when something changed or runs, and at most about 60 times a second. \errors As `AppWindow`,
-/// `GlRenderer` and `write_png`; ErrorKind::cannot_write where the window is closed before the
-/// frame of `screenshot`.
-void run_viewer(Subject& subject, const ViewerOptions& options, const std::stop_token& stop);
+/// Makes what is shown, in a thread of its own, and says meanwhile what it does.
+using SubjectMaker = std::function<std::unique_ptr<Subject>(const Say& say)>;
+
+/// Opens a window, which shows how far `make` has come, and then the subject, until the window is
+/// closed, the user quits, or a stop is requested. Draws only when something changed or runs, and
+/// at most about 60 times a second. \errors As `make`, `AppWindow`, `GlRenderer` and `write_png`;
+/// ErrorKind::cannot_write where the window is closed before the frame of `screenshot`.
+void run_viewer(const SubjectMaker& make, const ViewerOptions& options,
+                const std::stop_token& stop);
 
 }  // namespace soms::view

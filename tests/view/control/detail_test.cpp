@@ -133,5 +133,27 @@ TEST(Detail, ComesBackWhenTheDeviceIsFreeAgain) {
   EXPECT_EQ(options.samples, DrawOptions{}.samples);
 }
 
+TEST(Detail, BeginsCoarseWhereThereIsMuchToDraw) {
+  Detail detail;
+  detail.begin(2'000'000);
+  const DrawOptions first = detail.options(Care::moving, 2'000'000);
+  EXPECT_LT(first.most_triangles, 200'000U);
+  EXPECT_EQ(first.samples, 1);
+  EXPECT_EQ(detail.next(Care::moving), Care::whole);
+  Detail little;
+  little.begin(20'000);
+  EXPECT_EQ(little.options(Care::moving, 20'000).most_triangles, DrawOptions::kAll);
+}
+
+TEST(Detail, GivesUpPixelsWhereNoFewerTrianglesCanBeDrawn) {
+  Detail detail;
+  detail.begin(2'000'000);
+  for (int i = 0; i < 60; ++i) {  // copies of all tiles are more than is granted
+    const DrawOptions options = detail.options(Care::moving, 2'000'000);
+    detail.add(100 * options.scale, 33'000, options);
+  }
+  EXPECT_LT(detail.options(Care::moving, 2'000'000).scale, 0.6);
+}
+
 }  // namespace
 }  // namespace soms::view

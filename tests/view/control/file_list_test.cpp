@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
+#include <optional>
 
 namespace soms::view {
 namespace {
@@ -92,6 +94,21 @@ TEST_F(FileListTest, NamesCannotSpeakToATerminal) {
   list.jump('E');
   EXPECT_EQ(list.rows()[list.chosen()].text, "e?[2Jvil.ply");
   EXPECT_EQ(list.open()->filename(), "e\x1b[2Jvil.ply");
+}
+
+TEST(FileList, GoesToAPathThatIsWrittenOut) {
+  const soms::test::TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "inner");
+  std::ofstream(folder.path() / "inner" / "a.ply") << "x";
+  FileList list(folder.path());
+  EXPECT_EQ(list.go_to("inner"), std::nullopt);
+  EXPECT_EQ(list.folder().filename(), "inner");
+  ASSERT_EQ(list.rows().size(), 1U);
+  const auto file = list.go_to((folder.path() / "inner" / "a.ply").string());
+  ASSERT_TRUE(file);
+  EXPECT_EQ(file->filename(), "a.ply");
+  EXPECT_EQ(list.go_to("nowhere"), std::nullopt);
+  EXPECT_FALSE(list.fault().empty());
 }
 
 }  // namespace

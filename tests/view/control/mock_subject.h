@@ -105,6 +105,15 @@ class MockSubject final : public Subject {
 
   void select() override { selected = last_pick; }
 
+  [[nodiscard]] std::optional<PickedFacts> selection() const override {
+    if (frame > touch_until) {
+      return std::nullopt;
+    }
+    PickedFacts facts;
+    facts.title = "in frame " + std::to_string(frame);
+    return facts;
+  }
+
   void deselect() override { selected.clear(); }
 
   [[nodiscard]] const EventList& events() const override { return found; }
@@ -112,7 +121,7 @@ class MockSubject final : public Subject {
   void search_events() override {
     ++searches;
     found.searched = std::min(found.searched + 10, found.frames);
-    if (found.searched == found.frames) {
+    if (found.searched == found.frames || rows_at_once) {
       found.rows = rows;
     }
   }
@@ -155,6 +164,7 @@ class MockSubject final : public Subject {
   EventList found{{}, 0, 0, 20};
   std::vector<ContactEvent> rows{{"car (mover 1) touches house", 3, 9, 12, 5},
                                  {"person (mover 2) touches tree", 7, 7, 1, 7}};
+  bool rows_at_once = false;  ///< else when all is searched
   int searches = 0;
   std::uint64_t learn_tests = 12;
   std::optional<GapFacts> gap;
@@ -167,6 +177,7 @@ class MockSubject final : public Subject {
   int lists = 0;
   bool refuse_to_draw = false;
   bool refuse_to_pick = false;
+  std::uint64_t touch_until = 1'000'000;  ///< the last frame in which what is selected is there
   std::string last_pick;
   std::string selected;
   std::vector<std::string> opened;

@@ -1,9 +1,13 @@
 // Panels that are lists: events, the tests of a traversal.
 #include "apps/view/control/action.h"
+#include "apps/view/control/opening_panel.h"
 #include "apps/view/control/panel_text.h"
+#include "tests/support/support.h"
 #include "tests/view/control/panels_fixture.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <string>
 
 namespace soms::view {
@@ -113,6 +117,43 @@ TEST_F(PanelsTest, TestsOfATraversalHaveAPanel) {
   subject_.learn_tests = 0;
   settle();
   EXPECT_EQ(find("Next test"), nullptr);
+}
+
+TEST_F(PanelsTest, TheListOfFilesTakesAPath) {
+  const soms::test::TemporaryFolder folder;
+  std::ofstream(folder.path() / "a.ply") << "x";
+  state().files.emplace(std::filesystem::temp_directory_path());
+  settle();
+  click("##path", 0.9);
+  ImGuiIO& io = ImGui::GetIO();
+  io.KeyMap[ImGuiKey_Enter] = 2;
+  io.KeyMap[ImGuiKey_A] = 3;
+  io.KeysDown[3] = io.KeyCtrl = true;  // all of the field
+  frame();
+  io.KeysDown[3] = io.KeyCtrl = false;
+  io.AddInputCharactersUTF8((folder.path() / "a.ply").string().c_str());
+  frame();
+  EXPECT_TRUE(state().files) << "letters are the field's";
+  io.KeysDown[2] = true;
+  frame();
+  io.KeysDown[2] = false;
+  settle();
+  EXPECT_FALSE(state().files);
+  ASSERT_EQ(subject_.opened.size(), 1U);
+  EXPECT_EQ(std::filesystem::path(subject_.opened[0]).filename(), "a.ply");
+}
+
+TEST_F(PanelsTest, BeforeThereIsASceneALineSaysWhatIsDone) {
+  const auto drawn = [](const std::string& doing, double share) {
+    ImGui::NewFrame();
+    draw_opening(doing, share);
+    ImGui::Render();
+    return ImGui::GetDrawData()->TotalVtxCount;
+  };
+  (void)drawn("reading town.ply", -1);
+  const int line = drawn("reading town.ply", -1);
+  EXPECT_GT(line, 4 * 14);  // each letter is a rectangle
+  EXPECT_GT(drawn("reading town.ply", 0.5), line) << "a bar, where a share is known";
 }
 
 }  // namespace

@@ -104,6 +104,88 @@ TEST_F(SessionListsTest, TheNextEventIsGoneToOnceItIsFound) {
   EXPECT_EQ(session_.message(), "this is the first event");
 }
 
+TEST_F(SessionListsTest, AnEventThatStillGoesOnIsAwaited) {
+  subject_.rows_at_once = true;
+  subject_.found.frames = 100;
+  press(Action::event_next);  // ten frames are searched, and the event ends in frame 9 or later
+  EXPECT_EQ(session_.state().event, std::nullopt);
+  EXPECT_EQ(session_.state().requests.event, 0U);
+  EXPECT_TRUE(session_.animating());
+  EXPECT_EQ(subject_.frame, 0U);
+  frame();
+  EXPECT_EQ(session_.state().event, 0U);
+  EXPECT_EQ(subject_.frame, subject_.rows[0].most_frame);
+  EXPECT_EQ(subject_.searches, 2) << "the rest is not needed";
+  session_.state().requests.event = 7;  // no such row
+  frame();
+  EXPECT_EQ(session_.state().requests.event, std::nullopt);
+}
+
+TEST_F(SessionListsTest, TheFirstEventIsShownOnceToWhoDoesNothing) {
+  const Camera before = session_.camera();
+  session_.await_first_event();
+  EXPECT_TRUE(session_.animating());
+  rest();
+  EXPECT_EQ(session_.state().event, 0U);
+  EXPECT_EQ(subject_.frame, subject_.rows[0].most_frame);
+  EXPECT_NE(session_.camera(), before);
+  EXPECT_FALSE(session_.picked()) << "no panel covers the picture";
+  EXPECT_EQ(session_.message().rfind("frame 5: car (mover 1) touches house", 0), 0U)
+      << session_.message();
+  session_.state().requests.seek = 0;
+  rest();
+  EXPECT_EQ(subject_.frame, 0U) << "once only";
+}
+
+TEST_F(SessionListsTest, WhoDoesAnythingIsNotTakenToTheFirstEvent) {
+  for (const InputEvent& act :
+       {InputEvent{KeyDown{{key_of('E')}}}, InputEvent{Wheel{1, {9, 9}}},
+        InputEvent{MouseDown{MouseButton::left, {9, 9}, false, false, 0}}}) {
+    MockSubject subject;
+    Session session(subject, kListWindow);
+    session.await_first_event();
+    session.push(MouseMove{{5, 5}});
+    session.push(act);
+    for (int i = 0; i < 5; ++i) {
+      session.handle({});
+      session.tick(1.0 / 60);
+    }
+    EXPECT_EQ(session.state().event, std::nullopt);
+    EXPECT_EQ(subject.searches, 0);
+  }
+  session_.state().paused = false;
+  session_.await_first_event();
+  rest();
+  EXPECT_EQ(session_.state().event, std::nullopt) << "it runs";
+}
+
+TEST_F(SessionListsTest, WhatIsKnownOfAContactChangesWithTimeAndEndsWithIt) {
+  press(Action::event_next);
+  rest();
+  ASSERT_TRUE(session_.picked());
+  subject_.touch_until = 9;
+  session_.state().requests.seek = 8;
+  frame();
+  ASSERT_TRUE(session_.picked());
+  EXPECT_EQ(session_.picked()->title, "in frame 8");
+  EXPECT_TRUE(session_.state().at_event);
+  session_.state().requests.seek = 60;
+  frame();
+  EXPECT_FALSE(session_.picked());
+  EXPECT_FALSE(session_.state().selected);
+  EXPECT_FALSE(session_.state().at_event);
+}
+
+TEST_F(SessionListsTest, AContactIsSeenInTheMiddleBesideAllPanels) {
+  const Covered panels{200, 0};
+  session_.set_covered(panels, 300);
+  press(Action::event_next);
+  rest();
+  const auto seen = project(session_.camera(), kListWindow, {12, 12, 2});
+  ASSERT_TRUE(seen);
+  EXPECT_NEAR(seen->pixel.x, (200 + kListWindow.width - 300) / 2.0, 1);
+}
+
 TEST_F(SessionListsTest, WhereNothingTouchesItSaysSo) {
   subject_.rows.clear();
   press(Action::event_next);

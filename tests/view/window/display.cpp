@@ -2,6 +2,7 @@
 
 #include "tests/support/support.h"
 #include "tests/support/wait.h"
+#include "tests/view/window/drop.h"
 
 #include <fcntl.h>
 #include <sys/wait.h>
@@ -61,7 +62,7 @@ bool Display::possible() {
   return installed("Xvfb") && installed("xdotool");
 }
 
-Display::Display() {
+Display::Display(int density) {
   std::array<int, 2> pipe{};
   if (::pipe(pipe.data()) != 0) {
     throw std::runtime_error("no pipe");
@@ -93,6 +94,9 @@ Display::Display() {
   }
   name_.push_back(':');
   name_.append(number);
+  if (density != 1) {
+    set_density(name_, density);
+  }
 }
 
 Display::~Display() {

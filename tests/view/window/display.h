@@ -21,7 +21,8 @@ class Display {
   /// True where Xvfb and xdotool are installed.
   [[nodiscard]] static bool possible();
 
-  Display();
+  /// `density`: pixels of a point, as the desktop says.
+  explicit Display(int density = 1);
   ~Display();
   Display(const Display&) = delete;
   Display& operator=(const Display&) = delete;

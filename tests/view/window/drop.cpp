@@ -109,4 +109,16 @@ void drop_file(const std::string& display, unsigned long window,
   Source(display, window, "file://" + file.string() + "\r\n").drop();
 }
 
+void set_density(const std::string& name, int density) {
+  ::Display* const display = XOpenDisplay(name.c_str());
+  if (display == nullptr) {
+    throw std::runtime_error("no display " + name);
+  }
+  const std::string text = "Xft.dpi:\t" + std::to_string(96 * density) + "\n";
+  XChangeProperty(display, DefaultRootWindow(display), XA_RESOURCE_MANAGER, XA_STRING, 8,
+                  PropModeReplace, reinterpret_cast<const unsigned char*>(text.data()),
+                  static_cast<int>(text.size()));
+  XCloseDisplay(display);
+}
+
 }  // namespace soms::view::test_window

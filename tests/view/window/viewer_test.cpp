@@ -138,6 +138,25 @@ TEST_F(ViewerTest, StartsStillThoughMoversCouldMove) {
   EXPECT_EQ(difference(first, picture(display, viewer), 0).beyond, 0U);
 }
 
+TEST_F(ViewerTest, WordsAndHandlesGrowOnADenseDisplay) {
+  const auto at = [&](int density, const std::string& size) {
+    const Display display(density);
+    RunningProgram viewer({SOMS_VIEW_COMMAND, "view", path("block.ply"), "--mover",
+                           path("cube.ply"), "--route", path("still.csv"), "--size", size},
+                          folder_.path(), display.name());
+    EXPECT_TRUE(display.wait_for_window("soms view", viewer)) << viewer.errors();
+    return picture(display, viewer);
+  };
+  const Picture one = at(1, "480x320");
+  const Picture two = at(2, "480x320");
+  EXPECT_EQ(two.size, (Size{2 * one.size.width, 2 * one.size.height}));
+  const auto ink = [](const Picture& p) {
+    return static_cast<double>(count_near(p, palette::kInk, 50));
+  };
+  ASSERT_GT(ink(one), 200);
+  EXPECT_NEAR(ink(two) / ink(one), 4, 1.2);
+}
+
 TEST_F(ViewerTest, RestsWhereNothingMovesThoughItRuns) {
   const Display display;
   RunningProgram viewer(
