@@ -175,6 +175,7 @@ class Session {
   std::pair<std::uint64_t, std::optional<Pose>> picked_at_;  ///< frame and object then
   bool awaits_first_ = false;  ///< the first event is still to be shown
   std::string message_;
+  std::string first_message_;  ///< of the first event: it goes with the frame
   std::vector<InputEvent> events_;
   std::optional<Press> press_;
   std::optional<GizmoDrag> drag_;

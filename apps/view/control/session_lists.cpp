@@ -127,8 +127,9 @@ void Session::go_to_first_event() {
   }
   awaits_first_ = false;
   go_to_event(static_cast<std::size_t>(row - list.rows.begin()), false);
-  message_ = "frame " + command::with_commas(row->most_frame) + ": " + row->title +
-             "; F3 goes to the next event, Enter shows everything";
+  first_message_ = "frame " + command::with_commas(row->most_frame) + ": " + row->title +
+                   "; F3 goes to the next event, Enter shows everything";
+  message_ = first_message_;
 }
 
 /// What is picked changes with time, and a contact may end.
@@ -138,6 +139,9 @@ void Session::renew_picked() {
     return;
   }
   picked_at_ = now;
+  if (message_ == first_message_) {
+    message_.clear();
+  }
   std::optional<PickedFacts> facts = subject_.selection();
   if (!facts) {
     subject_.deselect();

@@ -135,6 +135,7 @@ TEST_F(SessionListsTest, TheFirstEventIsShownOnceToWhoDoesNothing) {
   session_.state().requests.seek = 0;
   rest();
   EXPECT_EQ(subject_.frame, 0U) << "once only";
+  EXPECT_EQ(session_.message(), "") << "it was of another frame";
 }
 
 TEST_F(SessionListsTest, WhoDoesAnythingIsNotTakenToTheFirstEvent) {
