@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -83,6 +82,27 @@ void make_finer(Visible& visible, const std::vector<std::size_t>& order,
   }
 }
 
+// Draws what is near whole, the nearest first, within so many more triangles; returns how many it
+// took. Boxes about the eye would hide all.
+std::uint64_t make_near_whole(Visible& visible, const std::vector<double>& areas,
+                              std::span<const std::span<const Tile>> tiles, Size size,
+                              std::uint64_t most) {
+  const double picture = static_cast<double>(size.width) * static_cast<double>(size.height);
+  std::vector<std::size_t> near;
+  for (std::size_t g = 0; g < areas.size(); ++g) {
+    if (areas[g] >= kNear * picture) {
+      near.push_back(g);
+    }
+  }
+  std::sort(near.begin(), near.end(), [&](std::size_t a, std::size_t b) {
+    return std::pair(std::abs(visible.groups[a].depth), a) <
+           std::pair(std::abs(visible.groups[b].depth), b);
+  });
+  std::uint64_t left = most;
+  make_finer(visible, near, tiles, TileForm::whole, left);
+  return most - left;
+}
+
 // Draws all that has copies by the coarsest ones that must be, and the rest in shares of what is
 // left.
 void make_coarse(Visible& visible, const std::vector<double>& areas,
@@ -115,13 +135,9 @@ void make_coarse(Visible& visible, const std::vector<double>& areas,
   for (const auto& [need, g] : needs) {
     order.push_back(g);
   }
-  // Boxes about the eye would hide all, so what is near gets its share in any case.
-  std::uint64_t left = std::max(most - std::min(most, used), most / 2);
-  const double whole_picture = static_cast<double>(size.width) * static_cast<double>(size.height);
-  std::vector<std::size_t> near;
-  std::copy_if(order.begin(), order.end(), std::back_inserter(near),
-               [&](std::size_t g) { return areas[g] >= kNear * whole_picture; });
-  make_finer(visible, near, tiles, TileForm::whole, left);
+  used +=
+      make_near_whole(visible, areas, tiles, size, std::max(most - std::min(most, used), most / 2));
+  std::uint64_t left = most - std::min(most, used);
   make_finer(visible, order, tiles, TileForm::stand_in, left);
   make_finer(visible, order, tiles, TileForm::whole, left);
 }
