@@ -15,11 +15,16 @@ namespace {
 struct Rise {
   double level;
   double up;
+  double cost;
 };
 
-constexpr std::array kRises{Rise{0.8191520442889918, 0.573576436351046},    // 35 degrees up
-                            Rise{0.9659258262890683, 0.25881904510252074},  // 15 degrees up
-                            Rise{0.8660254037844387, -0.5}};                // 30 degrees down
+/// From below, floors are dark, and hide what stands on them: worse than seeing through the larger
+/// part, which pictures draw as glass, and better than being hidden by both.
+constexpr double kFromBelow = 1.6;
+
+constexpr std::array kRises{Rise{0.8191520442889918, 0.573576436351046, 0},    // 35 degrees up
+                            Rise{0.9659258262890683, 0.25881904510252074, 0},  // 15 degrees up
+                            Rise{0.8660254037844387, -0.5, kFromBelow}};       // 30 degrees down
 constexpr double kAlong = 0.8660254037844387;  // of a turn by 60 degrees
 constexpr double kAside = 0.5;
 constexpr std::array kTurns{Vec3{kAside, -kAlong, 0}, Vec3{kAlong, kAside, 0},
@@ -87,7 +92,7 @@ std::optional<ClashSight> sight_of(const ClashModels& models, const ListedClash&
     for (const Vec3& turn : kTurns) {
       ClashSight sight = best;
       sight.toward = rise.level * turn + Vec3{0, 0, rise.up};
-      const double now = hidden(sight, best.a_is_larger ? a : b, best.a_is_larger ? b : a);
+      const double now = rise.cost + hidden(sight, best.a_is_larger ? a : b, best.a_is_larger ? b : a);
       if (first || now < least) {
         first = false;
         least = now;
