@@ -38,10 +38,6 @@ vertical-align:bottom}
 th.number,td.number{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
 td.short{white-space:nowrap}
 th.timed,td.timed{font-style:italic}
-table.claims{width:100%}
-table.claims td{min-width:9rem}
-table.claims td.verdict{min-width:0}
-table.claims tbody tr:nth-child(even){background:var(--soft)}
 .badge{display:inline-block;border:1.5px solid currentColor;border-radius:1rem;
 padding:.05rem .6rem;font-size:.85rem;font-weight:600;white-space:nowrap}
 .holds,.mostly_holds{color:var(--good)}.holds_under,.holds_on_some,.mixed{color:var(--part)}
@@ -62,8 +58,16 @@ summary{cursor:pointer;color:var(--link)}
 details.item{margin:.15rem 0}details.item>summary>h3{display:inline;margin:0;font-size:1rem;
 font-weight:500}details.item[open]>summary>h3{font-size:1.12rem;font-weight:700}
 details.item[open]{margin:1rem 0 2rem}.anchor{scroll-margin-top:3rem}
-table.overview{width:100%}table.overview td:first-child{min-width:14rem}
-td.cells{line-height:1.2}
+header.title .lead{max-width:none}header.title+h2{margin-top:1rem}
+svg.matrix{display:block;width:100%;height:auto;font:12.5px system-ui,-apple-system,"Segoe UI",Helvetica,Arial,sans-serif}
+svg.matrix.narrow{display:none}svg.matrix text{fill:var(--ink)}svg.matrix .rule{stroke:var(--line)}
+svg.matrix .head{font-weight:600}svg.matrix a>text{fill:var(--link)}svg.matrix .stand{font-weight:600;fill:currentColor}
+svg.matrix .cell{outline:0}svg.matrix .cell rect{fill:currentColor}
+svg.matrix .cell text{fill:var(--paper);font-size:9px;font-weight:700;text-anchor:middle}
+svg.matrix .cell.holds{color:var(--good)}svg.matrix .cell.holds_on_some{color:var(--part)}
+svg.matrix .cell.undecided{color:var(--link)}svg.matrix .cell.does_not_hold{color:var(--bad)}
+svg.matrix .cell.cannot_be_checked rect{fill:none;stroke:var(--line)}svg.matrix .cell.cannot_be_checked text{fill:var(--faint)}
+svg.matrix .cell.nearest rect{stroke:var(--ink);stroke-width:2}
 .cell{display:inline-block;width:1.15rem;height:1.15rem;margin:1px;border-radius:.2rem;
 text-align:center;font-size:.75rem;line-height:1.15rem;font-weight:700;text-decoration:none;
 color:var(--paper)}
@@ -78,11 +82,7 @@ ol.questions{max-width:52rem;padding-left:1.6rem}ol.questions li{margin:.5rem 0}
 max-width:none}
 table.matrix td{min-width:0}table.matrix td:nth-child(-n+2){min-width:11rem}table.matrix td.number{white-space:normal;min-width:6rem}
 .scroll td:first-child{min-width:7rem}
-@media (max-width:40rem){table.claims,table.claims tbody,table.claims tr,table.claims td
-{display:block}table.claims thead{display:none}table.claims tr{padding:.6rem 0}
-table.claims td{border:0;padding:.15rem .25rem}table.claims td:first-child{font-weight:600}
-table.claims td:nth-child(2)::before{content:"Nearest to the text: ";color:var(--faint)}
-table.claims td:nth-child(3)::before{content:"Over all readings: ";color:var(--faint)}}
+@media (max-width:40rem){svg.matrix.wide{display:none}svg.matrix.narrow{display:block}}
 )css";
 
 }  // namespace soms::reproduce

@@ -2,6 +2,7 @@
 
 #include "soms/base/text.h"
 
+#include "apps/draw/svg.h"
 #include "thesis/claims/claim.h"
 #include "thesis/claims/nearest_verdict.h"
 #include "thesis/page/html.h"
@@ -77,46 +78,145 @@ std::string line_words(const std::vector<const ClaimRow*>& line, const LineCount
                                             words_of(first.demand), counts.hold, counts.judged());
 }
 
-std::string cell_of(const Claim& claim, const std::vector<const ClaimRow*>& line,
-                    std::string_view item) {
-  const LineCounts counts = counts_of(line);
-  const CellLook& look = look_of(counts.stand());
-  const std::string words = xml_text(line_words(line, counts));
-  return fmt::format(
-      "<a class=\"cell {}{}\" href=\"#item-{}\" title=\"{}\" aria-label=\"{}\">{}</a>", look.css,
-      is_nearest(claim, *line.front()) ? " nearest" : "", xml_text(item), words, words, look.sign);
-}
+/// How the matrix is laid out, in pixels.
+struct MatrixLook {
+  double width = 0;
+  double claim_width = 0;    ///< of the column of claims
+  double nearest_width = 0;  ///< of the verdicts of the nearest reading
+  double stand_width = 0;    ///< of those over all readings
+  bool is_narrow = false;    ///< verdicts and cells stand below the claim
+  std::string_view css;      ///< class that says on which screens it is shown
+};
 
-/// The cells of a claim: those of the nearest reading first, the others as in the matrix.
-std::string cells_of(const Claim& claim, std::string_view item) {
-  std::vector<std::vector<const ClaimRow*>> lines = lines_of(claim);
-  std::stable_partition(lines.begin(), lines.end(), [&](const std::vector<const ClaimRow*>& line) {
-    return is_nearest(claim, *line.front());
-  });
-  std::string html;
-  for (const std::vector<const ClaimRow*>& line : lines) {
-    html += cell_of(claim, line, item);
+constexpr MatrixLook kWide{1056, 330, 150, 190, false, "wide"};
+constexpr MatrixLook kNarrow{350, 350, 150, 200, true, "narrow"};
+constexpr double kLetters = 12.5;  // size of letters
+constexpr double kLineOfText = 16;
+constexpr double kCellPitch = 14;
+constexpr double kCellSize = 12;
+constexpr double kRowGap = 8;
+
+/// Draws one row after the other.
+class MatrixDrawing {
+ public:
+  explicit MatrixDrawing(const MatrixLook& look) : look_(look) {}
+
+  void heads() {
+    if (look_.is_narrow) {
+      return;
+    }
+    y_ += kLineOfText;
+    head(0, "claim");
+    head(look_.claim_width, "nearest to the text");
+    head(look_.claim_width + look_.nearest_width, "over all readings");
+    head(cells_left(), "its readings, a cell each");
+    y_ += kRowGap;
   }
-  return html;
-}
 
-std::string verdict_cell(const std::string& badge, const std::string& share) {
-  return fmt::format("<td class=\"verdict\">{}<br><span class=\"faint\">{}</span></td>", badge,
-                     share);
-}
+  void row(const Claim& claim, std::string_view item) {
+    line();
+    const double top = y_ + kRowGap / 2;
+    y_ = top;
+    const double words = link_words(claim);
+    y_ = look_.is_narrow ? top + words : top;
+    const NearestVerdict nearest = nearest_of(claim);
+    stand(look_.is_narrow ? 0 : look_.claim_width, sign_of(nearest.stand), name(nearest.stand),
+          class_of(nearest.stand));
+    stand((look_.is_narrow ? 0 : look_.claim_width) + look_.nearest_width,
+          sign_of(verdict_of(claim)), name(verdict_of(claim)), class_of(verdict_of(claim)));
+    y_ += look_.is_narrow ? kLineOfText + 2 : 1;
+    const double cells = this->cells(claim, item);
+    y_ = look_.is_narrow ? y_ + cells : top + std::max(words, cells + 1);
+    y_ += kRowGap / 2;
+  }
 
-std::string row_of(const Claim& claim, std::string_view item) {
-  const NearestVerdict nearest = nearest_of(claim);
-  return fmt::format(
-      "<tr><td><a href=\"#claim-{}\">{}</a></td>{}{}<td class=\"cells\">{}</td></tr>\n",
-      xml_text(claim.id), xml_text(claim.statement),
-      verdict_cell(badge(nearest.stand), shares_words(nearest)),
-      verdict_cell(badge(verdict_of(claim)), share_words(claim)), cells_of(claim, item));
+  std::string svg() {
+    line();
+    return fmt::format(
+        "<svg class=\"matrix {}\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" "
+        "role=\"group\" aria-label=\"Claims by readings\">\n{}</svg>\n",
+        look_.css, look_.width, y_ + 1, parts_);
+  }
+
+ private:
+  [[nodiscard]] double cells_left() const {
+    return look_.is_narrow ? 0 : look_.claim_width + look_.nearest_width + look_.stand_width;
+  }
+
+  void line() { parts_ += fmt::format("<path class=\"rule\" d=\"M0 {}H{}\"/>\n", y_, look_.width); }
+
+  void head(double x, std::string_view words) {
+    parts_ += fmt::format("<text class=\"head\" x=\"{}\" y=\"{}\">{}</text>\n", x, y_ - 3, words);
+  }
+
+  /// The height of the words.
+  double link_words(const Claim& claim) {
+    const std::vector<std::string> lines =
+        wrapped(claim.statement, kLetters, look_.claim_width - 14, false);
+    parts_ += fmt::format("<a href=\"#claim-{}\">", xml_text(claim.id));
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      parts_ += fmt::format("<text x=\"0\" y=\"{}\">{}</text>",
+                            y_ + 12 + kLineOfText * static_cast<double>(k), xml_text(lines[k]));
+    }
+    parts_ += "</a>\n";
+    return kLineOfText * static_cast<double>(lines.size());
+  }
+
+  void stand(double x, std::string_view sign, std::string_view words, std::string_view css) {
+    parts_ += fmt::format("<text class=\"stand {}\" x=\"{}\" y=\"{}\">{} {}</text>\n", css, x,
+                          y_ + 12, sign, words);
+  }
+
+  /// The cells of a claim: those of the nearest reading first, the others as in the matrix. Their
+  /// height.
+  double cells(const Claim& claim, std::string_view item) {
+    std::vector<std::vector<const ClaimRow*>> lines = lines_of(claim);
+    std::stable_partition(
+        lines.begin(), lines.end(),
+        [&](const std::vector<const ClaimRow*>& line) { return is_nearest(claim, *line.front()); });
+    const auto a_line = static_cast<std::size_t>((look_.width - cells_left()) / kCellPitch);
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      cell(claim, lines[k], item, cells_left() + kCellPitch * static_cast<double>(k % a_line) + 1,
+           y_ + kCellPitch * static_cast<double>(k / a_line) + 1);
+    }
+    return kCellPitch * static_cast<double>((lines.size() + a_line - 1) / a_line) + 2;
+  }
+
+  void cell(const Claim& claim, const std::vector<const ClaimRow*>& line, std::string_view item,
+            double x, double y) {
+    const LineCounts counts = counts_of(line);
+    const CellLook& look = look_of(counts.stand());
+    parts_ += fmt::format(
+        "<a class=\"cell {}{}\" href=\"#item-{}\"><title>{}</title><rect x=\"{}\" y=\"{}\" "
+        "width=\"{}\" height=\"{}\" rx=\"2\"/><text x=\"{}\" y=\"{}\">{}</text></a>\n",
+        look.css, is_nearest(claim, *line.front()) ? " nearest" : "", xml_text(item),
+        xml_text(line_words(line, counts)), x, y, kCellSize, kCellSize, x + kCellSize / 2, y + 9.5,
+        look.sign);
+  }
+
+  const MatrixLook& look_;
+  double y_ = 1;
+  std::string parts_;
+};
+
+/// The matrix of all claims of a run; empty if it tested none.
+std::string matrix_svg(const Report& report, const MatrixLook& look) {
+  MatrixDrawing drawing(look);
+  drawing.heads();
+  bool any = false;
+  for (const Entry& entry : report.entries) {
+    for (const Claim& claim : entry.result.claims) {
+      drawing.row(claim, entry.experiment->item);
+      any = true;
+    }
+  }
+  return any ? drawing.svg() : std::string();
 }
 
 /// What cells mean, each sign once.
 std::string key() {
-  std::string html = "<p class=\"note key\">A cell is a reading by a metric on all subjects:";
+  std::string html =
+      "<p class=\"note key-of-cells\">A cell is a reading by a metric on all subjects:";
   for (const CellLook& look : kLooks) {
     html += fmt::format(" <span class=\"cell {}\">{}</span> {}{}", look.css, look.sign, look.words,
                         &look == &kLooks.back() ? "; " : ",");
@@ -130,19 +230,12 @@ std::string key() {
 }  // namespace
 
 std::string claims_overview(const Report& report) {
-  std::string rows;
-  for (const Entry& entry : report.entries) {
-    for (const Claim& claim : entry.result.claims) {
-      rows += row_of(claim, entry.experiment->item);
-    }
-  }
-  return rows.empty() ? rows
+  const std::string wide = matrix_svg(report, kWide);
+  return wide.empty() ? wide
                       : fmt::format(
                             "<h2 id=\"overview\">All claims, reading by reading</h2>\n"
-                            "<table class=\"overview\">\n<thead><tr><th>claim</th><th>nearest to "
-                            "the text</th><th>over all readings</th>"
-                            "<th>readings</th></tr></thead>\n<tbody>\n{}</tbody>\n</table>\n{}",
-                            rows, key());
+                            "<div class=\"overview\">\n{}{}</div>\n{}",
+                            wide, matrix_svg(report, kNarrow), key());
 }
 
 }  // namespace soms::reproduce

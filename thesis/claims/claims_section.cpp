@@ -169,18 +169,19 @@ std::string joined_sentences(const std::vector<std::string>& sentences) {
   return text;
 }
 
-std::string row_of(const Tested& tested) {
+/// A claim in words, folded below its statement and its verdict.
+std::string in_words(const Tested& tested) {
   const auto& [claim, experiment] = tested;
   const NearestVerdict nearest = nearest_of(*claim);
+  // The anchor is inside, so that a link to it unfolds the claim.
   return fmt::format(
-      "<tr id=\"claim-{}\"><td>{} <span class=\"faint\">({})</span></td>"
-      "<td class=\"verdict\">{}<br><span class=\"faint\">{}</span></td>"
-      "<td class=\"verdict\">{}<br><span class=\"faint\">{}</span></td><td>{} {} <a "
-      "href=\"#item-{}\">Matrix of {}, and "
-      "why</a></td></tr>\n",
-      xml_text(claim->id), xml_text(claim->statement), xml_text(claim->source),
-      badge(nearest.stand), shares_words(nearest), badge(verdict_of(*claim)), share_words(*claim),
-      xml_text(words_of(nearest)),
+      "<details class=\"item claim\">\n<summary>{} <h3>{}</h3> <span "
+      "class=\"faint\">({})</span></summary>\n<div class=\"anchor\" id=\"claim-{}\"></div>\n"
+      "<p>{}{} {}</p>\n<p>Over all readings: {} {}. {}</p>\n<p><a href=\"#item-{}\">Matrix of {}, "
+      "and why</a></p>\n</details>\n",
+      badge(nearest.stand), xml_text(claim->statement), xml_text(claim->source),
+      xml_text(claim->id), shares_words(nearest), shares_words(nearest).empty() ? "" : ".",
+      xml_text(words_of(nearest)), badge(verdict_of(*claim)), share_words(*claim),
       xml_text(joined_sentences({where(*claim), stand_in_words(*claim), claim->note})),
       xml_text(experiment->item), counted(claim->rows.size(), "row"));
 }
@@ -279,15 +280,11 @@ std::string claims_section(const Report& report) {
       "<details>\n<summary>How a verdict follows, and what the words mean</summary>\n"
       "{}{}</details>\n",
       kRule, kWords);
-  html +=
-      "<details>\n<summary>Each claim in words: where it holds</summary>\n<table "
-      "class=\"claims\">\n<thead><tr><th>claim</th><th>nearest to the text</th><th>over all "
-      "readings</th><th>where it holds</th></tr></thead>\n<tbody>\n";
   for (const Tested& tested : claims) {
-    html += row_of(tested);
+    html += in_words(tested);
   }
   return html +
-         "</tbody>\n</table>\n</details>\n<p class=\"note\">Times are in italics: they differ from "
+         "<p class=\"note\">Times are in italics: they differ from "
          "run to run and from machine to machine.</p>\n";
 }
 

@@ -266,7 +266,8 @@ std::string questions_section(const Report& report) {
   for (const Question& question : kQuestions) {
     const std::string tables = links(report, question);
     html +=
-        fmt::format("<li><strong>{}</strong> {}{}</li>\n", question.words, question.answer(report),
+        fmt::format("<li><details><summary><strong>{}</strong></summary>{}{}</details></li>\n",
+                    question.words, question.answer(report),
                     tables.empty() ? "" : fmt::format(" <span class=\"faint\">{}</span>", tables));
   }
   return html + "</ol>\n";

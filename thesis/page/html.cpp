@@ -34,11 +34,19 @@ std::string counted(std::size_t count, std::string_view noun) {
 }
 
 std::string badge(Verdict verdict) {
-  return badge_of(class_of(verdict), kSigns[static_cast<std::size_t>(verdict)], name(verdict));
+  return badge_of(class_of(verdict), sign_of(verdict), name(verdict));
 }
 
 std::string badge(NearestStand stand) {
-  return badge_of(class_of(stand), kNearestSigns[static_cast<std::size_t>(stand)], name(stand));
+  return badge_of(class_of(stand), sign_of(stand), name(stand));
+}
+
+std::string_view sign_of(Verdict verdict) {
+  return kSigns[static_cast<std::size_t>(verdict)];
+}
+
+std::string_view sign_of(NearestStand stand) {
+  return kNearestSigns[static_cast<std::size_t>(stand)];
 }
 
 std::string_view class_of(Verdict verdict) {

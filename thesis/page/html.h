@@ -18,6 +18,10 @@ namespace soms::reproduce {
 [[nodiscard]] std::string badge(Verdict verdict);
 [[nodiscard]] std::string badge(NearestStand stand);
 
+/// The sign of a verdict.
+[[nodiscard]] std::string_view sign_of(Verdict verdict);
+[[nodiscard]] std::string_view sign_of(NearestStand stand);
+
 /// A class of style sheet for a verdict: its color.
 [[nodiscard]] std::string_view class_of(Verdict verdict);
 [[nodiscard]] std::string_view class_of(NearestStand stand);

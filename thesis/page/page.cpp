@@ -67,8 +67,9 @@ class Page {
 
   std::string write() {
     head();
-    out_ += load_warning(report_.load);
     out_ += claims_overview(report_);
+    out_ += load_warning(report_.load);
+    in_todays_terms();
     out_ += questions_section(report_);
     out_ += claims_section(report_);
     contents();
@@ -103,6 +104,12 @@ class Page {
     put("<p class=\"byline\">soms {}, {} run of {}</p>\n</header>\n",
         xml_text(report_.machine.version), report_.quick ? "quick" : "full",
         xml_text(report_.date.substr(0, report_.date.find('T'))));
+  }
+
+  /// What a reader may want to know first, folded: the picture of all claims stands above it.
+  void in_todays_terms() {
+    put("<details>\n<summary>What SOMS is in today's terms, and what follows without any "
+        "run</summary>\n");
     put("<p class=\"note\">Only its abstract, lists of contents, tables and figures, and first "
         "chapter were available to us: the numbers of its tables are not known here, and what they "
         "leave open is an option with a name.</p>\n");
@@ -119,7 +126,7 @@ class Page {
         "reading nearest to its captions, tests the same pairs of boxes as a traversal that "
         "descends "
         "both trees at once, in another order{}: what it can save is entering pairs, not testing "
-        "them.</p>\n",
+        "them.</p>\n</details>\n",
         reference("balance"), reference("figure-5.10"));
   }
 
