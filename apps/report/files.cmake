@@ -29,6 +29,8 @@ set(SOMS_REPORT_FILES
   scene_data.h
   scene_models.cpp
   scene_models.h
+  scene_words.cpp
+  scene_words.h
   script_text.cpp
   script_text.h
   sight.cpp

@@ -16,10 +16,14 @@ namespace soms::report {
 
 namespace {
 
-constexpr std::string_view kStage = R"html(<h2>The scene</h2>
-<noscript><p class="warn">Scripts are switched off: the scene is not drawn. Figures and pictures below
+/// Tables with more rows are folded.
+constexpr std::size_t kMostOpenRows = 12;
+
+constexpr std::string_view kStage =
+    R"html(<noscript><p class="warn">Scripts are switched off: the scene is not drawn. Figures and pictures below
 are whole.</p></noscript>
 <div id="look" hidden>
+<div id="sight">
 <div id="stage">
 <canvas id="canvas" tabindex="0" role="application" aria-label="The scene with its contacts; arrow keys
 turn it, plus and minus come closer and go away, N and P go to the next and the previous line of the list"></canvas>
@@ -44,8 +48,8 @@ the vertical, W and S, A and D tilt it; with Shift a tenth as far. R: back to it
 constexpr std::string_view kList = R"html(<div id="side">
 <div class="row"><input id="find" type="search" placeholder="Find a name, part or triangle"
 aria-label="Find contacts by name, part or triangle number" autocomplete="off">
-<select id="order" aria-label="Order of the list"><option value="begin">by begin</option>
-<option value="count">most contacts first</option><option value="length">longest first</option>
+<select id="order" aria-label="Order of the list"><option value="most">most first</option>
+<option value="begin">by begin</option><option value="count">most contacts first</option><option value="length">longest first</option>
 <option value="mover">by what touches</option><option value="touched">by what is touched</option></select>
 <label><input id="now" type="checkbox"> only now</label></div>
 <p id="count" role="status"></p>
@@ -70,15 +74,21 @@ constexpr std::string_view kTime =
     R"html(<div id="time"><button id="play" type="button">Play</button>
 <input id="step" type="range" min="0" max="0" step="1" value="0" aria-label="Time">
 <output id="moment" for="step"></output></div>
-<p class="note" id="legend"><span class="key moves"></span>moves<span class="key still"></span>does not move<span class="touching">
-<span class="key touch"></span>touches now <span class="key was"></span>touches at another time</span><span id="near" hidden><span class="key gap"></span>gap: a shortest segment with
-its length<span id="near-time"> (dashed: at another time)</span></span></p>
 )html";
 
-constexpr std::string_view kDrawn = R"html(<p id="drawn" class="note"></p>
+/// Ends what stands at the left.
+constexpr std::string_view kLegend =
+    R"html(<p class="note" id="legend"><span class="key moves"></span>moves<span class="key still"></span>does not move<span class="touching">
+<span class="key touch"></span>touches now <span class="key was"></span>touches at another time</span><span id="near" hidden><span class="key gap"></span>gap: a shortest segment with
+its length<span id="near-time"> (dashed: at another time)</span></span></p>
 </div>
+)html";
+
+constexpr std::string_view kDrawn = R"html(</div>
 <div id="prints"></div>
 </section>
+</div>
+<p id="drawn" class="note"></p>
 )html";
 
 /// In place of `kList` and `kTime` where the page is about motions.
@@ -94,9 +104,13 @@ constexpr std::string_view kWay =
 <span id="meets"></span></div></div>
 <output id="moment" for="part"></output>
 <button id="contact" type="button" title="Key C">To the contact</button></div>
-<p class="note" id="legend"><span class="key moves"></span>A, before the contact<span class="blocking"><span
+)html";
+
+constexpr std::string_view kWayLegend =
+    R"html(<p class="note" id="legend"><span class="key moves"></span>A, before the contact<span class="blocking"><span
 class="key was"></span>A, after it<span class="key touch"></span>the contact</span><span class="key still"></span>B.
 Pale: A at the start, at the contact and at the end.</p>
+</div>
 )html";
 
 /// Writes one page.
@@ -108,11 +122,14 @@ class PageWriter {
   Shown write() {
     write_head(out_, page_, kViewStyle);
     write_warnings(out_, page_);
-    write_facts(out_, page_);
     out_ << fmt::format("<section id=\"view\"{}>\n", kind_of_view()) << kStage
-         << (of_motions() ? kMotionList : kList) << kLines << kAnswers
-         << (of_motions() ? kWay : kTime) << kDrawn;
+         << (of_motions() ? kWay : kTime) << kAnswers << (of_motions() ? kWayLegend : kLegend);
+    beside();
+    out_ << kDrawn;
     line_of_time();
+    if (page_.beside.empty()) {
+      write_folded_facts(out_, page_);
+    }
     tables();
     plots();
     write_notes(out_, page_);
@@ -129,44 +146,66 @@ class PageWriter {
  private:
   [[nodiscard]] bool of_motions() const { return !page_.scene.motions.empty(); }
 
-  /// The class attribute: what is listed.
-  [[nodiscard]] std::string_view kind_of_view() const {
-    if (of_motions()) {
-      return page_.scene.motions.size() > 1 ? " class=\"motions\"" : " class=\"motions no-list\"";
-    }
-    return page_.scene.lists_contacts ? "" : " class=\"no-list\"";
+  /// True where the page has a list: of motions, if there are several, or of what touches.
+  [[nodiscard]] bool has_list() const {
+    return of_motions() ? page_.scene.motions.size() > 1
+                        : page_.scene.lists_contacts && !page_.scene.rows.empty();
   }
 
-  void figure(const Plot& plot) {
-    out_ << fmt::format(
-        "<figure>\n<div class=\"picture\" tabindex=\"0\">\n{}</div>\n"
-        "<figcaption>{}</figcaption>\n</figure>\n",
-        plot.svg.substr(std::min(plot.svg.find("<svg"), plot.svg.size())), xml_text(plot.caption));
+  /// The class attribute: what is listed, and what stands beside the scene.
+  [[nodiscard]] std::string kind_of_view() const {
+    return fmt::format(" class=\"{}{}{}\"", of_motions() ? "motions" : "touches",
+                       has_list() ? "" : " no-list", page_.beside.empty() ? "" : " has-plot");
+  }
+
+  /// What stands at the right: plots that are the answer, with the figures, and the list. Scripts
+  /// know the list, even where it has nothing to show.
+  void beside() {
+    out_ << "<div id=\"beside\">\n";
+    for (const Plot& plot : page_.beside) {
+      write_figure(out_, plot);
+    }
+    if (!page_.beside.empty()) {
+      write_facts(out_, page_);
+    }
+    out_ << (of_motions() ? kMotionList : kList) << kLines << "</div>\n";
   }
 
   void line_of_time() {
     const std::string svg = of_motions() ? "" : time_line(page_.scene);
     if (!svg.empty()) {
       out_ << "<section id=\"time-line\">\n<h2>Time line</h2>\n";
-      figure({.svg = svg,
-              .caption = fmt::format(
-                  "The contacts of the bodies that touch something for the longest time{}. Click a "
-                  "bar to show its contact in the scene.",
-                  page_.scene.contacts.size() < page_.scene.contacts_in_all
-                      ? fmt::format(", drawn from the {} of {} {} that this page holds",
-                                    page_.scene.contacts.size(), page_.scene.contacts_in_all,
-                                    page_.scene.contact.many)
-                      : std::string())});
+      write_figure(
+          out_,
+          {.svg = svg,
+           .caption = fmt::format(
+               "The contacts of the bodies that touch something for the longest time{}. Click a "
+               "bar to show its contact in the scene.",
+               page_.scene.contacts.size() < page_.scene.contacts_in_all
+                   ? fmt::format(", drawn from the {} of {} {} that this page holds",
+                                 page_.scene.contacts.size(), page_.scene.contacts_in_all,
+                                 page_.scene.contact.many)
+                   : std::string())});
       out_ << "</section>\n";
     }
   }
 
-  void row(const std::vector<std::string>& texts, const char* tag, std::string_view link = {}) {
+  void heads(const Table& table) {
     out_ << "<tr>";
-    for (const std::string& text : texts) {
-      const bool leads = !link.empty() && &text == &texts.front();
-      out_ << (leads ? fmt::format("<{0}><a href=\"#{2}\">{1}</a></{0}>", tag, xml_text(text), link)
-                     : fmt::format("<{0}>{1}</{0}>", tag, xml_text(text)));
+    for (const std::string& column : table.columns) {
+      out_ << fmt::format("<th>{}</th>", xml_text(column));
+    }
+    out_ << "</tr>\n";
+  }
+
+  /// Cells know their column, whose name a narrow screen shows before each.
+  void row(const Table& table, std::size_t k, std::string_view link) {
+    out_ << "<tr>";
+    for (std::size_t c = 0; c < table.rows[k].size(); ++c) {
+      const std::string text = xml_text(table.rows[k][c]);
+      out_ << fmt::format(
+          "<td data-name=\"{}\">{}</td>", xml_text(table.columns[c]),
+          c == 0 && !link.empty() ? fmt::format("<a href=\"#{}\">{}</a>", link, text) : text);
     }
     out_ << "</tr>\n";
   }
@@ -174,20 +213,21 @@ class PageWriter {
   void tables() {
     for (const Table& table : page_.tables) {
       out_ << fmt::format(
-          "<section>\n<h2>{}</h2>\n<div class=\"picture\" tabindex=\"0\">\n<table>\n<thead>",
-          xml_text(table.title));
-      row(table.columns, "th");
+          "<details class=\"fold\"{}>\n<summary>{}</summary>\n<div class=\"picture\" "
+          "tabindex=\"0\">\n<table class=\"stacked\">\n<thead>",
+          table.rows.size() > kMostOpenRows ? "" : " open", xml_text(table.title));
+      heads(table);
       out_ << "</thead>\n<tbody>\n";
       const std::size_t links = table.of_gaps      ? std::min(page_.scene.gaps.size(), limits_.gaps)
                                 : table.of_motions ? page_.scene.motions.size()
                                                    : 0;
       for (std::size_t k = 0; k < table.rows.size(); ++k) {
-        row(table.rows[k], "td",
+        row(table, k,
             k >= links      ? std::string()
             : table.of_gaps ? fmt::format("gap={}", k)
                             : fmt::format("motion={}", page_.scene.motions[k].number));
       }
-      out_ << fmt::format("</tbody>\n</table>\n</div>\n<p class=\"note\">{}</p>\n</section>\n",
+      out_ << fmt::format("</tbody>\n</table>\n</div>\n<p class=\"note\">{}</p>\n</details>\n",
                           xml_text(table.caption));
     }
   }
@@ -198,7 +238,7 @@ class PageWriter {
     }
     out_ << "<section>\n<h2>Plots</h2>\n<div id=\"plots\">\n";
     for (const Plot& plot : page_.plots) {
-      figure(plot);
+      write_figure(out_, plot);
     }
     out_ << "</div>\n</section>\n";
   }

@@ -41,6 +41,7 @@ struct Page {
   std::vector<Fact> facts;
   std::vector<std::string> warnings = {};  ///< reasons to doubt the answer, a box for each
   std::vector<Plot> plots;
+  std::vector<Plot> beside = {};  ///< plots that are the answer: they stand beside the scene
   std::vector<Table> tables = {};
   std::vector<std::string> notes;
   Scene scene = {};

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace soms::report {
 
 namespace {
@@ -26,7 +28,7 @@ void write_head(std::ostream& out, const Page& page, std::string_view style) {
       "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<title>{}</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>{}{}{}</style>\n</head>\n"
-      "<body>\n<main>\n<h1>{}</h1>\n",
+      "<body>\n<main>\n<div id=\"first\">\n<h1>{}</h1>\n",
       kPolicy, title, look::css_colors(), reproduce::kPageStyle, style, title);
   if (!page.lead.empty()) {
     out << fmt::format("<p class=\"lead\">{}</p>\n", xml_text(page.lead));
@@ -34,18 +36,36 @@ void write_head(std::ostream& out, const Page& page, std::string_view style) {
 }
 
 void write_warnings(std::ostream& out, const Page& page) {
+  if (page.warnings.empty()) {
+    return;
+  }
+  out << "<div id=\"warnings\" tabindex=\"0\">\n";
   for (const std::string& warning : page.warnings) {
     out << fmt::format("<p class=\"warn\" role=\"note\"><strong>Warning:</strong> {}</p>\n",
                        xml_text(warning));
   }
+  out << "</div>\n";
 }
 
 void write_facts(std::ostream& out, const Page& page) {
-  out << "<section id=\"figures\">\n<dl class=\"facts\">\n";
+  out << "<dl class=\"facts\">\n";
   for (const Fact& fact : page.facts) {
     out << fmt::format("<dt>{}</dt><dd>{}</dd>\n", xml_text(fact.name), xml_text(fact.value));
   }
-  out << "</dl>\n</section>\n";
+  out << "</dl>\n";
+}
+
+void write_folded_facts(std::ostream& out, const Page& page) {
+  out << "<details id=\"figures\" class=\"fold\">\n<summary>Figures</summary>\n";
+  write_facts(out, page);
+  out << "</details>\n";
+}
+
+void write_figure(std::ostream& out, const Plot& plot) {
+  out << fmt::format(
+      "<figure>\n<div class=\"picture\" tabindex=\"0\">\n{}</div>\n"
+      "<figcaption>{}</figcaption>\n</figure>\n",
+      plot.svg.substr(std::min(plot.svg.find("<svg"), plot.svg.size())), xml_text(plot.caption));
 }
 
 void write_notes(std::ostream& out, const Page& page) {

@@ -7,21 +7,38 @@
 namespace soms::report {
 
 inline constexpr std::string_view kViewStyle = R"css(
-body{max-width:84rem}
+body{max-width:100rem;padding-top:.6rem}
 [hidden]{display:none!important}
-dl.facts{display:grid;grid-template-columns:max-content 1fr;gap:.2rem 1rem;margin:1rem 0;
+#first{display:flex;flex-direction:column;gap:.4rem;height:max(33rem,min(62rem,100vh - 1.2rem))}
+#first:has(#look[hidden]){height:auto}
+#first>*{flex:none;margin:0}
+#first h1{font-size:1.5rem}
+#first .lead{max-width:none}
+#warnings{max-height:7.6rem;overflow-y:auto}
+#warnings .warn{margin:0 0 .3rem;padding:.25rem .7rem;font-size:.88rem}
+#first #view{flex:1 1 0;min-height:0;display:flex;flex-direction:column}
+dl.facts{display:grid;grid-template-columns:max-content 1fr;gap:.2rem 1rem;margin:.6rem 0;
 max-width:60rem}
 dl.facts dt{color:var(--faint)}
 dl.facts dd{margin:0;overflow-wrap:anywhere}
+details.fold{border-top:1px solid var(--line);margin:0;padding:.5rem 0}
+details.fold>summary{font-size:1.15rem;font-weight:600}
+#drawn{margin:.3rem 0 .6rem}
 h1,.lead,#picked,.note,.warn{overflow-wrap:anywhere}
-#look{display:grid;grid-template-columns:minmax(0,1fr) 24rem;gap:.75rem 1rem;align-items:stretch}
-#stage{position:relative;min-height:26rem;height:min(40rem,72vh);border:1px solid var(--line);
+#look{flex:1 1 0;min-height:0;display:grid;grid-template:minmax(0,1fr)/minmax(0,1fr) 24rem;gap:.5rem 1rem}
+.has-plot #look{grid-template-columns:minmax(0,1.2fr) minmax(0,1fr)}
+#sight,#beside{display:flex;flex-direction:column;gap:.35rem;min-width:0;min-height:0}
+#beside figure{flex:none;margin:0}
+#beside figure svg{min-width:0}#beside figcaption{font-size:.85rem;padding-top:.2rem}#beside .facts{font-size:.92rem;margin:.2rem 0}
+#beside .picture{max-width:none}
+#stage{position:relative;flex:1 1 0;min-height:12rem;border:1px solid var(--line);
 border-radius:.4rem;overflow:hidden}
 #canvas{display:block;width:100%;height:100%}
 #canvas:focus-visible,#list:focus-visible{outline:3px solid var(--link);outline-offset:-3px}
 .gaps,#spots{position:absolute;inset:0;width:100%;height:100%;overflow:hidden;pointer-events:none}
 .gaps line{stroke:var(--ink);stroke-width:2.5}.gaps .halo{stroke:var(--paper);stroke-width:6;stroke-opacity:.8}
 .gaps circle{fill:var(--ink);stroke:var(--paper)}
+.gaps.many .far .halo,.gaps.many .far circle{display:none}.gaps.many .far .ink{stroke-width:1.5}
 .gaps .was .ink{stroke-dasharray:6 4}.gaps .far{opacity:.45}.gaps .chosen .ink{stroke-width:3.5}
 .gaps text{font:600 13px system-ui,sans-serif;fill:var(--ink);stroke:var(--paper);stroke-width:4;
 stroke-linejoin:round;paint-order:stroke;text-anchor:middle}
@@ -39,8 +56,7 @@ padding:.5rem .75rem;font-size:.9rem}
 border:1px solid var(--faint);border-radius:.35rem;padding:.25rem .6rem;min-height:2.25rem}
 #look button{cursor:pointer}
 #look button:hover{background:var(--soft)}
-#side{display:flex;flex-direction:column;gap:.4rem;min-width:0;height:min(40rem,72vh);
-min-height:26rem}
+#side{display:flex;flex:1 1 0;flex-direction:column;gap:.4rem;min-width:0;min-height:0}
 #side .row{display:flex;flex-wrap:wrap;gap:.4rem;align-items:center}
 #find{flex:1 1 100%;min-width:0}
 #order{flex:1 1 8rem;min-width:0}
@@ -72,7 +88,7 @@ line-height:2}
 .line .when{position:relative;display:block;height:5px;margin-top:3px;background:var(--line);
 border-radius:3px;overflow:hidden}
 .line .when i{position:absolute;top:0;bottom:0;min-width:3px;background:var(--contact)}
-#time{grid-column:1/-1;display:flex;flex-wrap:wrap;align-items:center;gap:.5rem .75rem}
+#time{display:flex;flex-wrap:wrap;align-items:center;gap:.5rem .75rem}
 #step{flex:1 1 12rem;min-width:0;padding:0!important;accent-color:var(--contact)}
 #moment{font-variant-numeric:tabular-nums;min-width:11rem}
 #way{position:relative;flex:1 1 14rem;min-width:0;display:flex}
@@ -84,10 +100,10 @@ border-radius:3px;overflow:hidden}
 #meets{position:absolute;top:0;bottom:0;width:4px;margin-left:-2px;background:var(--contact)}
 .line.motion{border-left-color:var(--body-a)}.line.motion.lasts{border-left-color:var(--contact)}
 .line.motion .when{background:var(--body-a)}.line.motion .when i{min-width:3px;background:var(--contact)}
-#picked{grid-column:1/-1;margin:0;min-height:1.5rem;max-width:none;font-weight:600}
-#look .note{grid-column:1/-1;margin:0;max-width:none}
+#picked{margin:0;min-height:1.5rem;max-width:none;font-weight:600}
+#look .note{margin:0;max-width:none}
 #look button[aria-pressed=true]{background:var(--ink);color:var(--paper)}
-#live{grid-column:1/-1}#live p{margin:0}#live-answer{font-weight:600;font-variant-numeric:tabular-nums}
+#live p{margin:0}#live-answer{font-weight:600;font-variant-numeric:tabular-nums}
 #live-pose{user-select:all;overflow-wrap:anywhere}.moving #canvas{cursor:grab}.held #canvas{cursor:grabbing}
 .moving #gaps,.moving #spots,.moving #missing{display:none}
 .moving #side{opacity:.5}.moving #picked:empty{display:none}.waiting #live-answer{opacity:.6}
@@ -97,17 +113,24 @@ margin:0 .3em 0 .6em}
 .key.gap{height:.2em;vertical-align:.25em;border-radius:0;background:var(--ink)}
 #plots{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,34rem),1fr));gap:0 1.5rem}
 #plots figure{min-width:0}
-.no-list #side,.no-list .touching{display:none}.no-list #look{grid-template-columns:minmax(0,1fr)}
-@media (max-width:60rem){#look{grid-template-columns:minmax(0,1fr)}#stage{order:-2}#live,.motions #picked,.motions #time{order:-1}#stage{height:60vh;
-min-height:18rem}#side{height:24rem;min-height:0}dl.facts{grid-template-columns:minmax(0,1fr);
-gap:0}dl.facts dd{margin-bottom:.4rem}}
+.no-list #side,.no-list .touching,.no-list:not(.has-plot) #beside{display:none}
+.no-list:not(.has-plot) #look{grid-template-columns:minmax(0,1fr)}
+@media (max-width:60rem){#first{height:auto}#warnings{max-height:none;order:1}#look,#first #view{display:block}#first #view{flex:none}
+#sight{margin-bottom:.6rem}#stage{flex:none;height:50vh;min-height:15rem;max-height:30rem}#side{height:26rem;flex:none}
+dl.facts{grid-template-columns:minmax(0,1fr);gap:0}dl.facts dd{margin-bottom:.4rem}}
+@media (max-width:40rem){.stacked thead{display:none}.stacked,.stacked tbody,.stacked tr{display:block}
+.stacked tr{border-bottom:1px solid var(--line);padding:.3rem 0}
+.stacked td{display:grid;grid-template-columns:8rem minmax(0,1fr);gap:.6rem;border:0;padding:.1rem .25rem;overflow-wrap:anywhere}
+.stacked td:empty{display:none}.stacked td::before{content:attr(data-name);color:var(--faint)}}
 #prints{display:none}
 .picture{overflow-x:auto;background:linear-gradient(90deg,var(--paper) 40%,transparent) 0 0/3rem 100% local no-repeat,
 linear-gradient(270deg,var(--paper) 40%,transparent) 100% 0/3rem 100% local no-repeat,
 linear-gradient(90deg,var(--faint),transparent) 0 0/.7rem 100% scroll no-repeat,
 linear-gradient(270deg,var(--faint),transparent) 100% 0/.7rem 100% scroll no-repeat}
 @page{size:A4;margin:14mm}
-@media print{#look,#view>h2{display:none}#prints{display:grid;grid-template-columns:1fr 1fr;gap:.8rem 1rem}
+@media print{#look{display:none!important}#first{display:block;height:auto}#warnings{max-height:none}
+details.fold>summary{list-style:none;color:var(--ink)}.stacked{font-size:.7rem}.stacked td,.stacked th{padding:.15rem .4rem;overflow-wrap:break-word}
+body{padding:0}#prints{display:grid;grid-template-columns:1fr 1fr;gap:.8rem 1rem}
 #prints h2{grid-column:1/-1;margin:.5rem 0 0}
 #prints figure{margin:0;break-inside:avoid}#prints canvas{width:100%;display:block;border:1px solid var(--line)}
 #prints figcaption{font-size:.8rem;overflow-wrap:anywhere}.picture{background:none;overflow:hidden}

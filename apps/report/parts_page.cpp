@@ -20,12 +20,25 @@ namespace {
 
 constexpr int kBitsOfLines = 12;  ///< of a row's reach
 
-constexpr std::string_view kPartsView = R"html(<section id="list-view">
-<h2>The list</h2>
-<noscript><p class="warn">Scripts are switched off: the list and the picture are not shown. The figures above
+constexpr std::string_view kPartsView =
+    R"html(<noscript><p class="warn">Scripts are switched off: the list and the picture are not shown. The figures below
 are whole; soms clash -o clashes.csv writes the list as a table.</p></noscript>
 <p id="trouble" class="warn" role="alert" hidden></p>
 <div id="look" hidden>
+<div id="sight">
+<div id="stage">
+<canvas id="canvas" tabindex="0" role="application" aria-label="The chosen clash; arrow keys turn it, with Shift move it, plus and
+minus zoom, Home shows all parts, N and P go to the next and the previous row"></canvas>
+<div id="tools"><button id="whole" type="button">All parts</button><button id="again" type="button">Chosen clash</button>
+<button id="previous" type="button">Previous</button><button id="next" type="button">Next</button>
+<label><input id="cut" type="checkbox" checked> cut away</label></div>
+</div>
+<h2 id="picked" aria-live="polite">No clash is chosen</h2>
+<p class="note" id="legend"><span class="key moves"></span>first part<span class="key still"></span>second part<span
+class="key touch"></span>where their surfaces cross<span class="key rest"></span>other parts, cut away in front of the clash.
+One sees through the thicker of the two.</p>
+</div>
+<div id="beside">
 <div id="filters"><input id="find" type="search" placeholder="Find a name, id, file, type or key"
 aria-label="Find clashes by name, id, file, type or key" autocomplete="off">
 <fieldset id="classes"><legend>Class</legend></fieldset>
@@ -35,22 +48,14 @@ aria-label="Find clashes by name, id, file, type or key" autocomplete="off">
 <p id="count" role="status" aria-live="polite"></p>
 <div id="table" role="grid" tabindex="0" aria-label="Clashes; up and down choose a row"><div id="head" role="row"></div>
 <div id="rows" role="rowgroup"></div></div>
-<p class="note">Click a heading to sort, a row to see it. Keys in the list: up, down, Page Up, Page Down, Home, End.</p>
-<div id="stage">
-<canvas id="canvas" tabindex="0" role="application" aria-label="The chosen clash; arrow keys turn it, with Shift move it, plus and
-minus zoom, Home shows all parts, N and P go to the next and the previous row"></canvas>
-<div id="tools"><button id="whole" type="button">All parts</button><button id="again" type="button">Chosen clash</button>
-<button id="previous" type="button">Previous</button><button id="next" type="button">Next</button>
-<label><input id="cut" type="checkbox" checked> cut away</label></div>
+<p class="note" id="table-keys">The worst come first. Click a heading to sort, a row to see it; keys up and down, too.</p>
 </div>
-<div id="side"><h3 id="picked" aria-live="polite">No clash is chosen</h3><dl id="details"></dl></div>
-<p class="note" id="legend"><span class="key moves"></span>first part<span class="key still"></span>second part<span
-class="key touch"></span>where their surfaces cross<span class="key rest"></span>other parts, cut away in front of the clash.
-One sees through the thicker of the two.</p>
-<p class="note" id="drawn"></p>
 </div>
 <div id="prints"></div>
 </section>
+</div>
+<p id="drawn" class="note"></p>
+<section id="side"><h2>The chosen clash</h2><dl id="details"></dl></section>
 <section id="matrix-view" hidden><h2>Which models clash</h2><div id="matrices"></div></section>
 )html";
 
@@ -63,8 +68,10 @@ class PartsPageWriter {
   ShownParts write() {
     write_head(out_, page_.page, fmt::format("{}{}", kViewStyle, kPartsStyle));
     write_warnings(out_, page_.page);
-    write_facts(out_, page_.page);
-    out_ << kPartsView;
+    out_ << fmt::format("<section id=\"view\" class=\"clashes{}\">\n",
+                        page_.rows == 0 ? " no-list" : "")
+         << kPartsView;
+    write_folded_facts(out_, page_.page);
     write_notes(out_, page_.page);
     out_ << "</main>\n";
     write_list();

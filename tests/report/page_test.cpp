@@ -61,9 +61,46 @@ TEST(ReportPage, LinksRowsOfATableToItsGaps) {
                   .rows = {{"<first>", "3 m"}, {"second", "4 m"}},
                   .of_gaps = true}};
   const std::string text = written(page);
-  EXPECT_NE(text.find("<tr><td><a href=\"#gap=0\">&lt;first&gt;</a></td><td>3 m</td></tr>\n"
-                      "<tr><td>second</td><td>4 m</td></tr>"),
+  EXPECT_NE(text.find("<tr><td data-name=\"who\"><a href=\"#gap=0\">&lt;first&gt;</a></td>"
+                      "<td data-name=\"what\">3 m</td></tr>\n"
+                      "<tr><td data-name=\"who\">second</td>"
+                      "<td data-name=\"what\">4 m</td></tr>"),
             std::string::npos);
+}
+
+TEST(ReportPage, HasAListWhereSomethingIsListed) {
+  const Mesh mesh = generate_knot(500);
+  Page page = small_page(mesh, "words");
+  EXPECT_NE(written(page).find("<section id=\"view\" class=\"touches\">"), std::string::npos);
+  page.scene.rows.clear();
+  page.scene.contacts.clear();
+  page.scene.contacts_in_all = 0;
+  EXPECT_NE(written(page).find("class=\"touches no-list\""), std::string::npos);
+}
+
+TEST(ReportPage, PutsTheAnswerBeforeTheFigures) {
+  const Mesh mesh = generate_knot(500);
+  Page page = small_page(mesh, "words");
+  std::string text = written(page);
+  EXPECT_LT(text.find("id=\"stage\""), text.find("<details id=\"figures\" class=\"fold\">"));
+  // A plot that is the answer stands beside the scene, with the figures.
+  page.beside = {{.svg = "<svg id=\"answer\"></svg>", .caption = "the answer"}};
+  text = written(page);
+  const std::size_t plot = text.find("<svg id=\"answer\">");
+  EXPECT_LT(text.find("id=\"beside\""), plot);
+  EXPECT_LT(plot, text.find("<dl class=\"facts\">"));
+  EXPECT_LT(text.find("<dl class=\"facts\">"), text.find("id=\"drawn\""));
+  EXPECT_EQ(text.find("<details id=\"figures\""), std::string::npos);
+}
+
+TEST(ReportPage, FoldsLongTables) {
+  const Mesh mesh = generate_knot(500);
+  Page page = small_page(mesh, "words");
+  page.tables = {{.title = "Short", .columns = {"a"}, .rows = {{"1"}}},
+                 {.title = "Long", .columns = {"a"}, .rows = {13, {"1"}}}};
+  const std::string text = written(page);
+  EXPECT_NE(text.find("<details class=\"fold\" open>\n<summary>Short"), std::string::npos);
+  EXPECT_NE(text.find("<details class=\"fold\">\n<summary>Long"), std::string::npos);
 }
 
 TEST(ReportPage, IsOneWholeDocumentWithAllItsParts) {

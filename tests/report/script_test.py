@@ -183,7 +183,7 @@ for (const [r, step, expected] of [[0, 2, NO], [0, 4, YES], [1, 3, YES], [1, 4, 
 
 # Rows of a clash list: which are shown, in which order, and what is said of them.
 CLASH_ROWS = """
-import { ClashRows, countWords, detailsOf, pairCounts, sideName } from '%(clash_rows)s';
+import { ClashRows, countWords, detailsOf, pairCounts, rowSentence, sideName } from '%(clash_rows)s';
 const check = (found, expected) => {
   if (JSON.stringify(found) !== JSON.stringify(expected)) {
     console.log(`${JSON.stringify(found)} should be ${JSON.stringify(expected)}`);
@@ -202,8 +202,8 @@ const all = { sides, rows, totals: { complete: true } };
 check(sides.map(sideName), ['Level 1/Slab', 'b', 'Duct']);
 const table = new ClashRows(all);
 check(table.columns.map(({ key }) => key), ['number', 'class', 'status', 'group', 'a', 'b', 'gap', 'depth', 'triangle_pairs', 'place']);
-check(table.order, [0, 1, 2]);
-for (const [key, order] of [['class', [1, 0, 2]], ['class', [2, 0, 1]], ['triangle_pairs', [2, 1, 0]], ['gap', [0, 1, 2]], ['gap', [2, 0, 1]],
+check(table.order, [1, 0, 2]); // the worst first
+for (const [key, order] of [['class', [2, 0, 1]], ['class', [1, 0, 2]], ['triangle_pairs', [2, 1, 0]], ['gap', [0, 1, 2]], ['gap', [2, 0, 1]],
   ['place', [2, 1, 0]], ['b', [1, 2, 0]], ['status', [1, 0, 2]], ['depth', [0, 2, 1]], ['number', [0, 1, 2]]]) {
   table.sortBy(key);
   check(table.order, order);
@@ -230,9 +230,17 @@ check(table.order, [1, 2]);
 check(table.counts.class, [['crossing', 1], ['touching', 1], ['near', 1]]);
 check(pairCounts(all, 'set'), [{ names: ['slabs', 'ducts'], count: 2 }, { names: ['slabs', ''], count: 1 }]);
 const said = detailsOf(all, 2).map(([name, value]) => `${name}: ${value}`).join('; ');
-for (const words of ['class: near', 'first part: Level 1/Slab', 'its file: x/a.obj', 'its id: guid-9', 'its odd edges: 4', 'gap: 0.5', 'later key: {\\"x\\":1}', 'key: 22dd']) {
+for (const words of ['class: near', 'first part: Level 1/Slab', 'its file: x/a.obj', 'its id: guid-9', 'its odd edges: 4', 'gap: 0.5', 'later key: x: 1', 'gap: 0.5', 'key: 22dd']) {
   check(said.includes(words), true);
 }
+const deep = rows.map((row, r) => ({ ...row, class: 'crossing', status: undefined, depth: [0.0481876, 0.5, 0.25][r], box: [[0, 1, 2], [3, 4, 5.25]] }));
+const sorted = new ClashRows({ ...all, rows: deep });
+check(sorted.order, [1, 2, 0]); // the deepest first
+const cells = (r) => Object.fromEntries(sorted.columns.map(({ key, text }) => [key, text(deep[r], r)]));
+check([cells(0).depth, cells(0).gap, cells(2).gap], ['0.04819', '', '0.5']);
+check(new ClashRows({ ...all, rows: deep.slice(0, 2) }).columns.some(({ key }) => key === 'gap'), false);
+check(Object.fromEntries(detailsOf({ ...all, rows: deep }, 0)).box, '(0, 1, 2) to (3, 4, 5.25)');
+check(rowSentence({ ...all, rows: deep }, 0), 'Level 1/Slab and b: crossing, 0.04819 deep, at (1, 2, 3)');
 check(countWords(new ClashRows({ sides, rows: [], totals: { complete: true } })), 'No parts clash.');
 const many = Array.from({ length: 100000 }, (_, r) => ({ ...rows[r %% 3], triangle_pairs: r %% 977 }));
 const large = new ClashRows({ sides, rows: many, totals: { complete: true } });

@@ -21,6 +21,9 @@ def first_sight_faults(page, answer):
     sums = page.run("return [...Array(soms.rows).keys()].reduce((sum, r) => sum + soms.total(r), 0)")
     if sums != answer["contacts"]:
         yield f"the events of the page have {sums} contacts, the answer {answer['contacts']}"
+    most = page.run("return [...Array(soms.rows).keys()].reduce((most, r) => Math.max(most, soms.most(r)), 0)")
+    if page.soms("most(soms.chosenRow())") != most or not page.run("return document.querySelector('.line').ariaSelected === 'true'"):
+        yield "the page does not open on the event with the most pairs of triangles"
     if page.soms("calls()") > 60:
         yield f"{page.soms('calls()')} draw calls"
     if not page.element("drawn").text.startswith("Drawn: "):
@@ -215,6 +218,7 @@ def restore_faults(browser, file):
 def print_faults(browser, file, answer):
     """On paper: a picture of each of the first 20 events, in the colors of paper."""
     page = Look(browser, file, DESK, "dark")
+    opened = page.soms("chosenRow()")
     page.run("window.dispatchEvent(new Event('beforeprint'))")
     figures = page.run(IS_CONTACT + """return [...document.querySelectorAll('#prints figure')].map((figure) => {
         const canvas = figure.querySelector('canvas'), pen = canvas.getContext('2d');
@@ -233,8 +237,8 @@ def print_faults(browser, file, answer):
     page.run("window.dispatchEvent(new Event('afterprint'))")
     if page.run("return document.querySelectorAll('#prints figure').length"):
         yield "pictures for paper stay on the page"
-    if page.soms("chosenRow()") != -1:
-        yield "printing chooses a row"
+    if page.soms("chosenRow()") != opened or opened < 0:
+        yield "printing chooses another row"
     sheets = browser.execute_cdp_cmd("Page.printToPDF", {"preferCSSPageSize": True})["data"]
     if len(sheets) < 100_000:
         yield f"what is printed has {len(sheets)} characters"
@@ -270,6 +274,7 @@ def scheme_faults(browser, file):
     papers = {}
     for scheme in ("light", "dark"):
         page = Look(browser, file, DESK, scheme)
+        page.run("document.getElementById('whole').click()")
         papers[scheme] = page.picture()["corner"]
         ink, paper = page.run("const s = getComputedStyle(document.body);"
                               "return [s.color, s.backgroundColor]")

@@ -12,8 +12,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <map>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 namespace soms::command {
@@ -57,7 +60,7 @@ class ClashPageMaker {
 
   report::ShownParts write(std::ostream& out) {
     page_.page.title = title();
-    page_.page.lead = "Which parts clash, decided exactly for each pair.";
+    page_.page.lead = lead();
     add_facts();
     for (const FrameWarning& warning : report_.models.warnings) {
       page_.page.warnings.push_back(warning.text());
@@ -117,9 +120,57 @@ class ClashPageMaker {
         }
         sides[is_b ? 1 : 0] = at->second;
       }
+      keep_worst(clash.row);
       sides_.push_back(sides);
       sights_.push_back(sight);
     }
+  }
+
+  /// Remembers the worst row of the first class that has any, by the rule of clash_rows.js.
+  void keep_worst(const Json& row) {
+    const auto lower = [&row](const char* key) {
+      const Json value = row.value(key, Json());
+      return value.is_array() && !value.empty() ? value[0].get<double>()
+             : value.is_number()                ? value.get<double>()
+                                                : 0.0;
+    };
+    if (text_of(row, "status") == "resolved") {
+      return;
+    }
+    const Badness badness{-class_number(text_of(row, "class")), lower("depth"), -lower("gap"),
+                          lower("triangle_pairs")};
+    if (!worst_ || *worst_ < badness) {
+      worst_ = badness;
+      worst_words_ = fmt::format("{} and {}, {}", side_label(row, "a"), side_label(row, "b"),
+                                 text_of(row, "class"));
+      if (badness[1] > 0) {
+        worst_words_ += fmt::format(", {} deep", four_digits(badness[1]));
+      } else if (badness[2] < 0) {
+        worst_words_ += fmt::format(", {} apart", four_digits(-badness[2]));
+      }
+    }
+  }
+
+  [[nodiscard]] static double class_number(std::string_view kind) {
+    std::size_t number = 0;
+    while (number < kClashKinds && name(static_cast<ClashKind>(number)) != kind) {
+      ++number;
+    }
+    return static_cast<double>(number);
+  }
+
+  /// How many clashes of each class, and the worst.
+  [[nodiscard]] std::string lead() const {
+    if (report_.rows.empty()) {
+      return report_.complete() ? "No parts clash." : "No clash was found so far.";
+    }
+    return fmt::format("{}{}{}. The worst: {}.", report_.complete() ? "" : "At least ",
+                       clashes_in_all(), counts_of_classes(), worst_words_);
+  }
+
+  [[nodiscard]] std::string clashes_in_all() const {
+    return fmt::format("{} {}", with_commas(report_.rows.size()),
+                       report_.rows.size() == 1 ? "clash" : "clashes");
   }
 
   [[nodiscard]] report::PageRow row(std::size_t k) const {
@@ -245,6 +296,10 @@ class ClashPageMaker {
   std::size_t first_of_b_ = 0;
   std::vector<std::array<std::size_t, 2>> sides_;  ///< of each row
   std::vector<std::optional<ClashSight>> sights_;  ///< likewise
+  /// What makes a row worse, the most important first.
+  using Badness = std::array<double, 4>;
+  std::optional<Badness> worst_;
+  std::string worst_words_;
 };
 
 }  // namespace

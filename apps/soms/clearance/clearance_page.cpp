@@ -175,13 +175,32 @@ report::Scene scene_of_path(const ClearanceReport& report,
 
 }  // namespace
 
+namespace {
+
+/// The verdict, and the least gap with its place.
+std::string lead_of_path(const ClearanceReport& report, const NearestNames& names) {
+  const Clearance& answer = report.answer;
+  if (answer.stations.empty()) {
+    return "No station was reached.";
+  }
+  const std::string nearest = names.text(answer.least);
+  const std::string gap = gap_in_text(answer.least.gap, report.unit);
+  return fmt::format("Verdict: {}. {} {}{} at chainage {:.2f}; at least {} is proved everywhere.",
+                     name(report.verdict()), report.profile().name,
+                     answer.least.overlaps()
+                         ? std::string("touches")
+                         : fmt::format("comes as near as {}{}", gap, nearest.empty() ? "" : " to"),
+                     nearest.empty() ? std::string() : " " + nearest, answer.least.chainage,
+                     four_digits(answer.at_least));
+}
+
+}  // namespace
+
 void write_clearance_page(std::ostream& out, const ClearanceReport& report,
                           const NearestNames& names) {
   report::Page page{
       .title = fmt::format("{} along a path in {}", report.profile().name, report.world.title),
-      .lead =
-          "How near the profile comes, at each station exactly, and between stations by a "
-          "bound that is proved.",
+      .lead = lead_of_path(report, names),
       .facts = {},
       .plots = {},
       .notes = {}};
@@ -201,10 +220,11 @@ void write_clearance_page(std::ostream& out, const ClearanceReport& report,
     page.notes.emplace_back("This run ended early; the page shows the stations that were done.");
   }
   page.notes.emplace_back(
-      "Only surfaces are compared: a profile entirely inside a closed building touches nothing. "
+      "Gaps are exact at each station; between stations a bound is proved. Only surfaces are "
+      "compared: a profile entirely inside a closed building touches nothing. "
       "The picture may be simplified; the answers never are.");
   if (!report.answer.stretches.empty()) {
-    page.plots.push_back(plot_of_gaps(report));
+    page.beside.push_back(plot_of_gaps(report));
   }
   const std::vector<std::size_t> nearest = nearest_stations(report.answer, kPlacesInTable);
   if (!nearest.empty()) {

@@ -132,14 +132,19 @@ std::string MotionPage::lead(const std::vector<Kept>& motions) const {
     return "No motion was answered.";
   }
   const report::SceneMotion& first = motions.front().shown;
-  if (motions_ == 1) {
-    return fmt::format("{} is {}.", models_.name_a, first.words);
+  if (motions_ > 1 && !first.blocked) {
+    return fmt::format("All {} are free.", counted(motions_, "motion"));
   }
-  return first.blocked
-             ? fmt::format("Motion {} of {} is the first that is not free. There {} is {}.",
-                           with_commas(first.number), with_commas(motions_), models_.name_a,
-                           first.words)
-             : fmt::format("All {} are free.", counted(motions_, "motion"));
+  const std::string verdict =
+      first.place && first.t.lower > 0
+          ? fmt::format("is free until {} of the way, where it touches {}",
+                        four_digits(first.t.lower), models_.name_b)
+          : "is " + first.words;
+  return motions_ == 1
+             ? fmt::format("{} {}.", models_.name_a, verdict)
+             : fmt::format("{} of {} are not free. In motion {} {} {}.",
+                           with_commas(blocked_in_all_), counted(motions_, "motion"),
+                           with_commas(first.number), models_.name_a, verdict);
 }
 
 void MotionPage::write(std::ostream& out, const PairReport& report, const RowTotals& totals) const {

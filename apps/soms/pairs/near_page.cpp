@@ -213,10 +213,10 @@ void NearPage::write(std::ostream& out, const PairReport& report, const RowTotal
   std::vector<Near> nearest = nearest_;
   std::sort(nearest.begin(), nearest.end());
   report::Page page{.title = fmt::format("{} and {}", models_.name_a, models_.name_b),
-                    .lead = words_.lead,
+                    .lead = fmt::format("{} and {}: {}.", models_.name_a, models_.name_b, answer),
                     .facts = facts_of_models(models_, report),
                     .plots = plots(),
-                    .notes = {words_.note},
+                    .notes = {words_.lead, words_.note},
                     .scene = scene(nearest)};
   page.facts.push_back({"answer", answer});
   page.facts.push_back(fact_of_poses(report, totals, words_.poses));

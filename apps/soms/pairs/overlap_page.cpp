@@ -3,6 +3,7 @@
 #include "apps/cli/text.h"
 #include "apps/draw/chart.h"
 #include "apps/model/models.h"
+#include "apps/report/scene_words.h"
 #include "apps/soms/answers/page_plots.h"
 #include "apps/world/part_names.h"
 
@@ -195,17 +196,41 @@ std::vector<report::Fact> OverlapPage::facts(const OverlapReport& report,
   return facts;
 }
 
+/// What touches what, in a sentence; the pair of parts with the most pairs of triangles first.
+std::string OverlapPage::lead(const report::Scene& scene, const RowTotals& totals) const {
+  const std::string poses =
+      track_.rows() > 1
+          ? fmt::format(" at {} of {}", with_commas(totals.found), counted(track_.rows(), "pose"))
+          : std::string();
+  const std::optional<std::size_t> worst = report::worst_row(scene);
+  if (!worst) {
+    return scene.complete ? fmt::format("{} and {} do not touch{}.", models_.name_a, models_.name_b,
+                                        track_.rows() > 1 ? " at any pose" : "")
+                          : "No overlap was found so far.";
+  }
+  const report::SceneRow& row = scene.rows[*worst];
+  const char* const at_least = scene.complete ? "" : "at least ";
+  if (scene.rows.size() == 1) {
+    return fmt::format("{}{}: {}{} of triangles overlap.", report::who_touches(scene, row), poses,
+                       at_least, counted(row.count, "pair"));
+  }
+  return fmt::format("{} most, with {} of triangles. In all {}{} of parts touch{}.",
+                     report::who_touches(scene, row), counted(row.count, "pair"), at_least,
+                     counted(scene.rows.size(), "pair"), poses);
+}
+
 void OverlapPage::write(std::ostream& out, const OverlapReport& report,
                         const RowTotals& totals) const {
   report::Page page{
       .title = fmt::format("{} and {}", models_.name_a, models_.name_b),
-      .lead = "Which triangles share a point, decided exactly.",
+      .lead = {},
       .facts = facts(report, totals),
       .plots = plots(),
       .notes = {"Touching counts as overlap: corners and edges belong to their triangles. Only "
                 "surfaces are tested: a body entirely inside another one does not overlap it. "
                 "The picture may be simplified; the answers never are."},
       .scene = scene(report)};
+  page.lead = lead(page.scene, totals);
   for (const FrameWarning& warning : report.pair.warnings) {
     page.warnings.push_back(warning.text());
   }

@@ -40,6 +40,7 @@ class OverlapPage {
   void add_rows(report::Scene& scene) const;
   [[nodiscard]] bool is_complete(const OverlapReport& report) const;
   [[nodiscard]] report::Scene scene(const OverlapReport& report) const;
+  [[nodiscard]] std::string lead(const report::Scene& scene, const RowTotals& totals) const;
   [[nodiscard]] std::vector<report::Plot> plots() const;
   [[nodiscard]] std::vector<report::Fact> facts(const OverlapReport& report,
                                                 const RowTotals& totals) const;

@@ -9,6 +9,7 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace soms::command {
 
@@ -161,6 +162,11 @@ void add_near(report::Page& page, const World& world, const Outcome& outcome,
                                .point_a = event.point_a,
                                .point_b = event.point_b,
                                .length = meters_in_text(event.distance.lower)});
+  }
+  if (page.scene.rows.empty() && !table.rows.empty()) {
+    const std::vector<std::string>& nearest = table.rows.front();
+    page.lead += fmt::format(" The nearest: {} and {}, {} apart in frame {}.", nearest[0],
+                             nearest[1], nearest[2], nearest[3]);
   }
   page.scene.gaps_in_all = all;
   page.tables.push_back(std::move(table));

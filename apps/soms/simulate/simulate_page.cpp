@@ -5,6 +5,7 @@
 #include "apps/cli/text.h"
 #include "apps/draw/chart.h"
 #include "apps/report/page.h"
+#include "apps/report/scene_words.h"
 #include "apps/soms/answers/page_plots.h"
 #include "apps/soms/simulate/simulate_near_report.h"
 #include "apps/soms/simulate/simulate_passage_page.h"
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -261,16 +263,29 @@ std::vector<report::Plot> plots_of(const World& world, const Outcome& outcome) {
   return plots;
 }
 
+/// What touches what, in a sentence; the worst event first.
+std::string lead_of(const World& world, const Outcome& outcome, const report::Scene& scene) {
+  const std::string tested = fmt::format(
+      "{} in {} ({:.4g} s)", counted(world.routes.size(), "mover"),
+      counted(outcome.frames, "frame"), static_cast<double>(outcome.frames) / kFramesASecond);
+  const std::optional<std::size_t> worst = report::worst_row(scene);
+  if (!worst) {
+    return fmt::format("Nothing touches: {}.", tested);
+  }
+  const report::SceneRow& row = scene.rows[*worst];
+  return fmt::format("{} most: {} of triangles in frame {}. In all {} by {} of {}.",
+                     report::who_touches(scene, row), counted(row.most_pairs, "pair"),
+                     with_commas(row.most_step), counted(scene.rows.size(), "event"),
+                     with_commas(outcome.contacts.movers()), tested);
+}
+
 }  // namespace
 
 void write_page(std::ostream& out, const World& world, const Outcome& outcome,
                 std::vector<std::size_t> event_of, const SimulateOptions& options) {
   report::Page page{
       .title = fmt::format("{} and {}", world.title, counted(world.routes.size(), "mover")),
-      .lead = fmt::format("What touches what, and when: {} in {}, decided exactly, triangle by "
-                          "triangle.",
-                          counted(outcome.contacts.contacts().size(), "contact"),
-                          counted(outcome.frames, "frame")),
+      .lead = {},
       .facts = {},
       .plots = {},
       .notes = {}};
@@ -304,6 +319,7 @@ void write_page(std::ostream& out, const World& world, const Outcome& outcome,
   }
   page.plots = plots_of(world, outcome);
   page.scene = scene_of(world, outcome, std::move(event_of));
+  page.lead = lead_of(world, outcome, page.scene);
   if (options.clearance > 0) {
     add_near(page, world, outcome, options);
   }

@@ -2,14 +2,18 @@
 import { loadClashes } from './clash_data.js';
 import { addMatrices } from './clash_matrix.js';
 import { printedClashes } from './clash_print.js';
-import { ClashRows, detailsOf, partsWords, rowTitleOf } from './clash_rows.js';
+import { ClashRows, detailsOf, partsWords, rowSentence } from './clash_rows.js';
 import { ClashTable } from './clash_table.js';
 import { ClashView } from './clash_view.js';
 import { addPrinting, addSteps, byId, makeView, said } from './page.js';
 
 function showDetails(all, r) {
-  byId('picked').textContent = `${r + 1}. ${rowTitleOf(all, r)}`;
-  byId('details').replaceChildren(...detailsOf(all, r).flatMap(([name, value]) => [said('dt', name), said('dd', value)]));
+  byId('picked').textContent = `${r + 1}. ${rowSentence(all, r)}`;
+  byId('details').replaceChildren(...detailsOf(all, r).map(([name, value]) => {
+    const pair = said('div', '');
+    pair.append(said('dt', name), said('dd', value));
+    return pair;
+  }));
 }
 
 // The row that an address names: "#clash=KEY", which later lists have, too.
@@ -24,16 +28,19 @@ export function startClashes() {
   byId('drawn').textContent = partsWords(all);
   const view = makeView(ClashView, all, 'stage');
   const rows = new ClashRows(all);
-  const choose = (r) => {
+  // A page that opens flies nowhere, and its address stays.
+  const choose = (r, opens = false) => {
     table.mark(r);
-    view?.choose(r);
+    view?.choose(r, !opens);
     showDetails(all, r);
-    history.replaceState(null, '', `#clash=${all.rows[r].key}`);
+    if (!opens) {
+      history.replaceState(null, '', `#clash=${all.rows[r].key}`);
+    }
   };
-  const table = new ClashTable(rows, choose);
+  const table = new ClashTable(rows, (r) => choose(r));
   addMatrices(all, (pair) => {
     table.setPair(pair);
-    byId('list-view').scrollIntoView();
+    byId('first').scrollIntoView();
   });
   addSteps(view, table);
   if (view) {
@@ -41,9 +48,11 @@ export function startClashes() {
     byId('cut').addEventListener('change', () => view.setCut(byId('cut').checked));
   }
   addPrinting(() => printedClashes(all, view, table));
-  const first = linkedRow(all);
-  if (first >= 0) {
-    choose(first);
+  const named = linkedRow(all);
+  if (named >= 0) {
+    choose(named);
+  } else if (rows.order.length > 0) {
+    choose(rows.order[0], true);
   }
   // For scripts that look at the page, our tests among them.
   window.soms = {

@@ -20,48 +20,62 @@ export function sideName(side) {
   return baseName(side.file).replace(/\.[^.]*$/, '') || 'a part without a name';
 }
 
-const digits = (value) => (typeof value === 'number' ? String(Number(value.toPrecision(6))) : '');
+const inMost = (value, most) => (typeof value === 'number' ? String(Number(value.toPrecision(most))) : '');
+
+// As a table has room for; the details have more.
+const digits = (value) => inMost(value, 4);
+
+const isPoint = (value) => Array.isArray(value) && value.length === 3 && value.every((part) => typeof part === 'number');
 
 // Digits that can be seen in a scene of this size.
 export function pointText(place, size) {
   const after = Math.min(12, Math.max(0, 4 - Math.floor(Math.log10(size))));
-  return Array.isArray(place) && place.length === 3 && place.every((value) => typeof value === 'number')
-    ? `(${place.map((value) => Number(value.toFixed(after)) + 0).join(', ')})` : '';
+  return isPoint(place) ? `(${place.map((value) => Number(value.toFixed(after)) + 0).join(', ')})` : '';
 }
 
-function gapText({ gap }) {
-  if (!Array.isArray(gap) || typeof gap[0] !== 'number') {
-    return '';
-  }
-  return digits(gap[0]);
+const sizeOf = ({ scene }) => (scene?.size ?? 1) / (scene?.scale ?? 1);
+
+// The lower of the two ends that enclose a length, or the length itself.
+const lower = (value) => (Array.isArray(value) ? value[0] : value) ?? undefined;
+
+// What is worse comes first: by class, then the deeper, the nearer, and the one with more pairs of triangles. What
+// is resolved comes last.
+function worst({ class: kind, status, depth, gap, triangle_pairs: pairs }) {
+  const known = CLASSES.indexOf(kind);
+  return [status === 'resolved' ? 1 : 0, known < 0 ? CLASSES.length : known, -(lower(depth) ?? 0), lower(gap) ?? 0, -(pairs ?? 0)];
 }
 
-// A column: its heading, what a row shows there, what it is sorted by, and its width on the screen.
+// A column: its heading, what a row shows there, what it is sorted by, its width on the screen and, if it is not `isWide`,
+// on a narrow one. Those of `onPaper` are there alone, as the details have them on the screen.
 export function columnsOf(all) {
   const name = (which) => (row) => sideName(all.sides[row[which]]);
-  const size = (all.scene?.size ?? 1) / (all.scene?.scale ?? 1);
+  const size = sizeOf(all);
   const some = (key) => all.rows.some((row) => row[key] !== undefined && row[key] !== null);
   const columns = [
-    { key: 'number', title: '#', text: (row, r) => number(r + 1), by: (row, r) => r, width: '3.6rem', isNumber: true },
-    { key: 'class', title: 'Class', text: (row) => textOf(row.class), by: (row) => CLASSES.indexOf(row.class), width: '6rem' },
+    { key: 'number', title: '#', text: (row, r) => number(r + 1), by: (row, r) => r, width: '3rem', isNumber: true, isWide: true },
+    { key: 'class', title: 'Class', text: (row) => textOf(row.class), by: worst, width: '5.4rem', isWide: true },
   ];
   if (some('status')) {
-    columns.push({ key: 'status', title: 'Status', text: (row) => textOf(row.status), by: (row) => textOf(row.status), width: '5.2rem' });
+    columns.push({ key: 'status', title: 'Status', text: (row) => textOf(row.status), by: (row) => textOf(row.status), width: '5rem', isWide: true });
   }
   if (some('group')) {
-    columns.push({ key: 'group', title: 'Group', text: (row) => textOf(row.group), by: (row) => textOf(row.group), width: '7rem' });
+    columns.push({ key: 'group', title: 'Group', text: (row) => textOf(row.group), by: (row) => textOf(row.group), width: '6rem', isWide: true });
   }
   columns.push(
-    { key: 'a', title: 'First part', text: name('a'), by: name('a'), width: 'minmax(10rem,1fr)' },
-    { key: 'b', title: 'Second part', text: name('b'), by: name('b'), width: 'minmax(10rem,1fr)' },
-    { key: 'gap', title: 'Gap', text: gapText, by: (row) => (Array.isArray(row.gap) ? row.gap[0] : Infinity), width: '5.5rem', isNumber: true });
+    { key: 'a', title: 'First part', text: name('a'), by: name('a'), width: 'minmax(5rem,1fr)', narrow: 'minmax(0,1fr)' },
+    { key: 'b', title: 'Second part', text: name('b'), by: name('b'), width: 'minmax(5rem,1fr)', narrow: 'minmax(0,1fr)' });
+  const length = (key, title, without, isWide = false) => columns.push({
+    key, title, text: (row) => (lower(row[key]) > 0 ? digits(lower(row[key])) : ''), by: (row) => lower(row[key]) ?? without, width: '5rem', narrow: '5rem', isNumber: true, isWide,
+  });
+  if (all.rows.some(({ gap }) => lower(gap) > 0)) {
+    length('gap', 'Gap', Infinity, some('depth'));
+  }
   if (some('depth')) {
-    const depth = ({ depth: value }) => (Array.isArray(value) ? value[0] : value);
-    columns.push({ key: 'depth', title: 'Depth', text: (row) => digits(depth(row)) || textOf(row.depth), by: (row) => depth(row) ?? -Infinity, width: '5.5rem', isNumber: true });
+    length('depth', 'Depth', -Infinity);
   }
   columns.push(
-    { key: 'triangle_pairs', title: 'Triangle pairs', text: (row) => (typeof row.triangle_pairs === 'number' ? number(row.triangle_pairs) : ''), by: (row) => row.triangle_pairs ?? -1, width: '8.4rem', isNumber: true },
-    { key: 'place', title: 'Place', text: (row) => pointText(row.place, size), by: (row) => row.place ?? [], width: '13rem' });
+    { key: 'triangle_pairs', title: 'Pairs', text: (row) => (typeof row.triangle_pairs === 'number' ? number(row.triangle_pairs) : ''), by: (row) => row.triangle_pairs ?? -1, width: '4.6rem', isNumber: true, isWide: true },
+    { key: 'place', title: 'Place', text: (row) => pointText(row.place, size), by: (row) => row.place ?? [], onPaper: true });
   return columns;
 }
 
@@ -91,7 +105,7 @@ export class ClashRows {
     this.hidden = { class: new Set(), status: new Set() };
     this.query = '';
     this.pair = null; // a filter by two values of sides: { key, a, b }
-    this.sortedBy = 'number';
+    this.sortedBy = 'class'; // the worst first
     this.falling = false;
     this.counts = {
       class: this.counted((row) => textOf(row.class), CLASSES), status: this.counted((row) => textOf(row.status) || NO_STATUS, []),
@@ -164,39 +178,54 @@ export function countWords(rows) {
   return rows.order.length === all ? `All ${number(all)} ${noun}` : `${number(rows.order.length)} of ${number(all)} ${noun}`;
 }
 
-const HANDLED = new Set(['a', 'b', 'class', 'gap', 'place']);
+// A value of JSON in words, with digits that can be seen in a scene of this size.
+function inWords(value, size) {
+  if (isPoint(value)) {
+    return pointText(value, size);
+  }
+  if (Array.isArray(value)) {
+    const parts = value.map((part) => inWords(part, size));
+    const isRange = parts.length === 2 && value.every((part) => typeof part === 'number' || isPoint(part));
+    return isRange ? [...new Set(parts)].join(' to ') : parts.join(value.some(Array.isArray) ? '; ' : ', ');
+  }
+  if (typeof value === 'boolean') {
+    return value ? 'yes' : 'no';
+  }
+  if (value !== null && typeof value === 'object') {
+    return Object.entries(value).filter(([, part]) => part !== null).map(([key, part]) => `${spaced(key)}: ${inWords(part, size)}`).join(', ');
+  }
+  return typeof value === 'number' && !Number.isInteger(value) ? inMost(value, 6) : textOf(value);
+}
+
+const spaced = (key) => key.replaceAll('_', ' ');
+
+const isEmpty = (value) => value === null || value === undefined || value === '' || (Array.isArray(value) && value.length === 0);
+
+// In this order; all others follow.
+const FIRST = ['class', 'status', 'depth', 'gap', 'place', 'triangle_pairs'];
+
+function sideDetails(side, title, size) {
+  return [[title, sideName(side)], ...Object.entries(side).filter(([key, value]) => key !== 'part' && !isEmpty(value))
+    .map(([key, value]) => [`its ${spaced(key)}`, key === 'path' && Array.isArray(value) ? value.map(textOf).join(' / ') : inWords(value, size)])];
+}
 
 // All that is known of a row, as names and values: nothing that JSON has is left out.
 export function detailsOf(all, r) {
   const row = all.rows[r];
-  const details = [['class', textOf(row.class)]];
-  for (const [which, title] of [['a', 'first part'], ['b', 'second part']]) {
-    const side = all.sides[row[which]];
-    details.push([title, sideName(side)]);
-    for (const [key, value] of Object.entries(side)) {
-      if (value !== null && key !== 'part' && !(Array.isArray(value) && value.length === 0)) {
-        details.push([key === 'path' || key === 'index' ? `its ${key}` : `its ${key.replaceAll('_', ' ')}`, Array.isArray(value) && key === 'path' ? value.map(textOf).join(' / ') : textOf(value)]);
-      }
-    }
-  }
-  if (row.gap !== undefined) {
-    details.push(['gap', Array.isArray(row.gap) && row.gap[0] === row.gap[1] ? textOf(row.gap[0]) : textOf(row.gap)]);
-  }
-  if (row.place !== undefined) {
-    details.push(['place', textOf(row.place)]);
-  }
-  for (const [key, value] of Object.entries(row)) {
-    if (!HANDLED.has(key) && value !== null) {
-      details.push([key.replaceAll('_', ' '), textOf(value)]);
-    }
-  }
-  return details;
+  const size = sizeOf(all);
+  const of = (keys) => keys.filter((key) => !isEmpty(row[key])).map((key) => [spaced(key), inWords(row[key], size)]);
+  return [...of(FIRST), ...sideDetails(all.sides[row.a], 'first part', size), ...sideDetails(all.sides[row.b], 'second part', size),
+    ...of(Object.keys(row).filter((key) => key !== 'a' && key !== 'b' && !FIRST.includes(key)))];
 }
 
-export const rowTitleOf = (all, r) => {
-  const row = all.rows[r];
-  return `${textOf(row.class)}: ${sideName(all.sides[row.a])} and ${sideName(all.sides[row.b])}`;
-};
+// What a row comes to: "Beam and Duct: crossing, 0.3064 deep, at (1, 2, 3)".
+export function rowSentence(all, r) {
+  const { class: kind, depth, gap, place } = all.rows[r];
+  const measure = lower(gap) > 0 ? `${digits(lower(gap))} apart` : lower(depth) > 0 ? `${digits(lower(depth))} deep` : '';
+  return `${namesOf(all, r)}: ${[textOf(kind), measure, isPoint(place) ? `at ${pointText(place, sizeOf(all))}` : ''].filter(Boolean).join(', ')}`;
+}
+
+const namesOf = (all, r) => ['a', 'b'].map((which) => sideName(all.sides[all.rows[r][which]])).join(' and ');
 
 // How many rows each pair of values of sides has, the most first: [[a, b], count]. A value is that
 // of `key`: "file" or "set".

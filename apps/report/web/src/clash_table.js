@@ -4,14 +4,19 @@ import { byId, said } from './page.js';
 import { Scrolled } from './scrolled.js';
 import { number } from './words.js';
 
+// Classes of a cell; a narrow screen has no room for those of `wide`.
+const kindOf = (isNumber, isWide) => [isNumber ? 'number' : '', isWide ? 'wide' : ''].filter(Boolean).join(' ');
+
 export class ClashTable extends Scrolled {
   constructor(rows, onChoose) {
     super(byId('table'), byId('rows'), { height: 40, more: 8, head: byId('head') });
     this.rows = rows;
     this.onChoose = onChoose;
     this.chosen = -1;
-    this.widths = rows.columns.map(({ width }) => width).join(' ');
-    this.box.setAttribute('aria-colcount', rows.columns.length);
+    this.columns = rows.columns.filter(({ onPaper }) => !onPaper);
+    this.box.style.setProperty('--wide', this.columns.map(({ width }) => width).join(' '));
+    this.box.style.setProperty('--narrow', this.columns.filter(({ isWide }) => !isWide).map(({ narrow }) => narrow).join(' '));
+    this.box.setAttribute('aria-colcount', this.columns.length);
     this.addHead();
     this.addFilters('class', byId('classes'));
     this.addFilters('status', byId('statuses'));
@@ -27,9 +32,8 @@ export class ClashTable extends Scrolled {
   }
 
   addHead() {
-    this.head.style.gridTemplateColumns = this.widths;
-    this.head.replaceChildren(...this.rows.columns.map(({ key, title, isNumber }) => {
-      const cell = said('div', '', isNumber ? 'number' : '');
+    this.head.replaceChildren(...this.columns.map(({ key, title, isNumber, isWide }) => {
+      const cell = said('div', '', kindOf(isNumber, isWide));
       cell.setAttribute('role', 'columnheader');
       const button = said('button', title);
       button.type = 'button';
@@ -42,7 +46,7 @@ export class ClashTable extends Scrolled {
   }
 
   markHead() {
-    this.rows.columns.forEach(({ key }, k) => this.head.children[k].setAttribute('aria-sort',
+    this.columns.forEach(({ key }, k) => this.head.children[k].setAttribute('aria-sort',
       key !== this.rows.sortedBy ? 'none' : this.rows.falling ? 'descending' : 'ascending'));
   }
 
@@ -88,6 +92,7 @@ export class ClashTable extends Scrolled {
     byId('count').textContent = countWords(this.rows);
     this.box.setAttribute('aria-rowcount', this.size + 1);
     this.at = this.rows.order.indexOf(this.chosen);
+    this.box.scrollTop = 0; // the first of what was found
     this.resize();
   }
 
@@ -107,9 +112,8 @@ export class ClashTable extends Scrolled {
     line.setAttribute('aria-rowindex', at + 2);
     line.setAttribute('aria-selected', r === this.chosen);
     line.style.top = `${top}px`;
-    line.style.gridTemplateColumns = this.widths;
-    for (const { text, isNumber } of this.rows.columns) {
-      const cell = said('span', text(row, r), isNumber ? 'number' : '');
+    for (const { text, isNumber, isWide } of this.columns) {
+      const cell = said('span', text(row, r), kindOf(isNumber, isWide));
       cell.setAttribute('role', 'gridcell');
       cell.title = cell.textContent;
       line.append(cell);

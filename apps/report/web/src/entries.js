@@ -11,6 +11,7 @@ export const PERHAPS = 1;
 export const YES = 2;
 
 const ORDERS = {
+  most: (rows) => (a, b) => rows.mostPairs(b) - rows.mostPairs(a) || rows.total(b) - rows.total(a) || a - b,
   count: (rows) => (a, b) => rows.total(b) - rows.total(a) || a - b,
   begin: (rows) => (a, b) => rows.begin(a) + rows.after(a) - rows.begin(b) - rows.after(b) || a - b,
   length: (rows) => (a, b) => rows.steps(b) - rows.steps(a) || a - b,

@@ -13,6 +13,7 @@ export class GapLines {
     this.step = 0;
     this.chosen = -1;
     this.layer = byId(layer);
+    this.layer.classList.toggle('many', this.gaps.count > MOST_LENGTHS); // those of other steps are thin lines
     this.marks = Array.from({ length: this.gaps.count }, (_, g) => {
       const group = svg('g', this.layer);
       const mark = {

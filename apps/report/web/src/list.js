@@ -18,14 +18,16 @@ export class List extends Scrolled {
     this.chosen = { row: -1, contact: -1 };
     this.step = 0;
     if (all.scene.steps.count < 2) {
-      this.order.value = 'count';
       this.onlyNow.parentElement.hidden = true;
     }
     if (all.rows.count === 1) {
       this.entries.toggle(0);
     }
     for (const [element, event] of [[this.find, 'input'], [this.order, 'change'], [this.onlyNow, 'change']]) {
-      element.addEventListener(event, () => this.sift());
+      element.addEventListener(event, () => {
+        this.box.scrollTop = 0; // the first of what was found
+        this.sift();
+      });
     }
     this.box.addEventListener('click', (event) => this.click(event));
     this.sift();

@@ -7,12 +7,14 @@ import { Live } from './live.js';
 import { isMotionPage, startMotions } from './motion_main.js';
 import { addPrinting, addSteps, byId, makeView, said, svg, trouble } from './page.js';
 import { printedRows } from './print.js';
-import { addLinks, addPicking, loadRest } from './scene_page.js';
+import { addLinks, addPicking, loadRest, openPage, wayOf } from './scene_page.js';
 import { SceneView } from './scene_view.js';
 import { overSteps, Time } from './time.js';
 import {
   bodyName, counted, gapWords, missing, moment, notDrawn, place, rowMost, rowPlace, rowTitle, rowWhen, title, triangles, whatIsDrawn, when,
 } from './words.js';
+
+const AROUND_WAY = 0.8; // of what is seen around a way, in its radii
 
 function addTimeLine(all, choose) {
   for (const bar of document.querySelectorAll('#time-line [data-contact]')) {
@@ -21,7 +23,7 @@ function addTimeLine(all, choose) {
       svg('title', bar).textContent = `${title(all, k)}: ${when(all, k)}`;
       bar.style.cursor = 'pointer';
       bar.addEventListener('click', () => {
-        byId('view').scrollIntoView();
+        byId('first').scrollIntoView();
         choose(all.contacts.row(k), k);
       });
     }
@@ -73,29 +75,40 @@ function start() {
     live?.setStep();
     byId('moment').textContent = moment(all, step);
   });
-  const choose = (r, k) => {
+  // A page that opens flies nowhere, and its address stays.
+  const choose = (r, k, opens = false) => {
     const begin = k >= 0 ? all.contacts.begin(k) + all.rows.after(r) : all.rows.moment(r);
     time.stop();
     time.show(begin);
     list.setStep(begin);
     list.mark(r, k);
-    view?.choose(r, k);
+    if (opens) {
+      view?.showAtOnce(r);
+    } else {
+      view?.choose(r, k);
+      history.replaceState(null, '', k >= 0 ? `#contact=${k}` : `#row=${r}`);
+    }
     live?.follow();
     byId('moment').textContent = moment(all, begin);
     byId('picked').textContent = wordsOf(all, r, k);
-    history.replaceState(null, '', k >= 0 ? `#contact=${k}` : `#row=${r}`);
   };
-  const chooseGap = (g) => {
+  const chooseGap = (g, opens = false, ofWay = false) => {
     const step = all.gaps.nearest(g);
     time.stop();
     time.show(step);
     list.setStep(step);
     list.mark(-1, -1);
     view?.chooseGap(g);
+    if (view && ofWay) {
+      const { center, radius } = wayOf(all, view.bodies);
+      view.flyTo(center.toArray(), AROUND_WAY * radius, undefined, false);
+    }
     live?.follow();
     byId('moment').textContent = moment(all, step);
     byId('picked').textContent = gapWords(all, g);
-    history.replaceState(null, '', `#gap=${g}`);
+    if (!opens) {
+      history.replaceState(null, '', `#gap=${g}`);
+    }
   };
   const list = new List(all, choose);
   const live = view && all.scene.live ? new Live(all, view) : null;
@@ -108,7 +121,7 @@ function start() {
   }
   addPrinting(() => printedRows(all, view, list.entries.order));
   time.go(0);
-  linked(all, choose, chooseGap)?.();
+  openPage(all, list, linked(all, choose, chooseGap), (r) => choose(r, -1, true), (ofWay) => chooseGap(0, true, ofWay));
   loadRest(all, view);
   // For scripts that look at the page, our tests among them.
   window.soms = {

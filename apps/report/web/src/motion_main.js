@@ -84,7 +84,7 @@ export function startMotions() {
     }
     time.show(motion.moment);
     say(motion.moment);
-    if (motions.length > 1) {
+    if (motions.length > 1 && fly) {
       history.replaceState(null, '', `#motion=${motion.number}`);
     }
   };

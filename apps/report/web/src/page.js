@@ -54,8 +54,16 @@ export function printedRow(view, r, ...words) {
   return figure;
 }
 
-// `make` gives the elements that are on paper alone.
+// `make` gives the elements that are on paper alone. Nothing can be unfolded there.
 export function addPrinting(make) {
-  addEventListener('beforeprint', () => byId('prints').replaceChildren(...make()));
-  addEventListener('afterprint', () => byId('prints').replaceChildren());
+  let folded = [];
+  addEventListener('beforeprint', () => {
+    byId('prints').replaceChildren(...make());
+    folded = [...document.querySelectorAll('details.fold:not([open])')];
+    folded.forEach((part) => { part.open = true; });
+  });
+  addEventListener('afterprint', () => {
+    byId('prints').replaceChildren();
+    folded.forEach((part) => { part.open = false; });
+  });
 }

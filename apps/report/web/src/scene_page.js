@@ -1,4 +1,5 @@
 // What pages with a scene share, whatever they list.
+import * as THREE from 'three';
 import { loadModel } from './data.js';
 import { byId } from './page.js';
 
@@ -23,12 +24,34 @@ export function addPicking(view, choose, chooseGap) {
   });
 }
 
+// Shows what a page opens on: what its address names (`linked`), else the worst row of its list; where nothing
+// touches, the way if there is one, or the nearest gap.
+export function openPage({ scene, rows, gaps }, list, linked, showRow, showGap) {
+  if (linked) {
+    linked();
+  } else if (rows.count > 0) {
+    showRow(list.entries.order[0]);
+  } else if (gaps.count > 0) {
+    showGap(scene.steps.noun === 'station');
+  }
+}
+
+// The sphere around a mover at all steps that the page holds: where its way is seen from.
+export function wayOf({ scene, gaps }, { poses }) {
+  const [place, turn, mover] = [new THREE.Vector3(), new THREE.Quaternion(), gaps.a(0)];
+  const places = scene.steps.kept.map((step) => {
+    poses.at(mover, step, place, turn);
+    return place.clone();
+  });
+  return new THREE.Box3().setFromPoints(places).getBoundingSphere(new THREE.Sphere());
+}
+
 // Links of a table lead to its gaps or motions, however often they are followed.
 export function addLinks(what, choose) {
   for (const link of document.querySelectorAll(`a[href^="#${what}="]`)) {
     link.addEventListener('click', (event) => {
       event.preventDefault();
-      byId('view').scrollIntoView();
+      byId('first').scrollIntoView();
       choose(Number(link.hash.slice(what.length + 2)));
     });
   }
