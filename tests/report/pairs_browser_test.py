@@ -1,9 +1,10 @@
 """Pages of two models, of gaps and of many rows, opened in Chromium from a file."""
+import csv
 import json
 import subprocess
 import sys
 
-from look import DESK, Look, away, in_sight, lines, town, run_looks
+from look import DESK, PHONE, Look, away, in_sight, lines, town, run_looks
 from browser import console_faults
 
 
@@ -147,11 +148,44 @@ def many_rows_faults(browser, soms, folder):
     yield from console_faults(browser)
 
 
+# Of the matrix that is shown: where it is, its cells, and words that lie upon other words or cells, or stick out.
+MATRIX = """
+  const shown = [...document.querySelectorAll('svg.matrix')].filter((svg) => svg.getBoundingClientRect().width > 0);
+  const page = shown[0].getBoundingClientRect();
+  const parts = [...shown[0].querySelectorAll('text, rect')].filter((part) => part.tagName === 'rect' || !part.closest('.cell'));
+  const boxes = parts.map((part) => part.getBoundingClientRect());
+  const meet = (a, b) => Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1 && Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 3;
+  const faults = parts.filter((part, k) => part.tagName === 'text'
+    && (boxes[k].right > page.right + 1 || boxes.some((box, n) => n !== k && meet(boxes[k], box))));
+  return {count: shown.length, bottom: page.bottom + scrollY, cells: parts.filter(({tagName}) => tagName === 'rect').length,
+    faults: faults.map(({textContent}) => textContent)};"""
+
+
+def matrix_faults(browser, folder):
+    """The page begins with one picture of all claims, a cell for each line of a matrix, on any screen."""
+    with open(folder / "out/tables/claim_more_single_leaves.csv", encoding="utf-8", newline="") as table:
+        lines_of_matrix = {(row["metric"], row["reading"], row["above"], row["below"]) for row in csv.DictReader(table)}
+    for width, height in ((1440, 900), PHONE):
+        browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+            "width": width, "height": height, "deviceScaleFactor": 1, "mobile": width == PHONE[0]})
+        found = browser.execute_script(MATRIX)
+        if found["count"] != 1 or found["bottom"] > 900 or found["cells"] != len(lines_of_matrix):
+            yield f"reproduce, {width} pixels: of {len(lines_of_matrix)} lines the page shows {found}"
+        if found["faults"]:
+            yield f"reproduce, {width} pixels: the matrix has no room for {found['faults']}"
+        if browser.execute_script("return document.documentElement.scrollWidth > document.documentElement.clientWidth"):
+            yield f"reproduce, {width} pixels: the page scrolls sideways"
+
+
 def reproduce_faults(browser, soms, folder):
     file = folder / "thesis.html"
-    subprocess.run([soms, "reproduce", "--quick", "--quiet", "--item", "5.3", "-o", folder / "out",
+    subprocess.run([soms, "reproduce", "--quick", "--quiet", "--item", "5.3,claim-single-leaves", "-o", folder / "out",
                     "--report", file], check=True, stdout=subprocess.DEVNULL)
     browser.get(file.as_uri())
+    yield from matrix_faults(browser, folder)
+    browser.execute_script("location.hash = '#claim-more_single_leaves'")
+    if not browser.execute_script("return document.querySelector('#claim-more_single_leaves').closest('details').open"):
+        yield "reproduce: a claim of the matrix does not unfold its words"
     links = browser.execute_script(
         "return [...document.querySelectorAll('a')].map(a => a.getAttribute('href'))")
     for link in links:

@@ -135,6 +135,7 @@ check(most(0), '');
 check(most(1), 'at most 1 pair of triangles, at frame 1,234');
 check(most(4711), 'at most 4,711 pairs of triangles, at frame 1,234');
 check(rowNoun(page({ parts: [NONE] }), 1), '1 pair of bodies');
+check(counts(page({ parts: [NONE] }), 1), '1 pair of bodies that touches; 2 contacts in all');
 check(rowNoun(page({ parts: [0] }), 1), '1 pair of parts');
 check(notDrawn(page({})), '');
 check(notDrawn(page({ all: 12 })), 'Drawn: 2 of 12 contacts, spread over all 2 pairs of parts or bodies');

@@ -183,15 +183,19 @@ std::string lead_of_path(const ClearanceReport& report, const NearestNames& name
   if (answer.stations.empty()) {
     return "No station was reached.";
   }
+  if (answer.first_contact) {
+    return fmt::format(
+        "Verdict: {}. {} first touches {} at chainage {:.2f}; free until {:.2f}, proved.",
+        name(report.verdict()), report.profile().name, names.text(answer.first_contact->station),
+        answer.first_contact->station.chainage, answer.first_contact->free_until);
+  }
   const std::string nearest = names.text(answer.least);
   const std::string gap = gap_in_text(answer.least.gap, report.unit);
-  return fmt::format("Verdict: {}. {} {}{} at chainage {:.2f}; at least {} is proved everywhere.",
-                     name(report.verdict()), report.profile().name,
-                     answer.least.overlaps()
-                         ? std::string("touches")
-                         : fmt::format("comes as near as {}{}", gap, nearest.empty() ? "" : " to"),
-                     nearest.empty() ? std::string() : " " + nearest, answer.least.chainage,
-                     four_digits(answer.at_least));
+  return fmt::format(
+      "Verdict: {}. {} comes as near as {}{} at chainage {:.2f}; at least {} is proved everywhere.",
+      name(report.verdict()), report.profile().name, gap,
+      nearest.empty() ? std::string() : " to " + nearest, answer.least.chainage,
+      four_digits(answer.at_least));
 }
 
 }  // namespace

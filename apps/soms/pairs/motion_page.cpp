@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 namespace soms::command {
@@ -135,16 +136,16 @@ std::string MotionPage::lead(const std::vector<Kept>& motions) const {
   if (motions_ > 1 && !first.blocked) {
     return fmt::format("All {} are free.", counted(motions_, "motion"));
   }
-  const std::string verdict =
-      first.place && first.t.lower > 0
-          ? fmt::format("is free until {} of the way, where it touches {}",
-                        four_digits(first.t.lower), models_.name_b)
-          : "is " + first.words;
-  return motions_ == 1
-             ? fmt::format("{} {}.", models_.name_a, verdict)
-             : fmt::format("{} of {} are not free. In motion {} {} {}.",
-                           with_commas(blocked_in_all_), counted(motions_, "motion"),
-                           with_commas(first.number), models_.name_a, verdict);
+  // Without the triangles, which the page says below its slider.
+  std::string verdict = "is " + first.words.substr(0, first.words.find(';'));
+  constexpr std::string_view kWay = "the way";
+  if (const std::size_t at = verdict.find(kWay); at != std::string::npos) {
+    verdict.insert(at + kWay.size(), " past " + models_.name_b);
+  }
+  return motions_ == 1 ? fmt::format("{} {}.", models_.name_a, verdict)
+                       : fmt::format("{} of {} are not free. In motion {} {} {}.",
+                                     with_commas(blocked_in_all_), counted(motions_, "motion"),
+                                     with_commas(first.number), models_.name_a, verdict);
 }
 
 void MotionPage::write(std::ostream& out, const PairReport& report, const RowTotals& totals) const {

@@ -213,7 +213,11 @@ void NearPage::write(std::ostream& out, const PairReport& report, const RowTotal
   std::vector<Near> nearest = nearest_;
   std::sort(nearest.begin(), nearest.end());
   report::Page page{.title = fmt::format("{} and {}", models_.name_a, models_.name_b),
-                    .lead = fmt::format("{} and {}: {}.", models_.name_a, models_.name_b, answer),
+                    .lead = fmt::format("{} and {}{}{}.", models_.name_a, models_.name_b,
+                                        !report.single ? " at "
+                                        : has_bounds() ? ", "
+                                                       : ": ",
+                                        answer),
                     .facts = facts_of_models(models_, report),
                     .plots = plots(),
                     .notes = {words_.lead, words_.note},

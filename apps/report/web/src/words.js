@@ -209,7 +209,8 @@ export function counts(all, shown) {
   }
   const which = shown < rows.count ? `${number(shown)} of ` : '';
   const inAll = counted(all, scene.contacts.all);
-  return scene.complete ? `${which || 'All '}${rowNoun(all, rows.count)}${scene.row.one ? '' : ' that touch'}; ${inAll} in all`
+  const one = rows.count === 1;
+  return scene.complete ? `${which || (one ? '' : 'All ')}${rowNoun(all, rows.count)}${scene.row.one ? '' : one ? ' that touches' : ' that touch'}; ${inAll} in all`
     : `${which}${rowNoun(all, rows.count)} and ${inAll} found so far; there may be more`;
 }
 
