@@ -88,8 +88,8 @@ struct MatrixLook {
   std::string_view css;      ///< class that says on which screens it is shown
 };
 
-constexpr MatrixLook kWide{1056, 330, 150, 190, false, "wide"};
-constexpr MatrixLook kNarrow{350, 350, 150, 200, true, "narrow"};
+constexpr MatrixLook kWide{1056, 316, 148, 220, false, "wide"};
+constexpr MatrixLook kNarrow{350, 350, 0, 0, true, "narrow"};
 constexpr double kLetters = 12.5;  // size of letters
 constexpr double kLineOfText = 16;
 constexpr double kCellPitch = 14;
@@ -119,12 +119,7 @@ class MatrixDrawing {
     y_ = top;
     const double words = link_words(claim);
     y_ = look_.is_narrow ? top + words : top;
-    const NearestVerdict nearest = nearest_of(claim);
-    stand(look_.is_narrow ? 0 : look_.claim_width, sign_of(nearest.stand), name(nearest.stand),
-          class_of(nearest.stand));
-    stand((look_.is_narrow ? 0 : look_.claim_width) + look_.nearest_width,
-          sign_of(verdict_of(claim)), name(verdict_of(claim)), class_of(verdict_of(claim)));
-    y_ += look_.is_narrow ? kLineOfText + 2 : 1;
+    stands(claim);
     const double cells = this->cells(claim, item);
     y_ = look_.is_narrow ? y_ + cells : top + std::max(words, cells + 1);
     y_ += kRowGap / 2;
@@ -162,9 +157,27 @@ class MatrixDrawing {
     return kLineOfText * static_cast<double>(lines.size());
   }
 
-  void stand(double x, std::string_view sign, std::string_view words, std::string_view css) {
-    parts_ += fmt::format("<text class=\"stand {}\" x=\"{}\" y=\"{}\">{} {}</text>\n", css, x,
-                          y_ + 12, sign, words);
+  /// The two verdicts: in columns, or one below the other with what they are of.
+  void stands(const Claim& claim) {
+    const NearestVerdict nearest = nearest_of(claim);
+    const Verdict over_all = verdict_of(claim);
+    const std::string near = fmt::format("{} {}", sign_of(nearest.stand), name(nearest.stand));
+    const std::string all = fmt::format("{} {}", sign_of(over_all), name(over_all));
+    if (look_.is_narrow) {
+      stand(0, "nearest to the text: " + near, class_of(nearest.stand));
+      y_ += kLineOfText;
+      stand(0, "over all readings: " + all, class_of(over_all));
+      y_ += kLineOfText + 2;
+    } else {
+      stand(look_.claim_width, near, class_of(nearest.stand));
+      stand(look_.claim_width + look_.nearest_width, all, class_of(over_all));
+      y_ += 1;
+    }
+  }
+
+  void stand(double x, const std::string& words, std::string_view css) {
+    parts_ += fmt::format("<text class=\"stand {}\" x=\"{}\" y=\"{}\">{}</text>\n", css, x, y_ + 12,
+                          words);
   }
 
   /// The cells of a claim: those of the nearest reading first, the others as in the matrix. Their
