@@ -190,22 +190,12 @@ class PageWriter {
     }
   }
 
-  void heads(const Table& table) {
+  void row(const std::vector<std::string>& texts, const char* tag, std::string_view link = {}) {
     out_ << "<tr>";
-    for (const std::string& column : table.columns) {
-      out_ << fmt::format("<th>{}</th>", xml_text(column));
-    }
-    out_ << "</tr>\n";
-  }
-
-  /// Cells know their column, whose name a narrow screen shows before each.
-  void row(const Table& table, std::size_t k, std::string_view link) {
-    out_ << "<tr>";
-    for (std::size_t c = 0; c < table.rows[k].size(); ++c) {
-      const std::string text = xml_text(table.rows[k][c]);
-      out_ << fmt::format(
-          "<td data-name=\"{}\">{}</td>", xml_text(table.columns[c]),
-          c == 0 && !link.empty() ? fmt::format("<a href=\"#{}\">{}</a>", link, text) : text);
+    for (const std::string& text : texts) {
+      const bool leads = !link.empty() && &text == &texts.front();
+      out_ << (leads ? fmt::format("<{0}><a href=\"#{2}\">{1}</a></{0}>", tag, xml_text(text), link)
+                     : fmt::format("<{0}>{1}</{0}>", tag, xml_text(text)));
     }
     out_ << "</tr>\n";
   }
@@ -214,15 +204,15 @@ class PageWriter {
     for (const Table& table : page_.tables) {
       out_ << fmt::format(
           "<details class=\"fold\"{}>\n<summary>{}</summary>\n<div class=\"picture\" "
-          "tabindex=\"0\">\n<table class=\"stacked\">\n<thead>",
+          "tabindex=\"0\">\n<table>\n<thead>",
           table.rows.size() > kMostOpenRows ? "" : " open", xml_text(table.title));
-      heads(table);
+      row(table.columns, "th");
       out_ << "</thead>\n<tbody>\n";
       const std::size_t links = table.of_gaps      ? std::min(page_.scene.gaps.size(), limits_.gaps)
                                 : table.of_motions ? page_.scene.motions.size()
                                                    : 0;
       for (std::size_t k = 0; k < table.rows.size(); ++k) {
-        row(table, k,
+        row(table.rows[k], "td",
             k >= links      ? std::string()
             : table.of_gaps ? fmt::format("gap={}", k)
                             : fmt::format("motion={}", page_.scene.motions[k].number));

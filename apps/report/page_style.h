@@ -31,6 +31,7 @@ h1,.lead,#picked,.note,.warn{overflow-wrap:anywhere}
 #beside figure{flex:none;margin:0}
 #beside figure svg{min-width:0}#beside figcaption{font-size:.85rem;padding-top:.2rem}#beside .facts{font-size:.92rem;margin:.2rem 0}
 #beside .picture{max-width:none}
+.has-plot #beside{overflow-y:auto}.has-plot:not(.no-list) #side{flex:1 0 14rem}
 #stage{position:relative;flex:1 1 0;min-height:12rem;border:1px solid var(--line);
 border-radius:.4rem;overflow:hidden}
 #canvas{display:block;width:100%;height:100%}

@@ -186,11 +186,12 @@ std::string nearest_of_kinds(const std::string& together, const std::string& cou
   return differ ? "mixed" : together;
 }
 
-/// The words in the badges of a claim's row on the page, in their order.
+/// The words in the badges of a claim on the page, in their order.
 std::vector<std::string> verdicts_on_page(const std::string& page, const std::string& id) {
   std::vector<std::string> words;
-  const std::size_t row = page.find("<tr id=\"claim-" + id + "\"");
-  const std::size_t end = page.find("</tr>", row);
+  const std::size_t anchor = page.find("id=\"claim-" + id + "\"");
+  const std::size_t row = page.rfind("<details", anchor);
+  const std::size_t end = page.find("</details>", anchor);
   for (std::size_t at = page.find("<span class=\"badge ", row); at < end;
        at = page.find("<span class=\"badge ", at + 1)) {
     const std::size_t begin = page.find("; ", at) + 2;  // after the sign, an entity

@@ -46,6 +46,7 @@ def made(soms, folder):
         subprocess.run([soms, "generate", *words, "-o", folder / name, "--quiet"], check=True, capture_output=True)
     (folder / "poses.csv").write_text("x,y,z\n0.5,0,0\n1,0,0\n9,0,0\n", encoding="ascii")
     (folder / "way.csv").write_text("x,y,z\n5,0.5,0\n-4,0,0\n5,3,0\n", encoding="ascii")
+    (folder / "walls.csv").write_text("x,y,z\n-5,1.5,0.1\n13,1.5,0.1\n", encoding="ascii")
     (folder / "path.csv").write_text("x,y,z\n-60,-2,0.5\n60,-2,0.5\n", encoding="ascii")
     pair = (folder / "knot.ply", folder / "ball.ply")
     kinds = (
@@ -54,10 +55,11 @@ def made(soms, folder):
         ("distance", False, False, (*pair, "--pose", "4 0 0")),
         ("motion", True, True, (*pair, "--path", folder / "way.csv")),
         ("clearance", False, True, (folder / "street.ply", "--profile", folder / "car.ply", "--path", folder / "path.csv", "--clearance", "0.5")),
+        ("clearance contact", True, True, (MODELS / "structure.obj", "--profile", folder / "car.ply", "--path", folder / "walls.csv", "--every", "1")),
         ("clash", True, False, (MODELS / "structure.obj", "--against", MODELS / "services.gltf", "--clearance", "0.05")))
-    for verb, has_list, has_slider, words in kinds:
-        subprocess.run([soms, verb, *words, "-o", folder / f"{verb}.html", "--quiet"], check=True, capture_output=True)
-        yield verb, folder / f"{verb}.html", has_list, has_slider
+    for name, has_list, has_slider, words in kinds:
+        subprocess.run([soms, name.split()[0], *words, "-o", folder / f"{name}.html", "--quiet"], check=True, capture_output=True)
+        yield name, folder / f"{name}.html", has_list, has_slider
 
 
 def screen_faults(browser, verb, file, has_list, has_slider):
@@ -76,7 +78,7 @@ def screen_faults(browser, verb, file, has_list, has_slider):
         yield f"{verb}: the list at {found} is not beside the scene at {scene}"
     if (box["#time"] is not None) != has_slider or (has_slider and box["#time"]["bottom"] > SCREEN[1]):
         yield f"{verb}: the slider is at {box['#time']}"
-    if verb == "clearance":
+    if verb.startswith("clearance"):
         if box["#beside figure"] is None or box["#beside figure"]["bottom"] > SCREEN[1]:
             yield f"{verb}: the plot is at {box['#beside figure']}"
     elif box[".facts"] is not None:

@@ -96,7 +96,7 @@ TEST(Page, HasEveryFigureAndTableOfTheReport) {
       EXPECT_EQ(test::count_of(html, "Remark one &amp; only."), 1U);
     }
   }
-  EXPECT_EQ(test::count_of(html, "<svg "), 2U);
+  EXPECT_EQ(test::count_of(html, "<svg "), 4U);  // two figures, and the claims for two widths
 }
 
 TEST(Page, OpensLargeDrawingsFromTheirFilesBesideIt) {
@@ -108,7 +108,7 @@ TEST(Page, OpensLargeDrawingsFromTheirFilesBesideIt) {
   EXPECT_LT(beside.size(), 100'000U);
   EXPECT_EQ(test::markup_fault(beside, {"meta", "link", "br", "img"}), "");
   EXPECT_EQ(test::count_of(page(report, PageFiles::inside), " src="), 0U);
-  EXPECT_EQ(test::count_of(page(report, PageFiles::inside), "<svg "), 2U);
+  EXPECT_EQ(test::count_of(page(report, PageFiles::inside), "<svg "), 4U);
 }
 
 TEST(Page, HasEachIdOnceAndEveryInnerLinkAnEnd) {
@@ -149,10 +149,21 @@ TEST(Page, PutsClaimsBesideTheirMatrixWithTheVerdictInWords) {
   EXPECT_EQ(test::count_of(html, "2 claims"), 1U);
 }
 
+TEST(Page, BeginsWithThePictureOfAllClaims) {
+  const std::string html = page(small_report());
+  const std::size_t picture = html.find("<svg class=\"matrix wide\"");
+  ASSERT_NE(picture, std::string::npos);
+  EXPECT_LT(picture, html.find("SOMS in today's terms"));
+  EXPECT_LT(picture, html.find("id=\"questions\""));
+  EXPECT_GT(html.find("SOMS in today's terms</strong>"),
+            html.find("<summary>What SOMS is in today's terms"));
+}
+
 TEST(Page, PutsTheNearestVerdictBeforeThatOverAllReadings) {
   const std::string html = page(small_report());
-  const std::size_t row = html.find("<tr id=\"claim-more\"");
-  ASSERT_NE(row, std::string::npos);
+  const std::size_t anchor = html.find("id=\"claim-more\"");
+  ASSERT_NE(anchor, std::string::npos);
+  const std::size_t row = html.rfind("<details", anchor);
   EXPECT_LT(html.find("fails</span>", row), html.find("holds on some subjects</span>", row));
   EXPECT_GE(test::count_of(html, "Toy sets, which this project made to show a picture"), 1U);
   EXPECT_GE(test::count_of(html, "not independent draws"), 1U);

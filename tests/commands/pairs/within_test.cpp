@@ -186,7 +186,7 @@ TEST(WithinVerb, DrawsThePairThatProvesItOnItsPage) {
     EXPECT_NEAR(origin + static_cast<double>(floats[26 * gap + 10]), 0, 1e-5);
   }
   EXPECT_EQ(scene["contacts"]["all"], 0);
-  EXPECT_TRUE(contains(page, "<section id=\"view\" class=\"no-list\">"))
+  EXPECT_TRUE(contains(page, "<section id=\"view\" class=\"touches no-list\">"))
       << "what touches without being named is not known";
   EXPECT_EQ(scene["complete"], true);
   EXPECT_TRUE(contains(page, "<tr><td><a href=\"#gap=2\">1</a></td><td>yes, at most 1</td>"));

@@ -290,7 +290,7 @@ TEST_F(NearRun, TellsTheNearestToPeopleAndPrograms) {
 TEST_F(NearRun, ListsTheNearestOnItsPage) {
   ASSERT_EQ(run({"--clearance", "1", "-o", at("p.html")}).status, 0);
   const std::string page = test::read_text(at("p.html"));
-  EXPECT_NE(page.find("<h2>Near, within 1 m, without a touch</h2>"), std::string::npos);
+  EXPECT_NE(page.find("<summary>Near, within 1 m, without a touch</summary>"), std::string::npos);
   EXPECT_NE(page.find("<tr><td><a href=\"#gap=0\">kite 0</a></td><td>wall</td><td>0.25 m</td>"
                       "<td>7</td><td>7</td><td>7</td><td>(0.25, 0, 0)</td>"),
             std::string::npos);

@@ -5,7 +5,7 @@ import { load } from './data.js';
 import { List } from './list.js';
 import { Live } from './live.js';
 import { isMotionPage, startMotions } from './motion_main.js';
-import { addPrinting, addSteps, byId, makeView, said, svg, trouble } from './page.js';
+import { addPrinting, addSteps, byId, makeView, nameCells, said, svg, trouble } from './page.js';
 import { printedRows } from './print.js';
 import { addLinks, addPicking, loadRest, openPage, wayOf } from './scene_page.js';
 import { SceneView } from './scene_view.js';
@@ -156,6 +156,7 @@ function start() {
 
 const ofClashes = isClashPage();
 try {
+  nameCells();
   (ofClashes ? startClashes : isMotionPage() ? startMotions : start)();
 } catch (error) {
   trouble(`The scene cannot be shown: ${error.message}`, ofClashes ? 'stage' : 'tools');

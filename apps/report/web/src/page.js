@@ -45,6 +45,17 @@ export function addSteps(view, list, keys) {
   view?.addKeys({ n: () => list.neighbor(1), p: () => list.neighbor(-1), ...keys });
 }
 
+// Cells of tables get the names of their columns, which a narrow screen shows before each.
+export function nameCells() {
+  for (const table of document.querySelectorAll('.fold table')) {
+    const names = [...table.tHead.rows[0].cells].map(({ textContent }) => textContent);
+    table.classList.add('stacked');
+    for (const { cells } of table.tBodies[0].rows) {
+      [...cells].forEach((cell, k) => { cell.dataset.name = names[k]; });
+    }
+  }
+}
+
 // For paper: a picture of a row, and words below it.
 export function printedRow(view, r, ...words) {
   const figure = document.createElement('figure');
