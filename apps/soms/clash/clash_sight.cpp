@@ -92,7 +92,8 @@ std::optional<ClashSight> sight_of(const ClashModels& models, const ListedClash&
     for (const Vec3& turn : kTurns) {
       ClashSight sight = best;
       sight.toward = rise.level * turn + Vec3{0, 0, rise.up};
-      const double now = rise.cost + hidden(sight, best.a_is_larger ? a : b, best.a_is_larger ? b : a);
+      const double now =
+          rise.cost + hidden(sight, best.a_is_larger ? a : b, best.a_is_larger ? b : a);
       if (first || now < least) {
         first = false;
         least = now;
