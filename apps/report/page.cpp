@@ -84,8 +84,7 @@ its length<span id="near-time"> (dashed: at another time)</span></span></p>
 </div>
 )html";
 
-constexpr std::string_view kDrawn = R"html(</div>
-<div id="prints"></div>
+constexpr std::string_view kDrawn = R"html(<div id="prints"></div>
 </section>
 </div>
 <p id="drawn" class="note"></p>
@@ -124,7 +123,10 @@ class PageWriter {
     write_warnings(out_, page_);
     out_ << fmt::format("<section id=\"view\"{}>\n", kind_of_view()) << kStage
          << (of_motions() ? kWay : kTime) << kAnswers << (of_motions() ? kWayLegend : kLegend);
-    beside();
+    // Scripts know the list, even where it has nothing to show.
+    out_ << "<div id=\"beside\">\n"
+         << (of_motions() ? kMotionList : kList) << kLines << "</div>\n</div>\n";
+    answer();
     out_ << kDrawn;
     line_of_time();
     if (page_.beside.empty()) {
@@ -152,23 +154,23 @@ class PageWriter {
                         : page_.scene.lists_contacts && !page_.scene.rows.empty();
   }
 
-  /// The class attribute: what is listed, and what stands beside the scene.
+  /// The class attribute: what is listed, and whether plots stand beside the scene.
   [[nodiscard]] std::string kind_of_view() const {
     return fmt::format(" class=\"{}{}{}\"", of_motions() ? "motions" : "touches",
                        has_list() ? "" : " no-list", page_.beside.empty() ? "" : " has-plot");
   }
 
-  /// What stands at the right: plots that are the answer, with the figures, and the list. Scripts
-  /// know the list, even where it has nothing to show.
-  void beside() {
-    out_ << "<div id=\"beside\">\n";
+  /// Plots that are the answer, with the figures. They are there without scripts, and on paper.
+  void answer() {
+    if (page_.beside.empty()) {
+      return;
+    }
+    out_ << "<div id=\"answer\">\n";
     for (const Plot& plot : page_.beside) {
       write_figure(out_, plot);
     }
-    if (!page_.beside.empty()) {
-      write_facts(out_, page_);
-    }
-    out_ << (of_motions() ? kMotionList : kList) << kLines << "</div>\n";
+    write_facts(out_, page_);
+    out_ << "</div>\n";
   }
 
   void line_of_time() {

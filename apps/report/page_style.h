@@ -26,12 +26,10 @@ details.fold>summary{font-size:1.15rem;font-weight:600}
 #drawn{margin:.3rem 0 .6rem}
 h1,.lead,#picked,.note,.warn{overflow-wrap:anywhere}
 #look{flex:1 1 0;min-height:0;display:grid;grid-template:minmax(0,1fr)/minmax(0,1fr) 24rem;gap:.5rem 1rem}
-.has-plot #look{grid-template-columns:minmax(0,1.2fr) minmax(0,1fr)}
 #sight,#beside{display:flex;flex-direction:column;gap:.35rem;min-width:0;min-height:0}
-#beside figure{flex:none;margin:0}
-#beside figure svg{min-width:0}#beside figcaption{font-size:.85rem;padding-top:.2rem}#beside .facts{font-size:.92rem;margin:.2rem 0}
-#beside .picture{max-width:none}
-.has-plot #beside{overflow-y:auto}.has-plot:not(.no-list) #side{flex:1 0 14rem}
+#answer figure{flex:none;margin:0}
+#answer figure svg{min-width:0}#answer figcaption{font-size:.85rem;padding-top:.2rem}#answer .facts{font-size:.92rem;margin:.2rem 0}
+#answer .picture{max-width:none}
 #stage{position:relative;flex:1 1 0;min-height:12rem;border:1px solid var(--line);
 border-radius:.4rem;overflow:hidden}
 #canvas{display:block;width:100%;height:100%}
@@ -114,8 +112,13 @@ margin:0 .3em 0 .6em}
 .key.gap{height:.2em;vertical-align:.25em;border-radius:0;background:var(--ink)}
 #plots{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,34rem),1fr));gap:0 1.5rem}
 #plots figure{min-width:0}
-.no-list #side,.no-list .touching,.no-list:not(.has-plot) #beside{display:none}
-.no-list:not(.has-plot) #look{grid-template-columns:minmax(0,1fr)}
+.no-list #beside,.no-list .touching{display:none}
+.no-list #look{grid-template-columns:minmax(0,1fr)}
+#answer{min-height:0;overflow-y:auto}
+@media (min-width:60.01rem){#first #view.has-plot{display:grid;gap:.5rem 1rem;
+grid-template:minmax(0,auto) minmax(13rem,1fr)/minmax(0,1.2fr) minmax(0,1fr)}
+#first #view.has-plot.no-list{grid-template-rows:minmax(0,1fr) 0}
+.has-plot #look{display:contents}.has-plot #sight{grid-area:1/1/3/2}.has-plot #beside{grid-area:2/2/3/3}#answer{grid-area:1/2/2/3}}
 @media (max-width:60rem){#first{height:auto}#warnings{max-height:none;order:1}#look,#first #view{display:block}#first #view{flex:none}
 #sight{margin-bottom:.6rem}#stage{flex:none;height:50vh;min-height:15rem;max-height:30rem}#side{height:26rem;flex:none}
 dl.facts{grid-template-columns:minmax(0,1fr);gap:0}dl.facts dd{margin-bottom:.4rem}}
@@ -129,7 +132,7 @@ linear-gradient(270deg,var(--paper) 40%,transparent) 100% 0/3rem 100% local no-r
 linear-gradient(90deg,var(--faint),transparent) 0 0/.7rem 100% scroll no-repeat,
 linear-gradient(270deg,var(--faint),transparent) 100% 0/.7rem 100% scroll no-repeat}
 @page{size:A4;margin:14mm}
-@media print{#look{display:none!important}#first{display:block;height:auto}#warnings{max-height:none}
+@media print{#look{display:none!important}#first #view.has-plot{display:block}#first{display:block;height:auto}#warnings{max-height:none}
 details.fold>summary{list-style:none;color:var(--ink)}.stacked{font-size:.7rem}.stacked td,.stacked th{padding:.15rem .4rem;overflow-wrap:break-word}
 body{padding:0}#prints{display:grid;grid-template-columns:1fr 1fr;gap:.8rem 1rem}
 #prints h2{grid-column:1/-1;margin:.5rem 0 0}

@@ -65,7 +65,7 @@ def made(soms, folder):
 def screen_faults(browser, verb, file, has_list, has_slider):
     """The scene is in the first screen, whole, with what belongs to it; figures are below, folded."""
     page = Look(browser, file, SCREEN)
-    box = page.run(PLACES, ["h1", ".lead", "#stage", "#list", "#table", "#time", "#beside figure", ".facts"])
+    box = page.run(PLACES, ["h1", ".lead", "#stage", "#list", "#table", "#time", "#answer figure", ".facts"])
     scene = box["#stage"]
     if scene is None or scene["top"] < 0 or scene["bottom"] > SCREEN[1] or scene["bottom"] - scene["top"] < 300:
         yield f"{verb}: the scene is at {scene}"
@@ -79,8 +79,8 @@ def screen_faults(browser, verb, file, has_list, has_slider):
     if (box["#time"] is not None) != has_slider or (has_slider and box["#time"]["bottom"] > SCREEN[1]):
         yield f"{verb}: the slider is at {box['#time']}"
     if verb.startswith("clearance"):
-        if box["#beside figure"] is None or box["#beside figure"]["bottom"] > SCREEN[1]:
-            yield f"{verb}: the plot is at {box['#beside figure']}"
+        if box["#answer figure"] is None or box["#answer figure"]["bottom"] > SCREEN[1]:
+            yield f"{verb}: the plot is at {box['#answer figure']}"
     elif box[".facts"] is not None:
         yield f"{verb}: figures are not folded"
     if has_list and page.run("return document.querySelectorAll('[aria-selected=true]').length") != 1:
@@ -130,6 +130,8 @@ def paper_faults(browser, verb, file):
         yield f"{verb}: the scene is on paper twice"
     if page.is_wide():
         yield f"{verb}: paper is too narrow"
+    if verb.startswith("clearance") and page.run(PLACES, ["#answer figure"])["#answer figure"] is None:
+        yield f"{verb}: paper lacks the plot"
     yield from (f"{verb}, on paper: {fault}" for fault in page.run(CUT))
     if verb == "clash":
         broken = page.run("""return [...document.querySelectorAll('#printed th, #printed td.number')]
