@@ -42,7 +42,8 @@ Console::Console(const Shared& shared)
       deadline_(deadline_of(shared)),
       interrupts_(deadline_),
       out_(1, "standard output"),
-      colored_(wants_color(1)) {
+      terminal_(terminal_of(1)),
+      remarks_(terminal_of(2)) {
   limit_memory(shared.max_memory);
 }
 
@@ -73,13 +74,18 @@ void Console::write(std::string_view text, bool all) {
 
 void Console::note(std::string_view line) const {
   if (!shared_.quiet && noted_.emplace(line).second) {
-    const std::string text = printable(line) + "\n";
+    constexpr std::string_view kWarning = "warning:";
+    constexpr std::size_t kIndent = 2;
+    std::string text = wrap_words(printable(line), remarks_.width, kIndent) + "\n";
+    if (text.starts_with(kWarning)) {
+      text.replace(0, kWarning.size(), remarks_.paint(kWarning, Ink::open));
+    }
     (void)!::write(2, text.data(), text.size());
   }
 }
 
 bool Console::talks_to_a_person() const {
-  return !shared_.quiet && ::isatty(1) == 1;
+  return !shared_.quiet && terminal_.person;
 }
 
 bool Console::out_of_time() const {
@@ -100,7 +106,7 @@ Limits Console::limited() const {
 }
 
 Progress Console::progress(const std::string& doing) const {
-  return Progress(doing, !shared_.quiet && ::isatty(2) == 1);
+  return Progress(doing, !shared_.quiet && remarks_.person);
 }
 
 void refuse_json(const Console& console, const std::string& reason) {

@@ -8,6 +8,7 @@
 #include "apps/cli/interrupts.h"
 #include "apps/cli/progress.h"
 #include "apps/cli/shared.h"
+#include "apps/cli/terminal.h"
 #include "apps/output/output.h"
 
 #include <chrono>
@@ -44,8 +45,8 @@ class Console {
   /// True if answers go to a terminal, whose reader may be glad of a hint; not with --quiet.
   [[nodiscard]] bool talks_to_a_person() const;
 
-  /// True if answers go to a terminal that shows colors.
-  [[nodiscard]] bool colored() const { return colored_; }
+  /// Where answers go.
+  [[nodiscard]] const Terminal& terminal() const { return terminal_; }
 
   /// True once Ctrl-C was pressed.
   [[nodiscard]] bool interrupted() const { return interrupts_.signalled().stop_requested(); }
@@ -92,7 +93,8 @@ class Console {
   std::optional<std::chrono::steady_clock::time_point> deadline_;
   Interrupts interrupts_;
   FileStream out_;
-  bool colored_;
+  Terminal terminal_;
+  Terminal remarks_;  ///< standard error
   bool goes_on_ = false;
   bool unread_ = false;  ///< the reader went away
 };

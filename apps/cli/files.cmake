@@ -32,8 +32,12 @@ set(SOMS_CLI_FILES
   standard_input.h
   suggest.cpp
   suggest.h
+  table.cpp
+  table.h
   temporary_folder.cpp
   temporary_folder.h
+  terminal.cpp
+  terminal.h
   text.cpp
   text.h
   verb.cpp

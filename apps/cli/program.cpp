@@ -5,6 +5,7 @@
 #include "apps/cli/console.h"
 #include "apps/cli/parser.h"
 #include "apps/cli/suggest.h"
+#include "apps/cli/terminal.h"
 #include "apps/cli/verb_data.h"
 #include "apps/output/output.h"
 
@@ -52,6 +53,10 @@ void print_plain(std::string_view text) {
   FileStream out(1, "standard output");
   out << text;
   out.finish();
+}
+
+void print_help(std::string_view help) {
+  print_plain(help_on(terminal_of(1), help));
 }
 
 const Verb& find_verb(const Program& program, const std::string& word) {
@@ -115,7 +120,7 @@ ParsedAs parse(ParsedVerb& verb, const std::vector<std::string>& words,
     return ParsedAs::help;
   }
   if (!parsed.keys.empty()) {
-    print_plain(parsed.keys);
+    print_help(parsed.keys);
     return ParsedAs::keys;
   }
   check_rest(verb, parsed.rest);  // an unknown option says more than a missing argument
@@ -132,7 +137,7 @@ int run_parsed(ParsedVerb& verb, const std::vector<std::string>& words) {
     std::vector<std::string> remarks;
     if (const ParsedAs parsed = parse(verb, words, remarks); parsed != ParsedAs::question) {
       if (parsed == ParsedAs::help) {
-        print_plain(verb.help());
+        print_help(verb.help());
       }
       return 0;
     }
@@ -175,7 +180,7 @@ void check_count(const Program& program, const std::vector<std::string>& words, 
 
 int run(const Program& program, const std::vector<std::string>& words) {
   if (words.empty() || words[0] == "--help" || words[0] == "-h") {
-    print_plain(help_of(program));
+    print_help(help_of(program));
     return 0;
   }
   if (words[0] == "--") {  // the end of options before the verb, of which there are none

@@ -3,14 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace soms::command {
-
-namespace {
-
-constexpr std::ptrdiff_t kDigits = 9;
-
-}  // namespace
 
 std::string with_commas(std::uint64_t number) {
   std::string digits = std::to_string(number);
@@ -20,7 +15,7 @@ std::string with_commas(std::uint64_t number) {
   return digits;
 }
 
-std::string readable(double number) {
+std::string readable(double number, int most) {
   if (number == 0) {
     return "0";  // without the sign that a zero may have
   }
@@ -28,15 +23,22 @@ std::string readable(double number) {
   const std::string mantissa = whole.substr(0, whole.find('e'));
   const auto digits =
       std::count_if(mantissa.begin(), mantissa.end(), [](char c) { return '0' <= c && c <= '9'; });
-  return digits <= kDigits ? whole : fmt::format("{:.{}g}", number, kDigits);
+  if (digits <= most) {
+    return whole;
+  }
+  // Few digits are no excuse to round away what stands before the point, and two digits behind it.
+  const bool few = most < 9 && std::abs(number) < 1e12;
+  const int before = few ? static_cast<int>(std::floor(std::log10(std::abs(number)))) + 1 : 0;
+  return fmt::format("{:.{}g}", number, std::max(most, before + (before > 0 ? 2 : 0)));
 }
 
 std::string four_digits(double number) {
   return fmt::format("{:.4g}", number);
 }
 
-std::string point_in_text(const Vec3& point) {
-  return fmt::format("({}, {}, {})", readable(point.x), readable(point.y), readable(point.z));
+std::string point_in_text(const Vec3& point, int digits) {
+  return fmt::format("({}, {}, {})", readable(point.x, digits), readable(point.y, digits),
+                     readable(point.z, digits));
 }
 
 std::string table_line(std::string_view cells) {

@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <utility>
 
@@ -20,6 +21,26 @@ namespace {
 constexpr const char* kAxes[] = {"", "x", "y", "z"};
 constexpr const char* kLookFor =
     "if this is not intended, check for a missing translation, unit or up axis";
+
+/// Names for a remedy, behind words that have whole paths: the last part alone, where that
+/// distinguishes two files. Commands need the path.
+std::string last_part(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
+NamedFrame briefly(const NamedFrame& model, const NamedFrame& other) {
+  NamedFrame brief = model;
+  const std::string name = last_part(model.file);
+  if (!name.empty() && name != last_part(other.file)) {
+    brief.path = model.file;
+    brief.file = name;
+  }
+  return brief;
+}
+
+const std::string& path_of(const NamedFrame& model) {
+  return model.path.empty() ? model.file : model.path;
+}
 
 std::string up_words(const NamedFrame& model, UpAxis up) {
   return fmt::format("{} {}", model.up_option, kAxes[static_cast<std::size_t>(up)]);
@@ -39,7 +60,8 @@ std::string turning_words(const NamedFrame& a, const NamedFrame& b) {
 /// `known` declares its axis, `other` does not.
 std::string axis_remedy(const NamedFrame& known, const NamedFrame& other) {
   if (other.is_shared) {
-    return fmt::format("convert {0} first: soms convert {0} OUT.glb --up AXIS", other.file);
+    return fmt::format("convert {} first: soms convert {} OUT.glb --up AXIS", other.file,
+                       path_of(other));
   }
   if (known.frame.up == UpAxis::z) {
     return fmt::format("give {0} z if z is also up in {1}, or {0} y if y is", other.up_option,
@@ -94,9 +116,8 @@ std::string meters_remedy(const NamedFrame& a, const NamedFrame& b) {
     if (model->is_shared) {
       if (!same_unit(stored_unit(*model), 1)) {
         steps.push_back(
-            fmt::format("convert {0} to meters first (soms convert {0} OUT.glb "
-                        "--scale {1:.9g})",
-                        model->file, stored_unit(*model)));
+            fmt::format("convert {} to meters first (soms convert {} OUT.glb --scale {:.9g})",
+                        model->file, path_of(*model), stored_unit(*model)));
       }
       shared_scale = model->frame.scale == 1 ? shared_scale : model->scale_option;
     } else if (!same_unit(model->frame.unit, 1)) {
@@ -115,9 +136,9 @@ std::string meters_remedy(const NamedFrame& a, const NamedFrame& b) {
 std::string unit_remedy(const NamedFrame& known, const NamedFrame& other) {
   if (other.is_shared) {
     return fmt::format(
-        "give {0} 1 if {1} is in the same unit; otherwise convert {1} first (soms convert {1} "
+        "give {0} 1 if {1} is in the same unit; otherwise convert it first (soms convert {2} "
         "OUT.glb --scale X), then give {0} 1",
-        other.scale_option, other.file);
+        other.scale_option, other.file, path_of(other));
   }
   if (other.in_meters && !known.is_shared && !same_unit(known.frame.unit, 1)) {
     return fmt::format("{} if {} is in meters, or {} 1 if it is in the same unit",
@@ -279,8 +300,8 @@ std::vector<FrameWarning> frame_warnings(const NamedFrame& a, const NamedFrame& 
   std::vector<FrameWarning> warnings;
   for (const FrameDoubt doubt : compare_frames(a.frame, b.frame)) {
     if (!is_settled(doubt, a, b)) {
-      warnings.push_back(
-          {doubt, explain(doubt, a.frame, a.file, b.frame, b.file), remedy_of(doubt, a, b)});
+      warnings.push_back({doubt, explain(doubt, a.frame, a.file, b.frame, b.file),
+                          remedy_of(doubt, briefly(a, b), briefly(b, a))});
     }
   }
   return warnings;

@@ -16,7 +16,8 @@ struct ModelOptions;
 
 /// A model of a question, and the options that say more of it than its file does.
 struct NamedFrame {
-  std::string file;  ///< as messages call it
+  std::string file;       ///< as messages call it
+  std::string path = {};  ///< as commands must call it; empty if the same
   CoordinateFrame frame;
   std::string scale_option = {};  ///< "--scale-b"
   std::string up_option = {};     ///< "--up-b"

@@ -217,10 +217,18 @@ void print_error(std::string_view who, std::string_view message) {
 }
 
 bool wants_color(int descriptor) {
-  const char* no_color = std::getenv("NO_COLOR");
-  const char* terminal = std::getenv("TERM");
-  return ::isatty(descriptor) == 1 && (no_color == nullptr || *no_color == '\0') &&
-         terminal != nullptr && std::string_view(terminal) != "dumb";
+  const auto value = [](const char* name) {
+    const char* const text = std::getenv(name);
+    return std::string_view(text == nullptr ? "" : text);
+  };
+  if (!value("NO_COLOR").empty()) {
+    return false;
+  }
+  if (const std::string_view forced = value("CLICOLOR_FORCE"); !forced.empty() && forced != "0") {
+    return true;
+  }
+  const std::string_view kind = value("TERM");
+  return ::isatty(descriptor) == 1 && value("CLICOLOR") != "0" && !kind.empty() && kind != "dumb";
 }
 
 }  // namespace soms::command

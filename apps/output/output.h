@@ -113,7 +113,8 @@ void check_extension(const std::string& option, const std::filesystem::path& pat
 /// Prints "WHO: MESSAGE" to standard error, in color on a terminal.
 void print_error(std::string_view who, std::string_view message);
 
-/// True if a descriptor is a terminal that understands colors, and NO_COLOR is unset.
+/// True if a descriptor is a terminal that understands colors, unless CLICOLOR is 0; of anything
+/// else if CLICOLOR_FORCE is set. Never with NO_COLOR.
 [[nodiscard]] bool wants_color(int descriptor);
 
 }  // namespace soms::command

@@ -3,9 +3,11 @@
 /// where answers go (`Sinks`).
 #pragma once
 
+#include "apps/cli/terminal.h"
 #include "apps/output/json.h"
 #include "apps/output/npz_file.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -51,6 +53,9 @@ class Question {
   Question(const Question&) = delete;
   Question& operator=(const Question&) = delete;
   virtual ~Question() = default;
+
+  /// Where `sentence` and `text` are shown.
+  void show_on(const Terminal& terminal) { terminal_ = terminal; }
 
   /// Answers the rows of the block. Returns how many things the answers hold, where these may take
   /// much memory.
@@ -104,6 +109,22 @@ class Question {
   virtual void add_to_page(const AnsweredRow& /*row*/) {}
 
   virtual void write_page(std::ostream& /*out*/, const RowTotals& /*totals*/) const {}
+
+ protected:
+  [[nodiscard]] const Terminal& terminal() const { return terminal_; }
+
+  /// Digits of numbers in the table.
+  [[nodiscard]] int digits() const { return terminal_.digits(); }
+
+  /// The verdict that `words` begin with, up to a colon or parenthesis, in its color.
+  [[nodiscard]] std::string painted(std::string words, const RowOutcome& outcome) const {
+    const std::size_t end = std::min(words.find_first_of(":(\n"), words.size());
+    return terminal_.paint(words.substr(0, end), ink_of(outcome.found, outcome.undecided)) +
+           words.substr(end);
+  }
+
+ private:
+  Terminal terminal_;
 };
 
 }  // namespace soms::command

@@ -20,6 +20,7 @@ RowRun::RowRun(RowRunOptions options, Rows& rows, Question& question, Sinks& sin
       question_(question),
       sinks_(sinks),
       console_(console) {
+  question_.show_on(console_.terminal());
   if (sinks_.has_files() || options_.verify || options_.fail_if_found) {
     console_.go_on_without_reader();
   }

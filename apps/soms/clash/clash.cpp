@@ -16,6 +16,7 @@
 #include "apps/soms/clash/clash_output.h"
 #include "apps/soms/clash/clash_rows.h"
 #include "apps/soms/clash/clash_run.h"
+#include "apps/soms/clash/clash_text.h"
 #include "apps/soms/pairs/pair_options.h"
 #include "apps/soms/solid/solid_text.h"
 

@@ -2,12 +2,10 @@
 
 #include "soms/base/text.h"
 
-#include "apps/cli/console.h"
 #include "apps/cli/text.h"
 #include "apps/model/georeference.h"
 #include "apps/rows/json_list.h"
 #include "apps/soms/pairs/pair_report.h"
-#include "apps/soms/solid/solid_text.h"
 #include "apps/world/part_names.h"
 
 #include <fmt/format.h>
@@ -22,18 +20,8 @@ namespace soms::command {
 
 namespace {
 
-constexpr std::size_t kRowsInText = 40;  // that a person may want to read
-
 Json json_point(const Vec3& v) {
   return {v.x, v.y, v.z};
-}
-
-/// What the two parts of a clash stand for.
-std::pair<const PartBody&, const PartBody&> bodies_in(const ClashModels& models,
-                                                      const Clash& clash) {
-  const PartBody& a = models.a.parts[clash.a];
-  const PartBody& b = models.second().parts[clash.b];
-  return {body_in(clash, a, b), body_in(clash, b, a)};
 }
 
 /// Parts of a clash that are not closed: "a", "b".
@@ -46,12 +34,6 @@ Json open_sides(const ClashModels& models, const Clash& clash) {
     sides.push_back("b");
   }
   return sides;
-}
-
-std::uint64_t count_status(const ClashReport& report, ClashStatus status) {
-  return static_cast<std::uint64_t>(
-      std::count_if(report.rows.begin(), report.rows.end(),
-                    [&](const ClashRow& row) { return row.status == status; }));
 }
 
 Json by_class_as_json(const ClashCounts& counts) {
@@ -185,94 +167,20 @@ std::string csv_row(const Json& row, std::string_view status) {
                      csv_field(text("key")));
 }
 
-std::string set_in_text(const ClashSet& set) {
-  const std::string files = set.meshes.size() == 1 ? printable(set.meshes.front().source)
-                                                   : counted(set.meshes.size(), "model");
-  return fmt::format("{} ({})", files, counted(set.parts.size(), "part"));
-}
-
-/// "3 crossing, 1 touching".
-std::string kinds_in_text(const ClashCounts& counts) {
-  std::string text;
-  for (std::size_t k = 0; k < kClashKinds; ++k) {
-    if (counts[k] != 0) {
-      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", with_commas(counts[k]),
-                          name(static_cast<ClashKind>(k)));
-    }
-  }
-  return text;
-}
-
-/// What distinguishes a clash from others of its kind.
-std::string detail_in_text(const ClashReport& report, const Clash& clash) {
-  switch (clash.kind) {
-    case ClashKind::inside:
-      return clash.relation == Relation::a_in_b ? ", the first in the second"
-                                                : ", the second in the first";
-    case ClashKind::near:
-      return fmt::format(", {} apart", readable(clash.gap.lower));
-    case ClashKind::undecided: {
-      std::string text = clash.triangle_pairs == 0 ? "" : ", surfaces meet";
-      const auto [a, b] = bodies_in(report.models, clash);
-      for (const auto& [part, which] : {std::pair{&a, "first"}, std::pair{&b, "second"}}) {
-        if (!part->closed && part->odd_edges == 0) {
-          text += fmt::format(", parts of the {} close each other in several ways", which);
-        } else if (!part->closed) {
-          text += fmt::format(", the {} is open at {}", which, counted(part->odd_edges, "edge"));
-        }
-      }
-      return text;
-    }
-    case ClashKind::crossing:
-    case ClashKind::same:
-    case ClashKind::touching:
-      break;
-  }
-  const std::string deep =
-      clash.penetration ? fmt::format(", {} deep", readable(clash.penetration->depth)) : "";
-  return fmt::format("{}, {} of triangles", deep, counted(clash.triangle_pairs, "pair"));
-}
-
-std::string label_of(const ClashSet& set, std::uint32_t part, const PartBody& body) {
-  return printable(body_label(set.mesh_of(part), body.part, body.joined));
-}
-
-std::string row_in_text(const ClashReport& report, const ClashRow& row) {
-  const Clash& clash = row.clash;
-  const std::string_view status = status_name(row.status);
-  const auto [a, b] = bodies_in(report.models, clash);
-  return fmt::format("  {:<9}  {}{}{} and {} at {}{}\n", name(clash.kind), status,
-                     status.empty() ? "" : "  ", label_of(report.models.a, clash.a, a),
-                     label_of(report.models.second(), clash.b, b), point_in_text(clash.place),
-                     detail_in_text(report, clash));
-}
-
-/// The matrix of sets, where there are several.
-void print_matrix(const ClashReport& report, Console& console) {
-  const auto cells = counts_by_sets(report);
-  if (cells.size() < 2) {
-    return;
-  }
-  for (const auto& [sets, counts] : cells) {
-    console.print(fmt::format("  {} and {}: {}\n", printable(sets.first), printable(sets.second),
-                              kinds_in_text(counts)));
-  }
-}
-
-void print_groups(const ClashReport& report, Console& console) {
-  const auto groups = counts_by_group(report);
-  console.print(fmt::format("in {}\n", counted(groups.size(), "group")));
-  for (std::size_t k = 0; k < std::min(groups.size(), kRowsInText); ++k) {
-    console.print(
-        fmt::format("  {}: {}\n", printable(groups[k].first), kinds_in_text(groups[k].second)));
-  }
-  if (groups.size() > kRowsInText) {
-    console.print(fmt::format("  and {} more; --json or -o FILE lists all\n",
-                              with_commas(groups.size() - kRowsInText)));
-  }
-}
-
 }  // namespace
+
+std::pair<const PartBody&, const PartBody&> bodies_in(const ClashModels& models,
+                                                      const Clash& clash) {
+  const PartBody& a = models.a.parts[clash.a];
+  const PartBody& b = models.second().parts[clash.b];
+  return {body_in(clash, a, b), body_in(clash, b, a)};
+}
+
+std::uint64_t count_status(const ClashReport& report, ClashStatus status) {
+  return static_cast<std::uint64_t>(
+      std::count_if(report.rows.begin(), report.rows.end(),
+                    [&](const ClashRow& row) { return row.status == status; }));
+}
 
 Json row_as_json(const ClashReport& report, const ClashRow& row) {
   const Clash& clash = row.clash;
@@ -304,46 +212,6 @@ Json row_as_json(const ClashReport& report, const ClashRow& row) {
   }
   json["key"] = key_text(row.key);
   return json;
-}
-
-void print_clashes_as_text(const ClashReport& report, Console& console) {
-  const ClashModels& models = report.models;
-  console.print(models.two_sets
-                    ? fmt::format("{} against {}", set_in_text(models.a), set_in_text(models.b))
-                    : set_in_text(models.a) + " among each other");
-  console.print(fmt::format(": {} of parts, {} with boxes that meet\n",
-                            counted(models.pairs(), "pair"),
-                            with_commas(report.compared + report.left)));
-  for (const auto& [what, count] : report.removed) {
-    console.print(fmt::format("removed by {}: {}\n", printable(what), with_commas(count)));
-  }
-  if (report.removed_by_tolerance && report.unknown_depth != 0) {
-    console.print(
-        fmt::format("kept, as a part is not convex: {}\n", with_commas(report.unknown_depth)));
-  }
-  const std::size_t rows = report.rows.size();
-  console.print(fmt::format("{}{} {}{}{}\n", report.complete() ? "" : "at least ",
-                            with_commas(rows), rows == 1 ? "clash" : "clashes",
-                            rows == 0 ? "" : ": ", kinds_in_text(report.by_kind)));
-  if (report.has_baseline) {
-    console.print(fmt::format(
-        "{} new, {} active, {} resolved since the older list\n",
-        with_commas(count_status(report, ClashStatus::fresh)),
-        with_commas(count_status(report, ClashStatus::active)),
-        report.complete() ? with_commas(report.resolved.size()) : std::string("unknown")));
-  }
-  print_matrix(report, console);
-  if (report.grouped) {
-    print_groups(report, console);
-    return;
-  }
-  for (std::size_t k = 0; k < std::min(rows, kRowsInText); ++k) {
-    console.print(row_in_text(report, report.rows[k]));
-  }
-  if (rows > kRowsInText) {
-    console.print(fmt::format("  and {} more; --json or -o FILE lists all\n",
-                              with_commas(rows - kRowsInText)));
-  }
 }
 
 void write_clashes_as_json(const ClashReport& report, bool verified, JsonListWriter& list) {

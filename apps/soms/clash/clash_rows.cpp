@@ -164,4 +164,19 @@ void sort_rows(const ClashModels& models, std::vector<ClashRow>& rows) {
             [&](const ClashRow& x, const ClashRow& y) { return place(x) < place(y); });
 }
 
+std::vector<const ClashRow*> worst_first(const std::vector<ClashRow>& rows) {
+  std::vector<const ClashRow*> sorted;
+  for (const ClashRow& row : rows) {
+    sorted.push_back(&row);
+  }
+  const auto badness = [](const ClashRow& row) {
+    const Clash& clash = row.clash;
+    return std::tuple(clash.kind, clash.penetration ? -clash.penetration->depth : 0.0,
+                      clash.gap.lower, -static_cast<double>(clash.triangle_pairs));
+  };
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [&](const ClashRow* a, const ClashRow* b) { return badness(*a) < badness(*b); });
+  return sorted;
+}
+
 }  // namespace soms::command

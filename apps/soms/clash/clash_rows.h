@@ -96,4 +96,8 @@ counts_by_sets(const ClashReport& report);
 /// Sorts rows by kind, then by the paths of names, files and numbers of the parts.
 void sort_rows(const ClashModels& models, std::vector<ClashRow>& rows);
 
+/// The same rows with the worst of each kind first: the deepest, where a depth is known, then those
+/// of most pairs of triangles; of parts that are near, the nearest.
+[[nodiscard]] std::vector<const ClashRow*> worst_first(const std::vector<ClashRow>& rows);
+
 }  // namespace soms::command

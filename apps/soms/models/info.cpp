@@ -173,11 +173,12 @@ Json to_json(const ModelReport& report) {
   return json;
 }
 
-std::string describe(const Box& box) {
+std::string describe(const Box& box, int digits) {
   if (box.empty()) {
     return "empty";
   }
-  return fmt::format("{} to {}", point_in_text(box.lower), point_in_text(box.upper));
+  return fmt::format("{} to {}", point_in_text(box.lower, digits),
+                     point_in_text(box.upper, digits));
 }
 
 std::string describe_parts(const ExaminedMesh& mesh, const Defects& defects) {
@@ -194,20 +195,21 @@ std::string describe_parts(const ExaminedMesh& mesh, const Defects& defects) {
   return mesh.parts.size() > kShown ? text + ", ... (--json lists all)" : text;
 }
 
-void add_line(std::string& text, const char* name, const std::string& value) {
-  text += fmt::format("  {:<11}{}\n", name, value);
-}
-
 /// What is reported about the model itself.
-std::string describe_model(const ModelReport& report) {
+std::string describe_model(const ModelReport& report, const Terminal& terminal) {
   const ExaminedMesh& mesh = report.mesh;
-  std::string text = printable(report.mesh.source) + "\n";
+  std::string text = terminal.paint(printable(report.mesh.source), Ink::heading) + "\n";
+  const auto add_line = [&terminal](std::string& lines, const char* name,
+                                    const std::string& value) {
+    constexpr std::size_t kValues = 13;
+    lines += wrap_words(fmt::format("  {:<11}{}", name, value), terminal.width, kValues) + "\n";
+  };
   if (report.tree_file) {
     add_line(text, "tree file", describe_tree_file(report.file, *report.tree_file));
   }
   add_line(text, "triangles", with_commas(mesh.triangles.size()));
   add_line(text, "vertices", with_commas(mesh.vertices.size()));
-  add_line(text, "bounds", describe(bounds(mesh)));
+  add_line(text, "bounds", describe(bounds(mesh), terminal.digits()));
   if (mesh.unit != 0) {
     add_line(text, "unit", readable(mesh.unit) + " m");
   }
@@ -239,10 +241,11 @@ void print(const ModelReport& report, const InfoOptions& options, Console& conso
   if (console.shared().json) {
     console.print(json_line(to_json(report)));
   } else {
-    console.print(describe_model(report));
+    // Lists of places are long: what sums the model up stands before them.
+    console.print(describe_model(report, console.terminal()));
+    console.print(describe_trees(report.trees, options.build.per_leaf));
     print_places(report.mesh, report.defects, console);
     print_odd_edges(report.mesh, report.closedness, report.defects.open_edges, console);
-    console.print(describe_trees(report.trees, options.build.per_leaf));
   }
   console.flush();
 }

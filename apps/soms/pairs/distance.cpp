@@ -83,12 +83,12 @@ class DistanceQuestion : public NearQuestion<Distance, AskDistance> {
 std::string DistanceQuestion::cell(const Distance& answer) const {
   const auto& [lower, upper] = answer.distance;
   if (undecided(answer)) {
-    return std::isfinite(upper) ? fmt::format("<= {}", readable(upper)) : "undecided";
+    return std::isfinite(upper) ? fmt::format("<= {}", readable(upper, digits())) : "undecided";
   }
   if (answer.farther) {
     return fmt::format("> {}", readable(at_most_));
   }
-  return std::isfinite(lower) ? readable(lower) : "none";
+  return std::isfinite(lower) ? readable(lower, digits()) : "none";
 }
 
 std::string DistanceQuestion::in_words(const Distance& answer) const {

@@ -61,7 +61,7 @@ class MotionQuestion : public BatchQuestion<FirstContact> {
 
   [[nodiscard]] std::string sentence(std::size_t k) const override {
     const FirstContact answer = shown(k);
-    return in_words(answer) + pair_text(answer) + "\n";
+    return painted(in_words(answer) + pair_text(answer) + "\n", outcome(k));
   }
 
   [[nodiscard]] std::string text_head() const override {
@@ -236,13 +236,14 @@ std::string MotionQuestion::cell(const FirstContact& answer) const {
     case ContactVerdict::free:
       return "free";
     case ContactVerdict::contact:
-      return "t = " + readable(answer.t.upper);
+      return "t = " + readable(answer.t.upper, digits());
     case ContactVerdict::started:
-      return next_touch(answer) ? "at the start, t = " + readable(answer.t.upper) : "at the start";
+      return next_touch(answer) ? "at the start, t = " + readable(answer.t.upper, digits())
+                                : "at the start";
     case ContactVerdict::grazing:
       break;
   }
-  return "grazing, t = " + readable(answer.t.lower);
+  return "grazing, t = " + readable(answer.t.lower, digits());
 }
 
 /// The triangle of A or B; empty where none is named.

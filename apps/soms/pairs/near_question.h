@@ -32,7 +32,8 @@ class NearQuestion : public PairQuestion<T, Ask> {
 
   [[nodiscard]] std::string sentence(std::size_t k) const override {
     const T answer = this->shown(k);
-    return in_words(answer) + near_text(this->pair(), pair_of(answer)) + "\n";
+    return this->painted(in_words(answer) + near_text(this->pair(), pair_of(answer)) + "\n",
+                         this->outcome(k));
   }
 
   [[nodiscard]] std::string text_head() const override { return near_head(title()); }

@@ -129,8 +129,7 @@ void OverlapQuestion::json(const AnsweredRow& row, JsonRows& rows) const {
 
 std::string OverlapQuestion::text_of_row(std::size_t k, std::uint64_t pose) const {
   const Shown answer = shown(k);
-  return text_of(report_, pose, answer.counted(), answer.listed(),
-                 console_.colored() && answers_[k].answer.any);
+  return text_of(report_, pose, answer.counted(), answer.listed(), console_.terminal());
 }
 
 OverlapQuestion::Shown OverlapQuestion::shown(std::size_t k) const {

@@ -85,12 +85,15 @@ std::string pairs_of_parts(std::size_t count) {
 }
 
 std::string text_of_parts(const OverlapReport& report, const Overlap& answer,
-                          std::span<const PartPair> parts) {
+                          std::span<const PartPair> parts, const Terminal& terminal) {
   const char* const at_least = answer.coverage == Coverage::cut ? "at least " : "";
   std::string text =
-      fmt::format("{}{} of triangles overlap{}, in {}{}{}\n", at_least,
-                  counted(answer.pairs.size(), "pair"), answer.pairs.size() == 1 ? "s" : "",
-                  at_least, pairs_of_parts(parts.size()), report.pair.single ? ":" : "");
+      terminal.paint(
+          fmt::format("{}{} of triangles overlap{}, in {}{}{}", at_least,
+                      counted(answer.pairs.size(), "pair"), answer.pairs.size() == 1 ? "s" : "",
+                      at_least, pairs_of_parts(parts.size()), report.pair.single ? ":" : ""),
+          Ink::touches) +
+      "\n";
   for (std::size_t k = 0; k < parts.size() && report.pair.single; ++k) {
     const Vec3 at = parts[k].box.center();
     text += fmt::format("  {} and {}: {} of triangles around ({}, {}, {})\n",
@@ -147,15 +150,15 @@ void write_json(const OverlapReport& report, const AnsweredRow& row, const Count
 }
 
 std::string text_of(const OverlapReport& report, std::uint64_t pose, const CountedAnswer& result,
-                    std::span<const PartPair> parts, bool strong) {
+                    std::span<const PartPair> parts, const Terminal& terminal) {
   const Overlap& answer = result.answer;
   const bool single = report.pair.single;
   std::string text = single ? "" : fmt::format("pose {}: ", pose);
   if (report.by_part && answer.any) {
-    text += text_of_parts(report, answer, parts);
+    text += text_of_parts(report, answer, parts, terminal);
   } else {
-    text += fmt::format("{}{}{}\n", strong ? "\x1b[1m" : "", summary(report, answer),
-                        strong ? "\x1b[0m" : "");
+    text +=
+        terminal.paint(summary(report, answer), ink_of(answer.any, is_undecided(answer))) + "\n";
   }
   // What a named traversal did, in a line: who names one wants to compare.
   text += single ? result.count_line : "";

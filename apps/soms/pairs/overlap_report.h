@@ -4,6 +4,7 @@
 
 #include "soms/query/overlap.h"
 
+#include "apps/cli/terminal.h"
 #include "apps/rows/question.h"
 #include "apps/soms/pairs/pair_report.h"
 #include "apps/soms/pairs/traversal_by_name.h"
@@ -32,10 +33,10 @@ struct OverlapReport {
 void write_json(const OverlapReport& report, const AnsweredRow& row, const CountedAnswer& result,
                 JsonRows& rows, std::span<const PartPair> parts);
 
-/// The same as text. `strong`: an overlap stands out.
+/// The same as text.
 [[nodiscard]] std::string text_of(const OverlapReport& report, std::uint64_t pose,
                                   const CountedAnswer& result, std::span<const PartPair> parts,
-                                  bool strong);
+                                  const Terminal& terminal);
 
 /// A line over all poses.
 [[nodiscard]] std::string text_of(const RowTotals& totals);

@@ -104,7 +104,7 @@ class NearestQuestion : public BatchQuestion<Closest> {
   [[nodiscard]] std::string text_head() const override { return point_head(closed_.has_value()); }
 
   [[nodiscard]] std::string text(const AnsweredRow& row) const override {
-    return point_row(row.number, shown(row.k), side_of(row.k), model_.mesh(), at_most_);
+    return point_row(row.number, shown(row.k), side_of(row.k), model_.mesh(), at_most_, digits());
   }
 
   [[nodiscard]] std::string totals(const RowTotals& totals) const override {

@@ -102,7 +102,7 @@ std::string NearListsQuestion::text_head() const {
 }
 
 std::string NearListsQuestion::text(const AnsweredRow& row) const {
-  return list_row(row.number, shown(row.k), is_cut(row.k), model_.mesh());
+  return list_row(row.number, shown(row.k), is_cut(row.k), model_.mesh(), digits());
 }
 
 std::string NearListsQuestion::totals(const RowTotals& totals) const {

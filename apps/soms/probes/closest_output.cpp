@@ -29,15 +29,15 @@ std::string hits_cell(std::span<const ListedTriangle> hits, const MeshView& mesh
   return hits.size() > kHitsInText ? text + ", ..." : text;
 }
 
-std::string distance_cell(const Closest& answer, double at_most) {
+std::string distance_cell(const Closest& answer, double at_most, int digits) {
   const auto& [lower, upper] = answer.distance;
   if (answer.coverage == Coverage::cut) {
-    return std::isfinite(upper) ? "<= " + readable(upper) : "undecided";
+    return std::isfinite(upper) ? "<= " + readable(upper, digits) : "undecided";
   }
   if (answer.farther) {
     return "> " + readable(at_most);
   }
-  return std::isfinite(lower) ? readable(lower) : "none";
+  return std::isfinite(lower) ? readable(lower, digits) : "none";
 }
 
 /// " inside", where that is known and requested and says more than a distance of 0.
@@ -98,11 +98,11 @@ std::string point_head(bool sides) {
 }
 
 std::string point_row(std::uint64_t point, const Closest& answer, std::optional<Side> side,
-                      const MeshView& mesh, double at_most) {
-  const std::string distance = distance_cell(answer, at_most) + side_text(side);
+                      const MeshView& mesh, double at_most, int digits) {
+  const std::string distance = distance_cell(answer, at_most, digits) + side_text(side);
   const bool wide = side.has_value();
   return answer.triangle ? cells(wide, point, distance, triangle_label(mesh, *answer.triangle),
-                                 name(answer.feature), point_in_text(answer.point))
+                                 name(answer.feature), point_in_text(answer.point, digits))
                          : cells(wide, point, distance, "", "", "");
 }
 
@@ -111,8 +111,8 @@ std::string list_head() {
 }
 
 std::string list_row(std::uint64_t point, std::span<const ListedTriangle> hits, bool cut,
-                     const MeshView& mesh) {
-  const std::string distance = !hits.empty() ? readable(hits.front().distance.lower)
+                     const MeshView& mesh, int digits) {
+  const std::string distance = !hits.empty() ? readable(hits.front().distance.lower, digits)
                                : cut         ? "undecided"
                                              : "none";
   return cells(false, point, distance, hits_cell(hits, mesh), hits.size(), "");

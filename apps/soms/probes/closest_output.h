@@ -29,9 +29,10 @@ struct ListedTriangle {
 /// Titles of the table of many points for people, and the row of one.
 [[nodiscard]] std::string point_head(bool sides);
 [[nodiscard]] std::string point_row(std::uint64_t point, const Closest& answer,
-                                    std::optional<Side> side, const MeshView& mesh, double at_most);
+                                    std::optional<Side> side, const MeshView& mesh, double at_most,
+                                    int digits);
 [[nodiscard]] std::string list_head();
 [[nodiscard]] std::string list_row(std::uint64_t point, std::span<const ListedTriangle> hits,
-                                   bool cut, const MeshView& mesh);
+                                   bool cut, const MeshView& mesh, int digits);
 
 }  // namespace soms::command

@@ -68,7 +68,7 @@ class CrossingsQuestion : public Question {
   [[nodiscard]] std::string text_head() const override { return crossings_head(Source::kNoun); }
 
   [[nodiscard]] std::string text(const AnsweredRow& row) const override {
-    return text_of(row.number, shown(row.k));
+    return text_of(row.number, shown(row.k), digits());
   }
 
   [[nodiscard]] std::string totals(const RowTotals& totals) const override {

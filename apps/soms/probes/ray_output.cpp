@@ -14,11 +14,11 @@ namespace {
 constexpr std::size_t kCrossingsInText = 4;
 
 /// "enter at 1, leave at 3"
-std::string crossings_cell(const Crossings& hits) {
+std::string crossings_cell(const Crossings& hits, int digits) {
   std::string text;
   for (std::size_t i = 0; i < hits.places.size() && i < kCrossingsInText; ++i) {
     text += fmt::format("{}{} at {}", i == 0 ? "" : ", ", name(hits.places[i].kind),
-                        readable(hits.places[i].t.lower));
+                        readable(hits.places[i].t.lower, digits));
   }
   text += hits.places.size() > kCrossingsInText ? ", ..." : "";
   return hits.coverage != Coverage::cut ? text
@@ -26,12 +26,12 @@ std::string crossings_cell(const Crossings& hits) {
                                         : text + ", out of time";
 }
 
-std::string t_cell(const ClosestHit& hit) {
+std::string t_cell(const ClosestHit& hit, int digits) {
   if (!hit.triangle) {
     return hit.coverage == Coverage::cut ? "undecided" : "none";
   }
   return (hit.coverage == Coverage::cut ? "<= " : "") +
-         readable(hit.coverage == Coverage::cut ? hit.t.upper : hit.t.lower);
+         readable(hit.coverage == Coverage::cut ? hit.t.upper : hit.t.lower, digits);
 }
 
 }  // namespace
@@ -78,12 +78,12 @@ std::string crossings_head(std::string_view noun) {
   return table_line(fmt::format("{:>7}  {:>9}  crossings", noun, "triangles"));
 }
 
-std::string text_of(std::uint64_t ray, const ClosestHit& hit, const MeshView& mesh) {
-  return table_line(hit.triangle
-                        ? fmt::format("{:>7}  {:<16}  {:<20}  {:<5}  {}", ray, t_cell(hit),
-                                      triangle_label(mesh, *hit.triangle),
-                                      hit.front ? "front" : "back", point_in_text(hit.point))
-                        : fmt::format("{:>7}  {}", ray, t_cell(hit)));
+std::string text_of(std::uint64_t ray, const ClosestHit& hit, const MeshView& mesh, int digits) {
+  return table_line(
+      hit.triangle ? fmt::format("{:>7}  {:<16}  {:<20}  {:<5}  {}", ray, t_cell(hit, digits),
+                                 triangle_label(mesh, *hit.triangle), hit.front ? "front" : "back",
+                                 point_in_text(hit.point, digits))
+                   : fmt::format("{:>7}  {}", ray, t_cell(hit, digits)));
 }
 
 std::string text_of(std::uint64_t ray, const AnyHit& hit) {
@@ -93,8 +93,9 @@ std::string text_of(std::uint64_t ray, const AnyHit& hit) {
                                                                 : "no"));
 }
 
-std::string text_of(std::uint64_t ray, const Crossings& hits) {
-  return table_line(fmt::format("{:>7}  {:>9}  {}", ray, hits.count(), crossings_cell(hits)));
+std::string text_of(std::uint64_t ray, const Crossings& hits, int digits) {
+  return table_line(
+      fmt::format("{:>7}  {:>9}  {}", ray, hits.count(), crossings_cell(hits, digits)));
 }
 
 }  // namespace soms::command

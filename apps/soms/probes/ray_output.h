@@ -43,9 +43,10 @@ struct Crossings {
 [[nodiscard]] std::string any_hit_head(std::string_view noun);
 [[nodiscard]] std::string crossings_head(std::string_view noun);
 
-/// Rows of that table.
-[[nodiscard]] std::string text_of(std::uint64_t ray, const ClosestHit& hit, const MeshView& mesh);
+/// Rows of that table, with so many digits.
+[[nodiscard]] std::string text_of(std::uint64_t ray, const ClosestHit& hit, const MeshView& mesh,
+                                  int digits);
 [[nodiscard]] std::string text_of(std::uint64_t ray, const AnyHit& hit);
-[[nodiscard]] std::string text_of(std::uint64_t ray, const Crossings& hits);
+[[nodiscard]] std::string text_of(std::uint64_t ray, const Crossings& hits, int digits);
 
 }  // namespace soms::command

@@ -123,7 +123,7 @@ class HitQuestion : public BatchQuestion<T> {
 
   [[nodiscard]] std::string text(const AnsweredRow& row) const override {
     if constexpr (kIsClosest) {
-      return text_of(row.number, this->shown(row.k), model_.report().mesh());
+      return text_of(row.number, this->shown(row.k), model_.report().mesh(), this->digits());
     } else {
       return text_of(row.number, this->at(row.k));
     }

@@ -153,7 +153,7 @@ class RobotQuestion : public Rows, public Question {
   [[nodiscard]] std::string text(const AnsweredRow& row) const override {
     const auto way = way_of(row);
     return (way ? way_in_text(models_, *way) : std::string()) +
-           answer_in_text(models_, row.number, answers_[row.k]);
+           answer_in_text(models_, row.number, answers_[row.k], terminal());
   }
 
   [[nodiscard]] std::string left_out(const std::string& states) const override {

@@ -191,8 +191,10 @@ std::string models_in_text(const RobotModels& models) {
 }
 
 std::string answer_in_text(const RobotModels& models, std::uint64_t state,
-                           const RobotAnswer& answer) {
-  std::string text = fmt::format("state {}: {}", state, name(answer.verdict));
+                           const RobotAnswer& answer, const Terminal& terminal) {
+  const Ink ink =
+      ink_of(answer.verdict == RobotVerdict::contact, answer.verdict == RobotVerdict::undecided);
+  std::string text = fmt::format("state {}: {}", state, terminal.paint(name(answer.verdict), ink));
   if (!answer.contacts.empty()) {
     text += ": " + contacts_in_text(models, answer);
   } else if (answer.gap) {

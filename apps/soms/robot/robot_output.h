@@ -5,6 +5,7 @@
 #include "soms/base/error.h"
 #include "soms/robot/robot_query.h"
 
+#include "apps/cli/terminal.h"
 #include "apps/output/json.h"
 #include "apps/soms/robot/robot_models.h"
 #include "apps/soms/robot/robot_way.h"
@@ -64,7 +65,7 @@ struct RobotReport {
 
 /// A line for a state.
 [[nodiscard]] std::string answer_in_text(const RobotModels& models, std::uint64_t state,
-                                         const RobotAnswer& answer);
+                                         const RobotAnswer& answer, const Terminal& terminal = {});
 
 /// Lines for all states.
 [[nodiscard]] std::string totals_in_text(const RobotReport& report);

@@ -234,9 +234,9 @@ int finish(const World& world, const Outcome& outcome, const Picture& picture,
   if (files.has_answer()) {
     files.write_answer(answer);
   }
-  console.print(console.shared().json
-                    ? answer
-                    : table_of(world, outcome, reported, console.talks_to_a_person()));
+  console.print(console.shared().json ? answer
+                                      : table_of(world, outcome, reported, console.terminal(),
+                                                 console.talks_to_a_person()));
   console.flush();
   const int status = status_of(outcome, options, drawn.value_or(0));
   if (fault && status != kDifference) {

@@ -22,8 +22,10 @@ namespace soms::command {
 
 namespace {
 
-std::string row(const std::string& name, const std::string& value) {
-  return fmt::format("{:<14}{}\n", name, printable(value));
+std::string row(const std::string& name, const std::string& value, const Terminal& terminal) {
+  constexpr std::size_t kValues = 14;
+  return wrap_words(fmt::format("{:<14}{}", name, printable(value)), terminal.width, kValues) +
+         "\n";
 }
 
 std::string whole_number(double number) {
@@ -113,8 +115,11 @@ std::string name_of(const World& world, const Touched& touched) {
 }
 
 std::string counts_of(const Touched& touched) {
-  return fmt::format("{} in {}", counted(touched.contacts, "contact"),
-                     counted(touched.frames, "mover-frame"));
+  const std::string times = touched.contacts == 1   ? "once"
+                            : touched.contacts == 2 ? "twice"
+                                                    : with_commas(touched.contacts) + " times";
+  return fmt::format("touched {}, for {}{}", times, counted(touched.frames, "frame"),
+                     touched.contacts == 1 ? "" : " in all");
 }
 
 Figures figures_of(const World& world, const Outcome& outcome, const SimulateOptions& options) {
@@ -172,13 +177,18 @@ Figures figures_of(const World& world, const Outcome& outcome, const SimulateOpt
 }
 
 std::string table_of(const World& world, const Outcome& outcome, const SimulateOptions& options,
-                     bool hints) {
+                     const Terminal& terminal, bool hints) {
   std::string text;
   for (const auto& [name, value] : figures_of(world, outcome, options)) {
-    text += row(name, value);
+    const std::string line = row(name, value, terminal);
+    const bool touches = !outcome.contacts.contacts().empty();
+    text += name == "contacts" ? terminal.paint(line.substr(0, line.size() - 1),
+                                                ink_of(touches, outcome.ending != Ending::whole)) +
+                                     "\n"
+                               : line;
   }
   if (hints && options.map.empty() && options.report.empty() && options.picture.empty()) {
-    text += row("see it", "add -o city.svg to draw the city and its contacts, or --view");
+    text += row("see it", "add -o city.svg to draw the city and its contacts, or --view", terminal);
   }
   for (const auto& [name, path] :
        {Figure("map", options.map), Figure("report", options.report),
@@ -186,7 +196,7 @@ std::string table_of(const World& world, const Outcome& outcome, const SimulateO
         Figure("answer", options.answer), Figure("recording", options.record),
         Figure("picture", options.picture)}) {
     if (!path.empty()) {
-      text += row(name, path);
+      text += row(name, path, terminal);
     }
   }
   return text;

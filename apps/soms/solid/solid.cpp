@@ -87,7 +87,11 @@ class SolidQuestion : public PairQuestion<Solid, AskSolid> {
   }
 
   [[nodiscard]] std::string sentence(std::size_t k) const override {
-    return solid_in_words(at(k), printable(pair().a.source), printable(pair().b.source)) + "\n";
+    RowOutcome known = outcome(k);
+    known.found = known.found || at(k).relation == Relation::touching;
+    return painted(
+        solid_in_words(at(k), printable(pair().a.source), printable(pair().b.source)) + "\n",
+        known);
   }
 
   [[nodiscard]] std::string text_head() const override {

@@ -8,7 +8,7 @@ namespace soms::command {
 namespace {
 
 std::string printed(const OverlapReport& report, const Overlap& answer) {
-  return text_of(report, 0, {answer, {}}, {}, false);
+  return text_of(report, 0, {answer, {}}, {}, {});
 }
 
 TEST(OverlapReportText, SaysThatALesserPairMayBeThereWhenTimeIsUp) {
