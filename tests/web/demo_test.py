@@ -10,6 +10,9 @@ import tempfile
 
 import browser_test
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
+import look  # noqa: E402
+
 FILES = ("meshes/ball.ply", "meshes/box2.ply")
 ON_BODY = """
   const [wanted, done] = arguments;
@@ -83,6 +86,9 @@ class Demo:
         self.settled()
         return before != self.text("pose")
 
+    def exact_pose(self):
+        return self.run("return document.getElementById('pose').title")
+
     def keys(self, *keys):
         self.browser.find_element("id", "picture").send_keys(*keys)
         return self.settled()
@@ -100,10 +106,71 @@ def compare(demo, command, data):
     shown = demo.settled()
     if command is None:
         return shown
-    overlap, distance = by_command(command, data, demo.text("pose"))
+    overlap, distance = by_command(command, data, demo.exact_pose())
     assert shown["count"] == len(overlap["pairs"]), (shown, overlap)
     assert shown["gap"] == (0 if shown["count"] else distance["lower"]), (shown, distance)
     return shown
+
+
+# By what is drawn: how many pixels differ from the sky at the left and right edges, and what the sky is; how far elements overlap.
+LAYOUT = """
+  const {width, height, bytes} = demo.pixels(), sky = [...bytes.slice(0, 3)];
+  const differs = (x, y) => sky.some((c, k) => Math.abs(c - bytes[4 * (width * y + x) + k]) > 8);
+  let edges = 0, drawn = 0;
+  for (let y = 0; y < height; ++y) for (let x = 0; x < width; ++x) {
+    const on = differs(x, y);
+    drawn += on;
+    edges += on && (x < 2 || x >= width - 2);
+  }
+  const box = (name) => document.getElementById(name).getBoundingClientRect();
+  const over = (a, b) => Math.max(0, Math.min(a.right, b.right) - Math.max(a.left, b.left))
+                       * Math.max(0, Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top));
+  return {edges, drawn, sky, covered: over(box('help'), box('bodies')) + over(box('help'), box('facts')),
+          wide: document.documentElement.scrollWidth, below: box('help').bottom - window.innerHeight};"""
+
+
+def check_phone(demo):
+    """At 390 pixels nothing is cut or covered, and the colors are those of the one table, by the reader's scheme."""
+    for scheme, dark in (("dark", 1), ("light", 0)):
+        demo.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": scheme}]})
+        demo.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
+                                     {"width": 390, "height": 844, "deviceScaleFactor": 1, "mobile": True})
+        demo.browser.refresh()
+        demo.settled()
+        seen = demo.run(LAYOUT)
+        assert seen["edges"] == 0 and seen["drawn"] > 10000, seen
+        assert seen["covered"] == 0 and seen["wide"] == 390 and seen["below"] <= 0, seen
+        sky = look.colors()["sky-low"][dark]
+        assert seen["sky"] == [int(sky[k:k + 2], 16) for k in (1, 3, 5)], (sky, seen)
+    assert all(len(number) <= 9 for number in demo.text("pose").split()), demo.text("pose")
+    demo.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+    demo.browser.refresh()
+    demo.settled()
+
+
+def check_tree_file(demo, data):
+    """A tree file dropped on the page: the same answers as of the model that it was made of."""
+    model, zone = str(pathlib.Path(data) / FILES[0]), "document.querySelector('[data-body=moved]')"
+    demo.browser.find_element("id", "moved").send_keys(model)
+    demo.wait("return document.getElementById('moved-facts').textContent.startsWith('ball.ply')")
+    before = demo.settled()
+    made = demo.browser.execute_async_script("""
+      const [url, done] = arguments;
+      (async () => {
+        const {start} = await import('soms/worker'), soms = await start();
+        const input = document.getElementById('moved').files[0];
+        const shape = await soms.shape(await soms.readMesh(await input.arrayBuffer(), input.name));
+        const bytes = await shape.save(), box = new DataTransfer();
+        box.items.add(new File([bytes], 'ball.somst'));
+        %s.dispatchEvent(new DragEvent('drop', {dataTransfer: box, bubbles: true}));
+        await soms.close();
+        return bytes.length;
+      })().then(done, (error) => done(String(error)));""" % zone, "")
+    assert isinstance(made, int), made
+    demo.wait("return document.getElementById('moved-facts').textContent.startsWith('ball.somst')")
+    after = demo.settled()
+    assert (after["count"], after["gap"]) == (before["count"], before["gap"]), (before, after)
+    print(f"a tree file of {made} bytes: {after['count']} pairs, distance {after['gap']}")
 
 
 def check(demo, data, command):
@@ -140,10 +207,13 @@ def check(demo, data, command):
     counts = [answer["count"] for answer in seen]
     assert min(counts) == 0 and max(counts) > 0, seen
     assert all((answer["count"] == 0) == (answer["gap"] > 0) for answer in seen)
+    check_tree_file(demo, data)
+    check_phone(demo)
     print(f"{len(seen)} poses{'' if command else ', not compared: the command soms is not built'}: {counts} pairs")
 
 
 def main(site, data, command=None):
+    assert (pathlib.Path(site) / "colors.css").read_text(encoding="utf-8") == look.css(), "run tools/look.py css > web/demo/colors.css"
     with tempfile.TemporaryDirectory() as folder:
         browser = browser_test.start_browser(pathlib.Path(folder), webgl=True)
         try:

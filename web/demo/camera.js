@@ -7,11 +7,18 @@ export class Camera {
   yaw = 0.6;
   pitch = 0.45;
 
-  /** Looks at all of a box. */
-  fit(lower, upper) {
+  /** Looks at all of a box, with room for the panels above and below. */
+  fit(lower, upper, aspect) {
     this.target = lower.map((x, k) => (x + upper[k]) / 2);
     this.size = Math.hypot(...lower.map((x, k) => upper[k] - x)) || 1;
-    this.distance = 0.62 * this.size / FIELD;
+    const [right, up, back] = this.axes();
+    this.distance = 0.1 * this.size;
+    for (let corner = 0; corner < 8; ++corner) {
+      const at = this.target.map((x, k) => (corner >> k & 1 ? upper[k] : lower[k]) - x);
+      const along = (axis) => axis.reduce((sum, a, k) => sum + a * at[k], 0);
+      const across = Math.max(Math.abs(along(right)) / (0.98 * aspect), Math.abs(along(up)) / 0.78);
+      this.distance = Math.max(this.distance, along(back) + across / FIELD);
+    }
   }
 
   orbit(dx, dy) {

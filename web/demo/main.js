@@ -8,9 +8,8 @@ import { Picture } from './picture.js';
 import { Placement } from './placement.js';
 import { SAMPLES } from './samples.js';
 
-const COLORS = { fixed: [0.72, 0.74, 0.78], moved: [0.36, 0.58, 0.92] };
-const CONTACT = [0.85, 0.1, 0.05];
-const GAP = [0.1, 0.55, 0.25];
+/** What is drawn in which color of colors.css. */
+const COLORS = { sky: 'sky-low', rim: 'paper', fixed: 'body-b', moved: 'body-a', contact: 'contact', gap: 'nearest' };
 
 const element = (id) => document.getElementById(id);
 const bodies = {};  // by name: {shape, lower, upper, count}
@@ -24,6 +23,15 @@ let picture, remote, answers, hand;
 function say(error) {
   element('error').textContent = error.message ?? String(error);
   element('error').hidden = false;
+}
+
+function paint() {
+  const style = getComputedStyle(document.documentElement);
+  picture.paint(Object.fromEntries(Object.entries(COLORS).map(([what, name]) => {
+    const hex = style.getPropertyValue(`--${name}`).trim();
+    return [what, [1, 3, 5].map((k) => parseInt(hex.slice(k, k + 2), 16) / 255)];
+  })));
+  redraw();
 }
 
 function redraw() {
@@ -44,16 +52,18 @@ function show(answer) {
   times = [...times.filter((time) => time > now - 1000), now];
   const touching = answer.count > 0;
   element('contact').textContent = touching ? `${answer.count.toLocaleString('en')} pairs of triangles touch` : 'Nothing touches';
-  element('contact').classList.toggle('touching', touching);
+  element('contact').className = touching ? 'touching' : 'free';
   element('gap').textContent = touching ? 'Distance 0' : `Distance ${answer.gap.toPrecision(6)}`;
-  element('speed').textContent = `answered in ${answer.milliseconds.toFixed(1)} ms, ${times.length} answers in the last second`;
-  picture.putSegments(touching ? answer.segments : answer.line, touching ? CONTACT : GAP);
+  const rate = times.length > 1 ? `, ${times.length} answers in the last second` : '';
+  element('speed').textContent = `answered in ${answer.milliseconds.toFixed(1)} ms${rate}`;
+  picture.putSegments(touching ? answer.segments : answer.line, touching ? 'contact' : 'gap');
   redraw();
 }
 
 function question() {
   if (placement !== null) {
-    element('pose').textContent = placement.text();
+    element('pose').textContent = placement.shortText();
+    element('pose').title = placement.text();
     answers.want(bodies.fixed.shape, bodies.moved.shape, placement.pose());
   }
   redraw();
@@ -70,19 +80,25 @@ function settle() {
   const at = middle(fixed);
   at[0] = fixed.upper[0] + 0.3 * width;
   placement = new Placement(middle(moved), at);
-  camera.fit([...fixed.lower], Array.from(fixed.upper, (x, k) => (k === 0 ? x + 0.8 * width : x)));
+  const lower = Array.from(fixed.lower, (x, k) => Math.min(x, at[k] - (moved.upper[k] - moved.lower[k]) / 2));
+  const upper = Array.from(fixed.upper, (x, k) => Math.max(x, at[k] + (moved.upper[k] - moved.lower[k]) / 2));
+  camera.fit(lower, upper, picture.aspect());
   question();
 }
 
-async function take(name, label, mesh) {
-  const content = await mesh.read();
+async function takeMesh(name, label, mesh) {
   const shape = await remote.shape(mesh);
   mesh.free();
+  await take(name, label, shape);
+}
+
+async function take(name, label, shape) {
+  const content = await shape.read();
   const box = await shape.bounds();
   const center = Array.from(box.lower, (x, k) => (x + box.upper[k]) / 2);
   bodies[name]?.shape.free();
   bodies[name] = { shape, ...box };
-  picture.put(name, content, center, COLORS[name]);
+  picture.put(name, content, center);
   const notes = content.notes.length > 0 ? `; not read: ${content.notes.join('; ')}` : '';
   element(`${name}-facts`).textContent = `${label}, ${(content.triangles.length / 3).toLocaleString('en')} triangles${notes}`;
   settle();
@@ -91,7 +107,12 @@ async function take(name, label, mesh) {
 async function takeFile(name, file) {
   element('error').hidden = true;
   try {
-    await take(name, file.name, await remote.readMesh(await file.arrayBuffer(), file.name));
+    const bytes = await file.arrayBuffer();
+    if (/\.somst$/i.test(file.name)) {
+      await take(name, file.name, await remote.openShape(bytes, { check: 'full' }));  // whoever made it
+    } else {
+      await takeMesh(name, file.name, await remote.readMesh(bytes, file.name));
+    }
   } catch (error) {
     say(error);
   }
@@ -115,10 +136,13 @@ async function begin() {
   hand = new Hand(element('picture'), { camera, picture, placement: () => placement }, (ray) => pick(ray).catch(() => null),
            (moved) => (moved ? question() : redraw()));
   element('error').addEventListener('click', () => { element('error').hidden = true; });
+  element('copy').addEventListener('click', () => navigator.clipboard.writeText(placement.text()).catch(say));
   window.addEventListener('resize', redraw);
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', paint);
+  paint();
   listen(takeFile);
   for (const name of ['fixed', 'moved']) {
-    await take(name, SAMPLES[name].name, await remote.mesh(SAMPLES[name].mesh()));
+    await takeMesh(name, SAMPLES[name].name, await remote.mesh(SAMPLES[name].mesh()));
   }
 }
 

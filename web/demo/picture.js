@@ -40,15 +40,16 @@ void main() {
 
 const LINE_FRAGMENT = `#version 300 es
 precision highp float;
-uniform vec3 color;
+uniform vec4 color;
 out vec4 pixel;
-void main() { pixel = vec4(color, 1.0); }`;
+void main() { pixel = color; }`;
 
 const STILL = Float64Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0);
 
 export class Picture {
   #gl;
   #bodies = new Map();
+  #colors = {};
 
   constructor(canvas) {
     this.canvas = canvas;
@@ -86,8 +87,13 @@ export class Picture {
     return { program, at: (name) => gl.getUniformLocation(program, name) };
   }
 
+  /** Colors by what they are for: sky, rim, contact, gap, and the names of bodies; three numbers to 1 each. */
+  paint(colors) {
+    this.#colors = colors;
+  }
+
   /** Takes a body's triangles. They are kept about `center`: floats are finest there. */
-  put(name, { vertices, triangles }, center, color) {
+  put(name, { vertices, triangles }, center) {
     const gl = this.#gl;
     const old = this.#bodies.get(name);
     if (old) {
@@ -96,7 +102,7 @@ export class Picture {
       gl.deleteVertexArray(old.array);
     }
     const body = { array: gl.createVertexArray(), corners: gl.createBuffer(), indices: gl.createBuffer(),
-                   count: triangles.length, center, color };
+                   count: triangles.length, center };
     gl.bindVertexArray(body.array);
     gl.bindBuffer(gl.ARRAY_BUFFER, body.corners);
     gl.bufferData(gl.ARRAY_BUFFER, Float32Array.from(vertices, (x, k) => x - center[k % 3]), gl.STATIC_DRAW);
@@ -107,7 +113,7 @@ export class Picture {
     this.#bodies.set(name, body);
   }
 
-  /** Segments to draw: 6 numbers each, in the world. */
+  /** Segments to draw: 6 numbers each, in the world; `color` is the name of one. */
   putSegments(ends, color) {
     const gl = this.#gl;
     gl.bindBuffer(gl.ARRAY_BUFFER, this.ends.buffer);
@@ -137,25 +143,42 @@ export class Picture {
       [canvas.width, canvas.height] = [width, height];
     }
     gl.viewport(0, 0, width, height);
-    gl.clearColor(0.93, 0.945, 0.96, 1);
+    gl.clearColor(...this.#colors.sky, 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     gl.enable(gl.DEPTH_TEST);
+    gl.enable(gl.POLYGON_OFFSET_FILL);  // lines on a surface lie before it
+    gl.polygonOffset(4, 16);
     gl.useProgram(this.solid.program);
     for (const [name, body] of this.#bodies) {
       gl.uniformMatrix4fv(this.solid.at('matrix'), false, camera.matrix(poses[name] ?? STILL, body.center, this.aspect()));
-      gl.uniform3fv(this.solid.at('color'), body.color);
+      gl.uniform3fv(this.solid.at('color'), this.#colors[name]);
       gl.bindVertexArray(body.array);
       gl.drawElements(gl.TRIANGLES, body.count, gl.UNSIGNED_INT, 0);
     }
+    gl.disable(gl.POLYGON_OFFSET_FILL);
     if (ends.count > 0) {
-      gl.disable(gl.DEPTH_TEST);  // a contact is seen through what lies before it
       gl.useProgram(this.lines.program);
       gl.uniformMatrix4fv(this.lines.at('matrix'), false, camera.matrix(STILL, [0, 0, 0], this.aspect()));
       gl.uniform2f(this.lines.at('size'), width, height);
-      gl.uniform1f(this.lines.at('width'), 2.5 * sharp);
-      gl.uniform3fv(this.lines.at('color'), ends.color);
       gl.bindVertexArray(ends.array);
-      gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, ends.count);
+      gl.depthMask(false);
+      gl.enable(gl.BLEND);
+      gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+      gl.depthFunc(gl.GREATER);  // pale where surfaces hide it
+      this.#lines(ends, sharp, 0.35, 2.5);
+      gl.depthFunc(gl.LEQUAL);
+      this.#lines({ ...ends, color: 'rim' }, sharp, 1, 6);
+      this.#lines(ends, sharp, 1, 3.5);
+      gl.disable(gl.BLEND);
+      gl.depthMask(true);
+      gl.depthFunc(gl.LESS);
     }
+  }
+
+  #lines({ count, color }, sharp, opaque, width) {
+    const gl = this.#gl;
+    gl.uniform1f(this.lines.at('width'), width * sharp);
+    gl.uniform4f(this.lines.at('color'), ...this.#colors[color], opaque);
+    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, count);
   }
 }

@@ -41,9 +41,19 @@ export class Placement {
       ...row, this.at[k] - row.reduce((sum, r, j) => sum + r * this.center[j], 0)]));
   }
 
+  #numbers() {
+    const pose = this.pose();
+    return [pose[3], pose[7], pose[11], ...this.turned];
+  }
+
   /** The same as the command takes it: x y z qw qx qy qz. */
   text() {
-    const pose = this.pose();
-    return [pose[3], pose[7], pose[11], ...this.turned].join(' ');
+    return this.#numbers().join(' ');
+  }
+
+  /** Five digits of each, without the rotation where there is none. */
+  shortText() {
+    const numbers = this.turned[0] === 1 ? this.#numbers().slice(0, 3) : this.#numbers();
+    return numbers.map((x) => Number(x.toPrecision(5))).join(' ');
   }
 }
