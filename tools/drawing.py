@@ -1,19 +1,21 @@
 """Lines, words and colors of the drawings of docs/: SVG that is read on a light and on a dark page."""
 
+import look
+
 WIDTH = 640
-# class: (light, dark); a fill is also what the words of that color are written in.
-COLORS = {
-    "card": ("#ffffff", "#161b22"), "rim": ("#c9ced4", "#3d444d"), "ink": ("#1f2328", "#e6e8eb"),
-    "faint": ("#656d76", "#9da5ae"), "a": ("#0072b2", "#56b4e9"), "b": ("#b35900", "#f0a34a"),
-    "both": ("#c2185b", "#ff7eb6"),
-}
+# class: the name of a color in apps/draw/look.h, and of the one for lines and words where that is too pale for them.
+CLASSES = {"card": ("paper",), "rim": ("line",), "ink": ("ink",), "faint": ("faint",), "a": ("body-a",),
+           "b": ("body-b", "part"), "both": ("contact",)}
 
 
 def style():
     def rules(dark):
         made = []
-        for name, colors in COLORS.items():
-            made.append(f".{name}{{fill:{colors[dark]}}}.{name}-line{{stroke:{colors[dark]}}}")
+        for name, colors in CLASSES.items():
+            fill, line_color = (look.colors()[color][dark] for color in (colors[0], colors[-1]))
+            made.append(f".{name}{{fill:{fill}}}.{name}-line{{stroke:{line_color}}}")
+            if fill != line_color:
+                made.append(f"text.{name}{{fill:{line_color}}}")
         return "".join(made)
     return (f"<style>text{{font-family:Helvetica,Arial,sans-serif;font-size:15px}}"
             f".mono{{font-family:Menlo,Consolas,monospace;font-size:13px}}.strong{{font-weight:bold}}"
