@@ -217,7 +217,8 @@ class BarDrawing {
 
   /// A box of a series: its color, and a texture that tells it apart without.
   void fill_bar(std::size_t series_index, Spot corner, double width, double height) {
-    const std::size_t color = series_index % kSeriesColors;
+    const std::size_t own = chart_.bars[series_index].color;
+    const std::size_t color = (own == kNextColor ? series_index : own) % kSeriesColors;
     const std::size_t texture = series_index % 4;
     const std::string stroke =
         fmt::format("class=\"s{}\" stroke=\"{}\"", color, series_color(color));

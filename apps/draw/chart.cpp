@@ -212,7 +212,7 @@ class LineDrawing {
     for (std::size_t k = 0; k < line.low.size(); ++k) {
       both.push_back(line.low[k] + line.high[k]);
     }
-    const std::size_t color = series % kSeriesColors;
+    const std::size_t color = color_of(series);
     for_runs(both, [&](std::size_t begin, std::size_t end) {
       if (end - begin == 1) {
         draw_whisker(svg_, spot(line.x[begin], line.low[begin]),
@@ -236,8 +236,13 @@ class LineDrawing {
                        color % kSeriesColors, series_color(color), pixels(width));
   }
 
-  [[nodiscard]] static std::string stroke_of(const Line& line, std::size_t series) {
-    return stroke(series, 2.4) + (line.dashed ? " stroke-dasharray=\"7 5\"" : "");
+  [[nodiscard]] std::size_t color_of(std::size_t series) const {
+    const std::size_t own = chart_.lines[series].color;
+    return (own == kNextColor ? series : own) % kSeriesColors;
+  }
+
+  [[nodiscard]] std::string stroke_of(const Line& line, std::size_t series) const {
+    return stroke(color_of(series), 2.4) + (line.dashed ? " stroke-dasharray=\"7 5\"" : "");
   }
 
   /// Points between markers; 0 for no markers. Lines with many points still get a few, so that
@@ -267,7 +272,7 @@ class LineDrawing {
       svg_.path(path.data(), fmt::format("fill=\"none\" {}", stroke_of(line, series)));
     });
     for (const Spot at : markers) {
-      draw_marker(svg_, series, at);
+      draw_marker(svg_, color_of(series), at);
     }
   }
 
@@ -295,11 +300,11 @@ class LineDrawing {
       const double middle = tops[k] + heights[k] / 2;
       if (ends[k].x > plot_.right() - 2) {
         svg_.line({ends[k].x + 5, ends[k].y}, {left, middle},
-                  stroke(k, 1) + " stroke-opacity=\".6\"");
+                  stroke(color_of(k), 1) + " stroke-opacity=\".6\"");
       }
       svg_.line({left, middle}, {left + kSwatch, middle}, stroke_of(line, k));
       if (marker_stride(line) > 0) {
-        draw_marker(svg_, k, {left + kSwatch / 2, middle});
+        draw_marker(svg_, color_of(k), {left + kSwatch / 2, middle});
       }
       svg_.lines({left + kSwatch + 6, tops[k] + 1.25 * kTickSize - 1}, name_of(line),
                  {.size = kTickSize});

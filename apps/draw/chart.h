@@ -3,6 +3,7 @@
 /// fixed look, the same bytes for the same data.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,11 @@ namespace soms::reproduce {
 
 /// How an axis is divided.
 enum class Scale { linear, log };
+
+/// Colors by number, of look::kSeries: by default a line has that of its place.
+inline constexpr std::size_t kNextColor = static_cast<std::size_t>(-1);
+inline constexpr std::size_t kMovesColor = 0;  ///< blue, as what moves is in every picture
+inline constexpr std::size_t kStillColor = 7;  ///< dark sand: sand itself is too pale for a line
 
 /// A line of a chart: points (x[i], y[i]) in ascending x. A y that is not finite breaks the line.
 struct Line {
@@ -19,6 +25,7 @@ struct Line {
   std::vector<double> low = {};   ///< spread below, as values; empty for none
   std::vector<double> high = {};  ///< spread above
   bool dashed = false;
+  std::size_t color = kNextColor;
 };
 
 /// A sentence at a point, with a short arrow: what the reader should see.
@@ -46,6 +53,7 @@ struct Bars {
   std::vector<double> values = {};  ///< as many as the chart's groups; not finite: no bar
   std::vector<double> low = {};
   std::vector<double> high = {};
+  std::size_t color = kNextColor;
 };
 
 /// Bars side by side in groups.

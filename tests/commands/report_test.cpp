@@ -102,6 +102,24 @@ TEST_F(Report, CountsAContactOfTwoMoversForBothModels) {
   const std::string chart = page.substr(begin, page.find("</svg>", begin) - begin);
   EXPECT_EQ(count(chart, ">hammer</text>"), 1U);
   EXPECT_EQ(count(chart, ">anvil</text>"), 1U);
+  EXPECT_GT(count(chart, "class=\"f0 "), 0U) << "what moves is blue";
+}
+
+TEST_F(Report, HasNoBarsOfOneBarAndSandForWhatStands) {
+  const std::string town = write("town.obj", town_obj());
+  ASSERT_EQ(test::soms_run({"simulate", town, "--count", "40", "--frames", "60", "-o",
+                            at("page.html"), "--quiet"})
+                .status,
+            0);
+  const std::string page = test::read_text(at("page.html"));
+  EXPECT_EQ(page.find("<title>Parts of the city by contacts</title>"), std::string::npos)
+      << "the town is one part";
+  const std::size_t begin = page.find("<title>Contacts in each frame</title>");
+  ASSERT_NE(begin, std::string::npos);
+  const std::string chart = page.substr(begin, page.find("</svg>", begin) - begin);
+  EXPECT_GT(count(chart, "class=\"s7\""), 0U) << "with the city";
+  EXPECT_GT(count(chart, "class=\"s0\""), 0U) << "between movers";
+  EXPECT_EQ(count(chart, "class=\"s1\""), 0U) << "orange means neither";
 }
 
 TEST_F(Report, OfTheSameRunIsTheSameButForTimes) {

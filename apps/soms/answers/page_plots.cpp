@@ -35,9 +35,9 @@ Binned binned(std::uint64_t count, const std::function<double(std::uint64_t)>& v
 
 std::vector<report::Plot> bars_of(std::vector<std::pair<std::string, double>> counts,
                                   const std::string& title, const std::string& label,
-                                  const std::string& caption) {
+                                  const std::string& caption, std::size_t color) {
   constexpr std::size_t kMost = 8;
-  if (counts.empty()) {
+  if (counts.size() < 2) {
     return {};
   }
   std::sort(counts.begin(), counts.end(), [](const auto& a, const auto& b) {
@@ -45,7 +45,7 @@ std::vector<report::Plot> bars_of(std::vector<std::pair<std::string, double>> co
   });
   counts.resize(std::min(kMost, counts.size()));
   reproduce::BarChart chart{.title = title, .y_label = label};
-  reproduce::Bars bars{.name = label};
+  reproduce::Bars bars{.name = label, .color = color};
   for (const auto& [name, count] : counts) {
     chart.groups.push_back(report::shortened(name, kLongestName));
     bars.values.push_back(count);

@@ -25,11 +25,11 @@ struct Binned {
 /// `value(k)` for k below `count`, at some hundred points at most.
 [[nodiscard]] Binned binned(std::uint64_t count, const std::function<double(std::uint64_t)>& value);
 
-/// Bars for the eight names with the highest counts, highest first; empty for none.
-/// The chart's caption says what is counted.
+/// Bars for the eight names with the highest counts, highest first, in a color of charts; empty for
+/// none, and for one, which compares nothing. The chart's caption says what is counted.
 [[nodiscard]] std::vector<report::Plot> bars_of(std::vector<std::pair<std::string, double>> counts,
                                                 const std::string& title, const std::string& label,
-                                                const std::string& caption);
+                                                const std::string& caption, std::size_t color);
 
 /// A drawing for a page.
 [[nodiscard]] report::Plot plot(std::string svg, std::string caption);

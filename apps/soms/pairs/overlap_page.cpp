@@ -23,7 +23,7 @@ constexpr std::size_t kMostCounts = 1024;
 std::vector<report::Plot> bars_of_parts(const MeshView& mesh,
                                         const std::vector<OverlapRows::Row>& rows,
                                         std::uint32_t OverlapRows::Row::*part,
-                                        const std::string& name) {
+                                        const std::string& name, std::size_t color) {
   std::map<std::uint32_t, double> by_part;  // not by name: several parts may have the same
   for (const OverlapRows::Row& row : rows) {
     if (!mesh.parts.empty()) {
@@ -37,7 +37,8 @@ std::vector<report::Plot> bars_of_parts(const MeshView& mesh,
   }
   return bars_of(std::move(bars), "Parts of " + name, "pairs",
                  "Overlapping pairs of triangles by the part of " + name +
-                     " that they lie in, summed over all poses; the parts with the most pairs.");
+                     " that they lie in, summed over all poses; the parts with the most pairs.",
+                 color);
 }
 
 /// Numbers the parts of one mesh as a page does: each once.
@@ -171,8 +172,10 @@ std::vector<report::Plot> OverlapPage::plots() const {
   }
   using Row = OverlapRows::Row;
   for (std::vector<report::Plot> bars :
-       {bars_of_parts(models_.a.shape.mesh(), rows_.rows(), &Row::part_a, models_.name_a),
-        bars_of_parts(models_.b.shape.mesh(), rows_.rows(), &Row::part_b, models_.name_b)}) {
+       {bars_of_parts(models_.a.shape.mesh(), rows_.rows(), &Row::part_a, models_.name_a,
+                      reproduce::kMovesColor),
+        bars_of_parts(models_.b.shape.mesh(), rows_.rows(), &Row::part_b, models_.name_b,
+                      reproduce::kStillColor)}) {
     std::move(bars.begin(), bars.end(), std::back_inserter(plots));
   }
   return plots;

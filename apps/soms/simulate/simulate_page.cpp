@@ -194,8 +194,9 @@ report::Plot contacts_by_frame(const Outcome& outcome) {
                              .y_label = "contacts",
                              .markers = false};
   std::size_t width = 1;
-  for (const auto& [name, of_kind] :
-       {std::pair("with the city", &with_city), std::pair("between movers", &between)}) {
+  for (const auto& [name, of_kind, color] :
+       {std::tuple("with the city", &with_city, reproduce::kStillColor),
+        std::tuple("between movers", &between, reproduce::kMovesColor)}) {
     std::vector<std::int64_t>& changes = *of_kind;
     for (std::size_t k = 1; k < changes.size(); ++k) {
       changes[k] += changes[k - 1];
@@ -203,7 +204,8 @@ report::Plot contacts_by_frame(const Outcome& outcome) {
     Binned bins =
         binned(outcome.frames, [&](std::uint64_t k) { return static_cast<double>(changes[k]); });
     width = bins.width;
-    chart.lines.push_back({.name = name, .x = std::move(bins.x), .y = std::move(bins.most)});
+    chart.lines.push_back(
+        {.name = name, .x = std::move(bins.x), .y = std::move(bins.most), .color = color});
   }
   return plot(reproduce::draw(chart),
               width == 1 ? "Contacts that last in each frame."
@@ -250,13 +252,15 @@ std::vector<report::Plot> plots_of(const World& world, const Outcome& outcome) {
       ++parts[names.name(contact.part, contact.other)];
     }
   }
-  for (const auto& [counts, title, caption] :
+  for (const auto& [counts, title, caption, color] :
        {std::tuple(&parts, "Parts of the city by contacts",
-                   "The parts with the most contacts; a contact is a mover and a triangle."),
+                   "The parts with the most contacts; a contact is a mover and a triangle.",
+                   reproduce::kStillColor),
         std::tuple(&models, "Models by contacts",
-                   "Contacts by moving model; a contact of two movers counts for each of them.")}) {
+                   "Contacts by moving model; a contact of two movers counts for each of them.",
+                   reproduce::kMovesColor)}) {
     for (report::Plot& bars :
-         bars_of({counts->begin(), counts->end()}, title, "contacts", caption)) {
+         bars_of({counts->begin(), counts->end()}, title, "contacts", caption, color)) {
       plots.push_back(std::move(bars));
     }
   }
