@@ -95,7 +95,7 @@ draw new_york_street "$data/cities/new_york_south.ply" --mover "$data/3ds/van_di
 draw pipes "$data/clash/structure.obj" --scale 1 --up z --mover "$data/clash/services.gltf" --pose "0 0 0" \
   --camera contact,30:35 --size 960x540
 draw rotterdam "$data/cities/rotterdam.ply" --scale 1 --camera 300:30 --size 900x506
-draw new_york_depth "$data/cities/new_york_south.ply" "$data/cities/new_york_mid.ply" --depth \
+draw new_york_depth "$data/cities/new_york_south.ply" "$data/cities/new_york_mid.ply" --scale 1 --depth \
   --camera "-3400 -8300 300 -2300 -5500 60" --size 900x506
 draw new_york_sight "$data/cities/new_york_south.ply" "$data/cities/new_york_mid.ply" \
   --visible-from=-1500,-5200,350 --camera 200:28 --size 900x506

@@ -13,20 +13,6 @@
 
 namespace soms::command {
 
-namespace {
-
-/// How NumPy names a type, and the bytes of a number.
-struct NpyType {
-  std::string_view name;
-  std::size_t size;
-};
-
-NpyType type_of(NpzColumn::Kind kind) {
-  constexpr std::array<NpyType, 4> kTypes{{{"<f8", 8}, {"<i8", 8}, {"|b1", 1}, {"|u1", 1}}};
-  return kTypes[static_cast<std::size_t>(kind)];
-}
-
-/// The header of an array file, format version 1.0. `shape` is a tuple of Python.
 std::string npy_header(std::string_view type, const std::string& shape) {
   constexpr std::size_t kAligned = 64;
   constexpr std::size_t kBeforeText = 10;
@@ -39,6 +25,19 @@ std::string npy_header(std::string_view type, const std::string& shape) {
   header += static_cast<char>(text.size() & 0xffU);
   header += static_cast<char>(text.size() >> 8);
   return header + text;
+}
+
+namespace {
+
+/// How NumPy names a type, and the bytes of a number.
+struct NpyType {
+  std::string_view name;
+  std::size_t size;
+};
+
+NpyType type_of(NpzColumn::Kind kind) {
+  constexpr std::array<NpyType, 4> kTypes{{{"<f8", 8}, {"<i8", 8}, {"|b1", 1}, {"|u1", 1}}};
+  return kTypes[static_cast<std::size_t>(kind)];
 }
 
 /// Texts as NumPy keeps them: as many UTF-32 characters for each as the longest has.

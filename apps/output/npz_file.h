@@ -18,6 +18,10 @@
 
 namespace soms::command {
 
+/// The header of an array file, format version 1.0, which the numbers follow. `shape` is a tuple of
+/// Python, `type` one of NumPy, such as "<f8".
+[[nodiscard]] std::string npy_header(std::string_view type, const std::string& shape);
+
 /// An array that grows by whole rows.
 class NpzColumn {
  public:

@@ -24,7 +24,8 @@ constexpr Color kSky{247, 248, 250, 255};
 constexpr Color kInSight = palette::kOrange;
 constexpr Color kHidden{158, 164, 172, 255};
 constexpr double kSightAmbient = 0.5;
-constexpr double kRounded = 0x1p-30;  ///< of the way to a hit: where its own surface is met again
+constexpr double kDepthAmbient = 0.6;  // shapes show, and colors are still those of the key
+constexpr double kRounded = 0x1p-30;   ///< of the way to a hit: where its own surface is met again
 
 /// Place of sample `k` of `count` in a pixel: evenly spread both ways.
 /// \source Hammersley 1960, by the radical inverse of base 2.
@@ -117,17 +118,21 @@ std::string unit_after_number(double meters) {
   return name.size() <= 2 ? " " + name : std::string();
 }
 
-/// The key: the colors, with round distances below them where there is room.
+/// The key: the colors below a title with the unit, and round distances below where there is room.
 void draw_key(Picture& picture, const Scale& scale, double nearest, double farthest,
-              const std::string& unit_text) {
+              double meters) {
+  const std::string unit_text = unit_after_number(meters);
   const double unit = std::max(7.0, picture.size.height / 60.0);  // height of digits
   const double width = std::min(24 * unit, picture.size.width - 4 * unit);
   if (width < 8 * unit || picture.size.height < 8 * unit) {
     return;  // a picture as small as its key
   }
   const PixelPoint corner{picture.size.width - width - 2 * unit, picture.size.height - 5 * unit};
-  draw_rectangle(picture, {corner.x - unit, corner.y - unit},
+  draw_rectangle(picture, {corner.x - unit, corner.y - 2.6 * unit},
                  {corner.x + width + unit, corner.y + 4 * unit}, with_alpha(palette::kPaper, 225));
+  draw_number(picture, {corner.x, corner.y - 0.8 * unit},
+              meters > 0 ? "distance in " + command::unit_name(meters) : "distance, unit unknown",
+              unit, palette::kGap);
   for (double x = 0; x < width; x += 1) {
     const double end = std::min(x + 2, width);  // the next one covers the soft edge
     draw_rectangle(picture, {corner.x + x, corner.y}, {corner.x + end, corner.y + 1.2 * unit},
@@ -204,7 +209,7 @@ std::string in_percent(std::uint64_t part, std::uint64_t whole) {
 }
 
 DepthPicture draw_depth(const ViewScene& scene, const Camera& camera, Size size, int samples,
-                        const Limits& limits) {
+                        const Limits& limits, std::optional<double> meters) {
   DepthPicture drawn;
   drawn.nearest = std::numeric_limits<double>::infinity();
   for_pixels(scene, camera, size, 1, limits.silent(), [&](int, auto, auto hits) {
@@ -224,16 +229,47 @@ DepthPicture draw_depth(const ViewScene& scene, const Camera& camera, Size size,
   // An eye on a surface has no ratios to it.
   const double nearest = std::max(drawn.nearest, 1e-9 * drawn.farthest);
   const Scale scale(nearest, drawn.farthest);
+  const CameraFrame f = frame(camera);
   std::vector<Color> colors;
-  for_pixels(scene, camera, size, samples, limits, [&](int row, auto, auto hits) {
+  for_pixels(scene, camera, size, samples, limits, [&](int row, auto rays, auto hits) {
     colors.clear();
-    for (const SurfaceHit& hit : hits) {
-      colors.push_back(hit.body ? ordered_color(scale.at(hit.t)) : kSky);
+    for (std::size_t k = 0; k < hits.size(); ++k) {
+      if (!hits[k].body) {
+        colors.push_back(kSky);
+        continue;
+      }
+      const Triangle t = scene.triangle(*hits[k].body, hits[k].triangle);
+      colors.push_back(
+          look::lit(ordered_color(scale.at(hits[k].t)),
+                    look::brightness(f, normal_of(t), rays[k].direction, kDepthAmbient)));
     }
     put_pixels(drawn.picture, row, colors, samples);
   });
-  draw_key(drawn.picture, scale, nearest, drawn.farthest, unit_after_number(scene.unit()));
+  draw_key(drawn.picture, scale, nearest, drawn.farthest, meters.value_or(scene.unit()));
   return drawn;
+}
+
+std::vector<double> depths_of(const ViewScene& scene, const Camera& camera, Size size,
+                              const Limits& limits) {
+  std::vector<double> depths;
+  for_pixels(scene, camera, size, 1, limits, [&](int, auto, auto hits) {
+    for (const SurfaceHit& hit : hits) {
+      depths.push_back(hit.body ? hit.t : std::numeric_limits<double>::quiet_NaN());
+    }
+  });
+  return depths;
+}
+
+std::vector<std::uint8_t> sight_cells(const ViewScene& scene, const Camera& camera,
+                                      const Vec3& observer, Size size, const Limits& limits) {
+  std::vector<std::uint8_t> cells;
+  for_pixels(scene, camera, size, 1, limits, [&](int, auto rays, auto hits) {
+    const auto seen = seen_from(scene, observer, hits, rays, limits.silent());
+    for (std::size_t k = 0; k < hits.size(); ++k) {
+      cells.push_back(!hits[k].body ? kEmptyCell : seen[k] != 0 ? kSeenCell : kHiddenCell);
+    }
+  });
+  return cells;
 }
 
 SightPicture draw_sight(const ViewScene& scene, const Camera& camera, const Vec3& observer,

@@ -10,6 +10,7 @@
 #include "apps/view/scene/view_scene.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,10 +27,17 @@ struct DepthPicture {
 };
 
 /// Draws a scene by `samples` rays a pixel, with a key of distances. Equal steps of the scale are
-/// equal ratios of distances.
+/// equal ratios of distances. `meters` is the unit that the key names; that of the scene's files by
+/// default.
 /// \errors ErrorKind::cancelled; out_of_memory.
 [[nodiscard]] DepthPicture draw_depth(const ViewScene& scene, const Camera& camera, Size size,
-                                      int samples, const Limits& limits = {});
+                                      int samples, const Limits& limits = {},
+                                      std::optional<double> meters = std::nullopt);
+
+/// How far from the eye the surface at the center of each pixel is, row by row from the top; NaN
+/// where there is none. \errors As `draw_depth`.
+[[nodiscard]] std::vector<double> depths_of(const ViewScene& scene, const Camera& camera, Size size,
+                                            const Limits& limits = {});
 
 /// Surfaces that a point sees: what it sees is orange, what it does not is gray.
 struct SightPicture {
@@ -44,6 +52,16 @@ struct SightPicture {
 [[nodiscard]] SightPicture draw_sight(const ViewScene& scene, const Camera& camera,
                                       const Vec3& observer, Size size, int samples,
                                       const Limits& limits = {});
+
+/// What a cell of a grid of visibility holds.
+inline constexpr std::uint8_t kHiddenCell = 0;
+inline constexpr std::uint8_t kSeenCell = 1;
+inline constexpr std::uint8_t kEmptyCell = 255;  ///< no surface
+
+/// Whether a point sees the surface at the center of each pixel, as `depths_of`.
+[[nodiscard]] std::vector<std::uint8_t> sight_cells(const ViewScene& scene, const Camera& camera,
+                                                    const Vec3& observer, Size size,
+                                                    const Limits& limits = {});
 
 /// Which of `hits` a point sees. It sees a point of a surface if nothing is hit before it on the
 /// way there but the triangle itself, the last 2^-30 of the way left out, for hits are rounded. The

@@ -27,6 +27,7 @@
 #include <charconv>
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace soms::view {
 
@@ -53,7 +54,8 @@ const char* const kRenderFooter =
 void add_picture_options(command::Parser& parser, RenderOptions& options) {
   parser
       .add_option("-o,--output", options.output,
-                  "PNG file to write, or SVG for the map of --visible-from;\n- is standard output")
+                  "PNG file to write; --depth and --visible-from also write arrays (.npy),\n"
+                  "and the latter maps (.svg, .asc); - is standard output")
       ->required()
       ->option_text("FILE");
   parser
@@ -76,7 +78,7 @@ void add_picture_options(command::Parser& parser, RenderOptions& options) {
             options.visible_from = command::parse_point("--visible-from", text);
           },
           "draw what the point X,Y,Z sees, by rays: as a picture, or from above as\n"
-          "a map if the output is an SVG file")
+          "a map if the output is an SVG file or an ESRI grid (.asc)")
       ->option_text("X,Y,Z");
   parser.add_flag("--center", options.center,
                   "measure the numbers of --camera from the center of the scene");
@@ -360,12 +362,6 @@ bool stands_still(const RenderOptions& options, const ViewScene& scene) {
   return !scene.frames() && (scene.movers() == 0 || !options.pose.empty());
 }
 
-/// Meters of the scene's unit; 0 where nobody said it.
-double meters_of(const RenderOptions& options, const ViewScene& scene) {
-  return meters_of_unit(options.world, scene.replaying(),
-                        scene.city_parts() == 0 ? 0 : scene.body(city_part(0)).shape.mesh().unit);
-}
-
 /// What is drawn, and from where.
 std::pair<DrawnScene, Camera> compose(const RenderOptions& options, ViewScene& scene,
                                       const command::Console& console) {
@@ -459,9 +455,11 @@ int run_render(const RenderOptions& options, command::Console& console) {
   }
   if (options.output != "-") {
     if (options.visible_from) {
-      command::check_extension("--output", options.output, {".png", ".svg"});
+      command::check_extension("--output", options.output, {".png", ".svg", ".npy", ".asc"});
     } else {
-      command::check_extension("--output", options.output, {".png"});
+      command::check_extension("--output", options.output,
+                               options.depth ? std::vector<std::string_view>{".png", ".npy"}
+                                             : std::vector<std::string_view>{".png"});
     }
   }
   // What may be missing is checked first, before models are read for minutes.

@@ -7,29 +7,51 @@
 #include "apps/model/georeference.h"
 #include "apps/model/models.h"
 #include "apps/output/json.h"
+#include "apps/output/npz_file.h"
+#include "apps/output/output.h"
 #include "apps/view/verbs/ray_picture.h"
+#include "apps/view/verbs/render_scene.h"
 #include "apps/view/verbs/sight_map.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
+#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <initializer_list>
+#include <ios>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace soms::view {
 
 namespace {
 
-/// True for the map, which is all that is written as SVG.
+bool has_extension(const RenderOptions& options, std::string_view extension) {
+  return command::extension_of(options.output) == extension;
+}
+
+/// True for what is seen from above: a drawing, or a grid of numbers.
 bool is_map(const RenderOptions& options) {
-  std::string extension = std::filesystem::path(options.output).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".svg";
+  return has_extension(options, ".svg") || has_extension(options, ".asc");
+}
+
+bool is_array(const RenderOptions& options) {
+  return has_extension(options, ".npy");
+}
+
+/// An array of a row of numbers for each row of pixels, the topmost first.
+template <typename Number>
+void write_array(const RenderOptions& options, std::string_view type,
+                 const std::vector<Number>& numbers, command::OutputFile& file) {
+  static_assert(std::endian::native == std::endian::little);
+  file.stream() << command::npy_header(
+      type, fmt::format("({}, {})", options.size.height, options.size.width));
+  file.stream().write(reinterpret_cast<const char*>(numbers.data()),
+                      static_cast<std::streamsize>(numbers.size() * sizeof(Number)));
+  file.commit();
 }
 
 /// Four digits, or a whole number with commas.
@@ -79,25 +101,66 @@ void say(const RenderOptions& options, const ViewScene& scene, const std::string
   console.print(command::json_line(answer));
 }
 
-void write_depth(const RenderOptions& options, ViewScene& scene, command::OutputFile& file,
-                 command::Console& console) {
-  const DepthPicture drawn = console.run("drawing " + options.output, [&](const Limits& limits) {
+/// The depths of an array as a picture counts them.
+DepthPicture counts_of(const std::vector<double>& depths) {
+  DepthPicture counted;
+  for (const double depth : depths) {
+    if (!std::isnan(depth)) {
+      counted.nearest = counted.surface == 0 ? depth : std::min(counted.nearest, depth);
+      counted.farthest = std::max(counted.farthest, depth);
+      ++counted.surface;
+    }
+  }
+  return counted;
+}
+
+DepthPicture write_depth_array(const RenderOptions& options, const ViewScene& scene,
+                               command::OutputFile& file, const command::Console& console) {
+  const auto depths = console.run("measuring " + options.output, [&](const Limits& limits) {
+    return depths_of(scene, camera_of(options, scene, limits), options.size, limits);
+  });
+  write_array(options, "<f8", depths, file);
+  return counts_of(depths);
+}
+
+DepthPicture write_depth_picture(const RenderOptions& options, const ViewScene& scene,
+                                 command::OutputFile& file, const command::Console& console) {
+  DepthPicture drawn = console.run("drawing " + options.output, [&](const Limits& limits) {
     return draw_depth(scene, camera_of(options, scene, limits), options.size, options.samples,
-                      limits);
+                      limits, meters_of(options, scene));
   });
   file.stream() << to_png(drawn.picture);
   file.commit();
-  const std::string range =
-      drawn.surface == 0
-          ? std::string("no surface")
-          : fmt::format("surfaces {} to {} {} from the eye", length_in_words(drawn.nearest),
-                        length_in_words(drawn.farthest), command::unit_name(scene.unit()));
+  return drawn;
+}
+
+void write_depth(const RenderOptions& options, ViewScene& scene, command::OutputFile& file,
+                 command::Console& console) {
+  const DepthPicture drawn = is_array(options) ? write_depth_array(options, scene, file, console)
+                                               : write_depth_picture(options, scene, file, console);
+  const std::string unit = command::unit_name(meters_of(options, scene));
+  const std::string range = drawn.surface == 0 ? std::string("no surface")
+                                               : fmt::format("surfaces {} to {} {} from the eye",
+                                                             length_in_words(drawn.nearest),
+                                                             length_in_words(drawn.farthest), unit);
   say(options, scene, fmt::format("{}, {}", size_of(options), range),
       {{"surface_pixels", drawn.surface},
        {"nearest", drawn.nearest},
        {"farthest", drawn.farthest},
-       {"unit", command::unit_name(scene.unit())}},
+       {"unit", unit}},
       console);
+}
+
+/// Writes the cells of an array, and counts them as a picture's rays are.
+SightPicture sight_in_cells(const RenderOptions& options, const ViewScene& scene,
+                            const Camera& camera, command::OutputFile& file, const Limits& limits) {
+  const auto cells = sight_cells(scene, camera, *options.visible_from, options.size, limits);
+  write_array(options, "|u1", cells, file);
+  const auto seen = std::count(cells.begin(), cells.end(), kSeenCell);
+  const auto hidden = std::count(cells.begin(), cells.end(), kHiddenCell);
+  return {.picture = {},
+          .surface = static_cast<std::uint64_t>(seen + hidden),
+          .in_sight = static_cast<std::uint64_t>(seen)};
 }
 
 void write_sight(const RenderOptions& options, ViewScene& scene, command::OutputFile& file,
@@ -106,9 +169,10 @@ void write_sight(const RenderOptions& options, ViewScene& scene, command::Output
   const command::Json place = command::Json::array({from.x, from.y, from.z});
   if (is_map(options)) {
     const SightMap map = console.run("drawing " + options.output, [&](const Limits& limits) {
-      return draw_sight_map(scene, from, limits);
+      return has_extension(options, ".svg") ? draw_sight_map(scene, from, limits)
+                                            : sight_grid(scene, from, limits);
     });
-    file.stream() << map.svg;
+    file.stream() << map.text;
     file.commit();
     say(options, scene,
         fmt::format("{}: {} of the surface seen from above is in sight of ({:g}, {:g}, {:g})",
@@ -121,20 +185,29 @@ void write_sight(const RenderOptions& options, ViewScene& scene, command::Output
     return;
   }
   const SightPicture drawn = console.run("drawing " + options.output, [&](const Limits& limits) {
-    return draw_sight(scene, camera_of(options, scene, limits), from, options.size, options.samples,
-                      limits);
+    const Camera camera = camera_of(options, scene, limits);
+    return is_array(options)
+               ? sight_in_cells(options, scene, camera, file, limits)
+               : draw_sight(scene, camera, from, options.size, options.samples, limits);
   });
-  file.stream() << to_png(drawn.picture);
-  file.commit();
+  if (!is_array(options)) {
+    file.stream() << to_png(drawn.picture);
+    file.commit();
+  }
   say(options, scene,
-      fmt::format("{}, orange is in sight of ({:g}, {:g}, {:g}): {} of the surface shown",
-                  size_of(options), from.x, from.y, from.z,
+      fmt::format("{}, {} is in sight of ({:g}, {:g}, {:g}): {} of the surface shown",
+                  size_of(options), is_array(options) ? "1" : "orange", from.x, from.y, from.z,
                   in_percent(drawn.in_sight, drawn.surface)),
       {{"visible_from", place}, {"surface_rays", drawn.surface}, {"rays_in_sight", drawn.in_sight}},
       console);
 }
 
 }  // namespace
+
+double meters_of(const RenderOptions& options, const ViewScene& scene) {
+  return meters_of_unit(options.world, scene.replaying(),
+                        scene.city_parts() == 0 ? 0 : scene.body(city_part(0)).shape.mesh().unit);
+}
 
 bool is_ray_picture(const RenderOptions& options) {
   return options.depth || options.visible_from;
@@ -145,8 +218,13 @@ void check_ray_picture(const command::Parser& parser, const RenderOptions& optio
     throw Error(ErrorKind::usage, "--depth and --visible-from are two pictures",
                 "draw one after the other");
   }
+  if (options.depth && has_extension(options, ".asc")) {
+    throw Error(ErrorKind::usage, "--depth is seen from an eye, and a grid .asc is a map",
+                "name a .npy file, or use --visible-from");
+  }
   if (is_map(options) && !options.visible_from) {
-    throw Error(ErrorKind::usage, "only --visible-from draws a map as SVG", "name a .png file");
+    throw Error(ErrorKind::usage, "only --visible-from makes a map, .svg or .asc",
+                "name a .png file");
   }
   if (!is_ray_picture(options)) {
     return;
@@ -169,6 +247,9 @@ void check_ray_picture(const command::Parser& parser, const RenderOptions& optio
          name_of_mode(options));
   if (is_map(options)) {
     refuse({"--size", "--camera", "--center", "--samples"}, "a map");
+  }
+  if (is_array(options)) {
+    refuse({"--samples"}, "an array, which has one ray for each pixel");
   }
 }
 

@@ -7,6 +7,9 @@
 
 namespace soms::view {
 
+/// Meters of the scene's unit; 0 where nobody said it.
+[[nodiscard]] double meters_of(const RenderOptions& options, const ViewScene& scene);
+
 /// True if the options ask for such a picture.
 [[nodiscard]] bool is_ray_picture(const RenderOptions& options);
 

@@ -34,6 +34,13 @@ struct CellFlags {
       : ground(cells, 0), roof(cells, 0), ground_seen(cells, 0), roof_seen(cells, 0) {}
 };
 
+/// The cells of a map.
+struct LookedDown {
+  command::MapPage page;
+  command::HeightGrid grid;
+  CellFlags flags;
+};
+
 /// The rays from above to the centers of a row of cells.
 std::vector<Ray> rays_down(const command::HeightGrid& grid, std::size_t row, double top) {
   std::vector<Ray> rays;
@@ -98,19 +105,51 @@ void draw_observer(std::ostream& out, const command::MapPage& page, const Vec3& 
 
 }  // namespace
 
-SightMap draw_sight_map(const ViewScene& scene, const Vec3& observer, const Limits& limits) {
-  SightMap map;
+namespace {
+
+LookedDown look_at_cells(const ViewScene& scene, const Vec3& observer, SightMap& map,
+                         const Limits& limits) {
   Box bounds = scene_bounds(scene);
   bounds.grow(observer);
   const double top = bounds.upper.z + std::max(1.0, bounds.extent().z);
-  const command::MapPage page = command::make_map_page(bounds, scene.unit());
+  command::MapPage page = command::make_map_page(bounds, scene.unit());
   command::HeightGrid grid(page.area, kMapCells);
   for (std::uint32_t k = 0; k < scene.city_parts(); ++k) {
     grid.add(scene.body(city_part(k)).shape.mesh(), limits);
   }
   grid.find_ground(limits);
   map.cell = grid.cell();
-  const CellFlags flags = look_down(scene, observer, grid, top, map, limits);
+  CellFlags flags = look_down(scene, observer, grid, top, map, limits);
+  return {std::move(page), std::move(grid), std::move(flags)};
+}
+
+}  // namespace
+
+SightMap sight_grid(const ViewScene& scene, const Vec3& observer, const Limits& limits) {
+  SightMap made;
+  const LookedDown looked = look_at_cells(scene, observer, made, limits);
+  const command::HeightGrid& grid = looked.grid;
+  const CellFlags& flags = looked.flags;
+  made.text = fmt::format(
+      "ncols {}\nnrows {}\nxllcorner {}\nyllcorner {}\ncellsize {}\nNODATA_value -9999\n",
+      grid.columns(), grid.rows(), grid.origin().x, grid.origin().y, grid.cell());
+  for (std::size_t row = grid.rows(); row-- > 0;) {  // the north comes first
+    for (std::size_t column = 0; column < grid.columns(); ++column) {
+      const std::size_t k = row * grid.columns() + column;
+      made.text += column == 0 ? "" : " ";
+      made.text += flags.ground_seen[k] != 0 || flags.roof_seen[k] != 0 ? "1"
+                   : flags.ground[k] != 0 || flags.roof[k] != 0         ? "0"
+                                                                        : "-9999";
+    }
+    made.text += '\n';
+  }
+  return made;
+}
+
+SightMap draw_sight_map(const ViewScene& scene, const Vec3& observer, const Limits& limits) {
+  SightMap map;
+  const LookedDown looked = look_at_cells(scene, observer, map, limits);
+  const auto& [page, grid, flags] = looked;
   const std::vector<command::MapLayer> layers = layers_of(flags, grid);
   std::ostringstream out;
   command::open_map(
@@ -138,7 +177,7 @@ SightMap draw_sight_map(const ViewScene& scene, const Vec3& observer, const Limi
                          command::unit_name(scene.unit()), command::with_commas(map.surface)));
   panel.line("outlines are simplified");
   out << "</svg>\n";
-  map.svg = std::move(out).str();
+  map.text = std::move(out).str();
   return map;
 }
 

@@ -12,9 +12,9 @@
 
 namespace soms::view {
 
-/// A map as SVG, and what it shows.
+/// A map, and what it shows.
 struct SightMap {
-  std::string svg;
+  std::string text;            ///< SVG, or a grid of numbers
   double cell = 0;             ///< side of its square cells
   std::uint64_t surface = 0;   ///< cells with a surface at their center, seen from above
   std::uint64_t in_sight = 0;  ///< of these, those that the point sees
@@ -27,5 +27,10 @@ struct SightMap {
 /// `ViewScene::first_hits`.
 [[nodiscard]] SightMap draw_sight_map(const ViewScene& scene, const Vec3& observer,
                                       const Limits& limits = {});
+
+/// The cells of `draw_sight_map` as an ESRI ASCII grid: 1 in sight, 0 hidden, -9999 without a
+/// surface. Corner and cells are in coordinates of the scene. \errors As `draw_sight_map`.
+[[nodiscard]] SightMap sight_grid(const ViewScene& scene, const Vec3& observer,
+                                  const Limits& limits = {});
 
 }  // namespace soms::view
