@@ -261,8 +261,8 @@ TEST(SelfOverlap, TakesALimitAndADeadline) {
   const Shape shape(generate_knot(2000));
   EXPECT_THROW(static_cast<void>(self_overlap(shape, {.mode = OverlapMode::any, .limit = 5})),
                Error);
-  const std::chrono::steady_clock::time_point past;
-  EXPECT_EQ(self_overlap(shape, {}, {.deadline = past}).coverage, Coverage::cut);
+  const Limits late{.deadline = std::chrono::steady_clock::time_point()};
+  EXPECT_EQ(self_overlap(shape, {}, late).coverage, Coverage::cut);
   EXPECT_EQ(self_overlap(Shape(Mesh{})), SelfOverlap{});
 }
 
