@@ -23,7 +23,7 @@ std::ostream& operator<<(std::ostream& out, const CityOptions& value) {
                     .add("triangles", value.triangles)
                     .add("size", value.size)
                     .add("seed", value.seed)
-                    .add("streets", name(value.streets));
+                    .add("streets", value.streets);
 }
 
 std::ostream& operator<<(std::ostream& out, const Route& value) {
