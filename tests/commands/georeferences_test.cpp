@@ -55,8 +55,7 @@ TEST(Georeferences, R117AModelWithoutOneIsWarnedOfBesideOneThatHasIt) {
   EXPECT_EQ(text.err, "warning: the georeference is EPSG:7415 in " + folder.city() +
                           ", and unknown in " + folder.ply() +
                           "; soms does not move models by it: bring both into one frame first, or "
-                          "give --crs-b EPSG:7415 if " +
-                          folder.ply() + " is in it\n");
+                          "give --crs-b EPSG:7415 if a.ply is in it\n");
   const Json answer = json_lines(with({"--json"}).out).at(0);
   EXPECT_TRUE(has_warning(answer, "georeference_unknown"));
   EXPECT_EQ(answer.at("georeference").at("crs"), kShort);
