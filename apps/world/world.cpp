@@ -93,11 +93,16 @@ void note_size(Mesh& mesh, const Role& role, const Console& console) {
        console);
 }
 
-/// Reads a model and turns the up axis that its file states to z, unless an option named one.
-Upright read_upright(const std::string& path, const Role& role, Console& console) {
+/// True if a model whose axis nobody named looks y up.
+bool may_lie(const Mesh& mesh, const ModelOptions& options) {
+  return options.up == UpAxis::unknown && mesh.up == UpAxis::unknown && looks_y_up(mesh);
+}
+
+/// Turns the up axis that a model's file states to z, unless an option named one.
+Upright made_upright(Mesh mesh, const std::string& path, const Role& role, Console& console) {
   const ModelOptions& options = role.options;
   Upright model{
-      .mesh = read_model(path, options, console),
+      .mesh = std::move(mesh),
       .origin = {
           .name = short_name(path), .source = path, .scale = options.scale, .up = options.up}};
   std::error_code unknown;
@@ -112,7 +117,7 @@ Upright read_upright(const std::string& path, const Role& role, Console& console
                      role.up_option),
          console);
   }
-  if (options.up == UpAxis::unknown && up == UpAxis::unknown && looks_y_up(model.mesh)) {
+  if (up == UpAxis::unknown && may_lie(model.mesh, options)) {
     if (role.guess_up) {
       model.mesh = transformed(std::move(model.mesh), 1, UpAxis::y);
       model.origin.up = UpAxis::y;
@@ -131,6 +136,25 @@ Upright read_upright(const std::string& path, const Role& role, Console& console
   model.frame.is_posed = role.is_mover;
   model.frame.in_meters = true;
   return model;
+}
+
+Upright read_upright(const std::string& path, const Role& role, Console& console) {
+  return made_upright(read_model(path, role.options, console), path, role, console);
+}
+
+/// The two models of a city of two if both look y up, else none. A pair is turned as one.
+std::vector<Mesh> two_that_lie(const WorldOptions& options, Console& console) {
+  std::vector<Mesh> meshes;
+  if (!options.guess_up || options.cities.size() != 2) {
+    return meshes;
+  }
+  for (const std::string& path : options.cities) {
+    meshes.push_back(read_model(path, options.city_model, console));
+    if (!may_lie(meshes.back(), options.city_model)) {
+      return {};
+    }
+  }
+  return meshes;
 }
 
 Shape build_named(Mesh mesh, const std::string& name, const WorldOptions& options,
@@ -248,11 +272,18 @@ std::optional<City> load_city(World& world, const WorldOptions& options,
     return city;
   }
   const bool shared = options.cities.size() > 1;
-  const Role role{options.city_model,         "--scale", "--up", shared, false,
-                  options.guess_up && !shared};
-  for (const std::string& path : options.cities) {
+  std::vector<Mesh> lying = two_that_lie(options, console);
+  const Role role{options.city_model,
+                  "--scale",
+                  "--up",
+                  shared,
+                  false,
+                  options.guess_up && (!shared || !lying.empty())};
+  for (std::size_t k = 0; k < options.cities.size(); ++k) {
+    const std::string& path = options.cities[k];
     const auto start = Clock::now();
-    Upright model = read_upright(path, role, console);
+    Upright model = lying.empty() ? read_upright(path, role, console)
+                                  : made_upright(std::move(lying[k]), path, role, console);
     frames.push_back(model.frame);
     world.read_ms += milliseconds_since(start);
     world.title += (world.title.empty() ? "" : " + ") + short_name(path);

@@ -22,7 +22,7 @@ struct WorldOptions {
   ModelOptions city_model = {};   ///< an unknown axis is what the file says
   ModelOptions mover_model = {};  ///< likewise
   BuildOptions build = {};
-  bool guess_up = false;        ///< draw the one city of unknown axis as it looks (`looks_y_up`)
+  bool guess_up = false;  ///< draw the one city, or two that agree, of unknown axis as it looks
   bool guess_mover_up = false;  ///< likewise models of --mover
   bool keep_trees = false;      ///< keep the canonical trees, which named traversals need
 };
