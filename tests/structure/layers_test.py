@@ -152,7 +152,7 @@ ALONE = {"CLI/": {"apps/cli/cli11.cpp"},
 # What links soms::thesis, above the library: a command without the thesis' wing is built without all of these (0089).
 NAMES_TRAVERSALS = ("apps/model/traversal_keys.", "apps/soms/thesis/", "apps/view/", "thesis/")
 ANYBODY = {"apps/draw/look.h"}  # colors alone, which all pages and pictures share
-VIEW_ROOMS = ["drawing", "scene", "control", "window", "verbs"]  # the lowest first
+VIEW_ROOMS = ["drawing", "scene", "sight", "control", "window", "verbs"]  # the lowest first
 FOREIGN = re.compile(r"^(GL/|GLFW|epoxy|imgui|CLI/)")
 ADAPTED = re.compile(r"^(Eigen|glm)/")  # for the headers of adapt alone
 READERS = re.compile(r"^nlohmann/")  # for the sources of io alone

@@ -1,5 +1,6 @@
 set(SOMS_VIEW_HEADERS
   camera.h
+  contact_glow.h
   cut_meshes.h
   draw_list.h
   gap_marks.h
@@ -35,6 +36,7 @@ set(SOMS_VIEW_HEADERS
 )
 set(SOMS_VIEW_SOURCES
   camera.cpp
+  contact_glow.cpp
   cut_meshes.cpp
   draw_list.cpp
   gap_marks.cpp

@@ -3,18 +3,18 @@
 #include "soms/base/error.h"
 
 #include "apps/cli/text.h"
+#include "apps/view/drawing/contact_glow.h"
 #include "apps/view/drawing/gap_marks.h"
 #include "apps/view/drawing/length.h"
+#include "apps/view/scene/contact_look.h"
 #include "apps/view/scene/part_boxes.h"
+#include "apps/view/scene/scene_key.h"
 #include "apps/view/scene/shown_boxes.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -28,19 +28,15 @@ constexpr float kCurveRim = 2;
 /// Opacity of what surfaces hide of the curve, up to so many contacts: more would be a tangle.
 constexpr std::uint8_t kHiddenCurve = 26;
 constexpr std::size_t kMostHidden = 2000;
-/// How far red reaches from a contact, in diagonals of the smaller of the parts that touch.
-constexpr double kGlowReach = 0.09;
-/// Pieces of the curve shorter than this part of that length are thinned out.
-constexpr double kGlowStep = 0.25;
+/// How far red reaches from a contact at most, in diagonals of the smaller of the parts that touch.
+constexpr double kGlowMost = 0.09;
 /// Contacts of a mover that are looked at for the place of its marker.
 constexpr std::size_t kMostOfMarker = 64;
 /// The ground is this part of the scene's diagonal below it, and this many times as wide.
 constexpr double kGroundBelow = 2e-4;
 constexpr double kGroundWidth = 2.5;
 /// Where surfaces begin to be pale, in diagonals of what is looked at.
-constexpr double kFocus = 0.9;
-/// Kinds of movers that the key names.
-constexpr std::size_t kMostKinds = 4;
+constexpr double kFocus = 2.5;
 /// Opacity of the two nearest triangles: large ones shall not swamp what they belong to.
 constexpr std::uint8_t kNearTint = 80;
 
@@ -67,7 +63,8 @@ class Drawing {
     add_contacts();
     add_frame_gaps();
     add_nearest();
-    add_key();
+    list_.captions.key = scene_key(scene_, options_, counts_.gaps_drawn > 0 || nearest_drawn_);
+    add_names();
     return {std::move(list_), counts_};
   }
 
@@ -95,8 +92,20 @@ class Drawing {
     if (body.shape.mesh().triangles.empty()) {
       return;
     }
-    list_.instances.push_back(
-        {mesh_of(body, by_building), body.pose, color, style, options_.highlighted == ref});
+    const bool beside = options_.touching && has_contact_colors(scene_, ref, *options_.touching);
+    list_.instances.push_back({beside ? mesh_beside(ref) : mesh_of(body, by_building), body.pose,
+                               color, style, options_.highlighted == ref});
+  }
+
+  /// A mesh in the colors of a picture of one contact.
+  std::uint32_t mesh_beside(BodyRef ref) {
+    const Body& body = scene_.body(ref);
+    DrawMesh drawn;
+    drawn.mesh = body.shape.shared_mesh();
+    drawn.key = 2 * scene_.mesh_facts().of(drawn.mesh).key + 1 + (std::uint64_t{1} << 62U);
+    drawn.colors = contact_colors(scene_, ref, *options_.touching, options_.city_colors);
+    list_.meshes.push_back(std::move(drawn));
+    return static_cast<std::uint32_t>(list_.meshes.size() - 1);
   }
 
   void add_bodies() {
@@ -104,11 +113,15 @@ class Drawing {
     for (std::uint32_t k = 0; options_.city && k < scene_.city_parts(); ++k) {
       add_body(city_part(k), options_.colors.plain_city, options_.city_style, by_building);
     }
+    const MoverKinds kinds(scene_);
     for (std::uint32_t k = 0; options_.movers && k < scene_.movers(); ++k) {
-      const auto& mesh = scene_.body(mover(k)).shape.shared_mesh();
-      // Movers of one kind have one hue.
-      const auto kind = kinds_.try_emplace(mesh.get(), kinds_.size()).first->second;
-      add_body(mover(k), tint(mover_color(kind), k), options_.mover_style, false);
+      const bool is_other = options_.touching && options_.touching->touching.b == mover(k);
+      const bool is_first = options_.touching && options_.touching->touching.a == mover(k);
+      add_body(mover(k),
+               is_other   ? palette::kOrange
+               : is_first ? palette::kBodyA
+                          : tint(mover_color(kinds.of(k)), k),
+               options_.mover_style, false);
     }
   }
 
@@ -170,25 +183,19 @@ class Drawing {
     }
   }
 
-  /// Of many short pieces about one place, and of about one reach, one is enough.
-  bool is_first_here(const Vec3& at, double step) {
-    const double side = std::exp2(std::floor(std::log2(step)));
-    const auto cell = [side](double x) { return std::floor(x / side); };
-    return glow_cells_.insert({side, cell(at.x), cell(at.y), cell(at.z)}).second;
-  }
-
   double part_diagonal(BodyRef body, TriangleId triangle) {
     return diagonal(part_boxes_(body, triangle));
   }
 
   void add_glow(const Touch& touch, const Vec3& a, const Vec3& b) {
-    const double reach =
-        kGlowReach * std::min(part_diagonal(touch.a, touch.i), part_diagonal(touch.b, touch.j));
-    const double step = kGlowStep * reach;
-    const Vec3 along = b - a;
-    if (step > 0 && (dot(along, along) > step * step || is_first_here((a + b) * 0.5, step))) {
-      list_.glows.push_back({a, b, reach});
+    const double most =
+        kGlowMost * std::min(part_diagonal(touch.a, touch.i), part_diagonal(touch.b, touch.j));
+    if (counts_.contacts_drawn == counts_.contacts) {
+      glow_.add(a, b, most);
+      return;
     }
+    const std::pair bodies(touch.a, touch.b);
+    glow_.add(a, b, most, glow_groups_.try_emplace(bodies, glow_groups_.size()).first->second);
   }
 
   void add_curve(const Vec3& a, const Vec3& b, bool on_top) {
@@ -280,10 +287,13 @@ class Drawing {
 
   void add_contacts() {
     const ContactMarks& marks = options_.contacts;
-    const std::vector<Touch> touches = drawn_contacts(scene_, marks.most);
+    std::vector<Touch> touches = drawn_contacts(scene_, marks.most);
     if (marks.glow || marks.triangles || marks.parts || marks.segments || marks.lines) {
       counts_.contacts = scene_.contacts().size();
       counts_.contacts_drawn = touches.size();
+    }
+    if (options_.touching && options_.touching->alone) {
+      keep_contacts_of(scene_, options_.touching->touching, touches);
     }
     if (marks.parts) {
       add_parts(touches);
@@ -299,13 +309,14 @@ class Drawing {
         add_line(touch);
       }
     }
-    if (marks.markers) {
+    if (marks.markers && !(options_.touching && options_.touching->alone)) {
       add_markers();
     }
     if (options_.chosen) {
       add_chosen(*options_.chosen);
     }
     draw_curves();
+    list_.glows = glow_.glows();
     list_.glow_color = options_.colors.contact;
   }
 
@@ -343,6 +354,7 @@ class Drawing {
     static const std::optional<Gap> kNone;
     const std::optional<Gap>& gap = options_.gap ? scene_.gap() : kNone;
     if (gap && gap->known() && !hidden(gap->a) && !hidden(gap->b)) {
+      nearest_drawn_ = true;
       const Distance& near = gap->distance;
       const Color tint = with_alpha(options_.colors.gap, kNearTint);
       for (const auto& [body, i] :
@@ -376,6 +388,13 @@ class Drawing {
     add_crossing(touch, true, false, true);
   }
 
+  void add_names() {
+    if (options_.touching && options_.key) {
+      const std::vector<Label> names = contact_names(scene_, *options_.touching);
+      list_.labels.insert(list_.labels.end(), names.begin(), names.end());
+    }
+  }
+
   void add_focus() {
     if (options_.focus && !options_.focus->empty()) {
       list_.focus = Focus{options_.focus->center(), kFocus * diagonal(*options_.focus)};
@@ -394,68 +413,16 @@ class Drawing {
                           palette::kGround};
   }
 
-  /// What the colors of this picture mean.
-  void add_key() {
-    if (!options_.key) {
-      return;
-    }
-    std::vector<KeyEntry>& key = list_.captions.key;
-    const auto add = [&key](KeySign sign, Color color, const std::string& text) {
-      color.a = 255;
-      key.push_back({sign, color, text});
-    };
-    std::vector<std::pair<std::string, std::vector<Vec3>>> kinds;
-    for (std::uint32_t k = 0; options_.movers && k < scene_.movers(); ++k) {
-      const Body& body = scene_.body(mover(k));
-      const auto kind = kinds_.find(body.shape.shared_mesh().get());
-      if (kind == kinds_.end()) {
-        continue;
-      }
-      if (kind->second == kinds.size()) {
-        kinds.emplace_back(body.name, std::vector<Vec3>{});
-      }
-      kinds[kind->second].second.push_back(scene_.bounds(mover(k)).center());
-    }
-    for (std::size_t k = 0; k < std::min(kinds.size(), kMostKinds); ++k) {
-      const std::string& name = kinds[k].first;
-      add(KeySign::area, mover_color(k), name.empty() ? "moves" : "moves: " + name);
-      key.back().places = std::move(kinds[k].second);
-    }
-    if (options_.city && scene_.city_parts() > 0) {
-      add(KeySign::area, palette::kBodyB, "at rest");
-    }
-    if (options_.level) {
-      add(KeySign::area, options_.colors.level,
-          "boxes of level " + std::to_string(options_.level->level));
-    }
-    if (options_.trace && options_.trace->visited) {
-      add(KeySign::area, options_.colors.visited, "boxes visited");
-    }
-    if (options_.trace && options_.trace->pruned) {
-      add(KeySign::area, options_.colors.pruned, "boxes pruned");
-    }
-    if (options_.trace && options_.trace->found) {
-      add(KeySign::area, options_.colors.found, "boxes that collide");
-    }
-    if (!list_.labels.empty()) {
-      add(KeySign::area, options_.colors.gap, "nearest points");
-    }
-    if (!scene_.contacts().empty()) {
-      add(KeySign::curve, options_.colors.contact,
-          options_.trace && options_.trace->found ? "surfaces that touch" : "contact");
-      add(KeySign::marker, options_.colors.contact, "n movers in contact");
-    }
-  }
-
   ViewScene& scene_;
   const ViewOptions& options_;
   DrawList list_;
   ShownCounts counts_;
   std::map<std::pair<const Mesh*, bool>, std::uint32_t> meshes_;
-  std::map<const Mesh*, std::size_t> kinds_;
   PartBoxes part_boxes_{scene_};
-  std::set<std::array<double, 4>> glow_cells_;
+  ContactGlow glow_;
+  std::map<std::pair<BodyRef, BodyRef>, std::size_t> glow_groups_;
   std::vector<Line> curves_;
+  bool nearest_drawn_ = false;
 };
 
 }  // namespace

@@ -56,15 +56,6 @@ struct EventFinder::State {
            recording()->head().movers.size() == content.movers.size();
   }
 
-  [[nodiscard]] std::uint64_t frames() const {
-    if (recording() != nullptr && recording()->frames() > 0) {
-      return recording()->frames();
-    }
-    const bool moves = std::any_of(content.movers.begin(), content.movers.end(),
-                                   [](const MovingBody& m) { return bool(m.motion); });
-    return moves ? content.frames : 1;
-  }
-
   void place_movers() {
     for (std::uint32_t k = 0; k < content.movers.size(); ++k) {
       const Motion& motion = content.movers[k].motion;
@@ -139,6 +130,15 @@ struct EventFinder::State {
   }
 };
 
+std::uint64_t frames_to_search(const SceneContent& content) {
+  if (content.recording != nullptr && content.recording->frames() > 0) {
+    return content.recording->frames();
+  }
+  const bool moves = std::any_of(content.movers.begin(), content.movers.end(),
+                                 [](const MovingBody& m) { return bool(m.motion); });
+  return moves ? content.frames : 1;
+}
+
 EventFinder::EventFinder(SceneContent content, const Limits& limits)
     : state_(std::make_unique<State>()) {
   state_->content = std::move(content);
@@ -161,7 +161,7 @@ void EventFinder::add(Body body) {
 }
 
 std::uint64_t EventFinder::frames() const {
-  return state_->frames();
+  return frames_to_search(state_->content);
 }
 
 std::uint64_t EventFinder::searched() const {
@@ -171,7 +171,7 @@ std::uint64_t EventFinder::searched() const {
 void EventFinder::search(double milliseconds) {
   const auto begin = std::chrono::steady_clock::now();
   const std::chrono::duration<double, std::milli> patience(milliseconds);
-  while (state_->searched < state_->frames()) {
+  while (state_->searched < frames()) {
     state_->search_frame();
     if (std::chrono::steady_clock::now() - begin >= patience) {
       return;

@@ -32,6 +32,10 @@ struct FoundEvent {
   std::size_t index = 0;  ///< in `EventFinder::spans` or `EventFinder::passages`
 };
 
+/// Frames in which contacts are searched for: of a recording all, else those that `simulate` would
+/// run; one where nothing moves.
+[[nodiscard]] std::uint64_t frames_to_search(const SceneContent& content);
+
 /// Steps through the frames of a content once, from the first, and gathers contacts in spans. What
 /// a step finds is what `soms simulate` finds in that frame; of a recording, what it holds.
 /// \threads One caller at a time; uses the threads of `Limits`.

@@ -1,7 +1,6 @@
 set(SOMS_VIEW_HEADERS
-  aim.h
+  contact_look.h
   counted_step.h
-  dense_place.h
   draw_scene.h
   event_finder.h
   explain.h
@@ -16,6 +15,7 @@ set(SOMS_VIEW_HEADERS
   part_boxes.h
   scene_colors.h
   scene_content.h
+  scene_key.h
   shown_boxes.h
   touch.h
   tree_store.h
@@ -24,9 +24,8 @@ set(SOMS_VIEW_HEADERS
   traversal_trace.h
 )
 set(SOMS_VIEW_SOURCES
-  aim.cpp
+  contact_look.cpp
   counted_step.cpp
-  dense_place.cpp
   draw_scene.cpp
   event_finder.cpp
   explain.cpp
@@ -41,6 +40,7 @@ set(SOMS_VIEW_SOURCES
   part_boxes.cpp
   pick.cpp
   scene_colors.cpp
+  scene_key.cpp
   shown_boxes.cpp
   tree_store.cpp
   view_scene.cpp

@@ -44,4 +44,14 @@ struct Touch {
   [[nodiscard]] auto operator<=>(const Touch&) const = default;
 };
 
+/// Two that touch: parts of bodies, or bodies where Part::kNoParent stands for a part.
+struct PartPair {
+  BodyRef a;
+  BodyRef b;
+  std::uint32_t part_a = Part::kNoParent;
+  std::uint32_t part_b = Part::kNoParent;
+
+  [[nodiscard]] auto operator<=>(const PartPair&) const = default;
+};
+
 }  // namespace soms::view

@@ -74,6 +74,15 @@ struct FrameGapMarks {
   [[nodiscard]] bool operator==(const FrameGapMarks&) const = default;
 };
 
+/// The contact that a picture is of: its two in colors of their own, with their names.
+struct TouchingPair {
+  PartPair touching;
+  Box around = {};     ///< what is looked at
+  bool alone = false;  ///< other parts of the two bodies are pale, and other contacts left out
+
+  [[nodiscard]] bool operator==(const TouchingPair&) const = default;
+};
+
 /// Colors of marks. The default ones are distinguished by people who see fewer colors.
 struct ViewColors {
   Color contact = palette::kContact;
@@ -111,13 +120,14 @@ struct ViewOptions {
   FrameGapMarks frame_gaps;
   bool gap =
       true;  ///< nearest points of the pair, if its bodies share none: a line with its length
-  bool in_meters = false;              ///< units are meters: the length of the gap says so
-  bool ground = true;                  ///< a plain ground below everything
-  bool key = true;                     ///< what the colors mean
-  std::optional<BodyRef> highlighted;  ///< drawn brighter
-  std::optional<Touch> chosen;         ///< a contact drawn through everything
-  std::optional<Box> focus;            ///< what is looked at: what is farther off is pale
-  std::size_t most_boxes = 50'000;     ///< of a level or a traversal; the largest are drawn
+  bool in_meters = false;                ///< units are meters: the length of the gap says so
+  bool ground = true;                    ///< a plain ground below everything
+  bool key = true;                       ///< what the colors mean, and names at a contact
+  std::optional<BodyRef> highlighted;    ///< drawn brighter
+  std::optional<Touch> chosen;           ///< a contact drawn through everything
+  std::optional<Box> focus;              ///< what is looked at: what is farther off is pale
+  std::optional<TouchingPair> touching;  ///< what the picture is of; nothing: no single contact
+  std::size_t most_boxes = 50'000;       ///< of a level or a traversal; the largest are drawn
   ViewColors colors;
 };
 

@@ -5,8 +5,10 @@ set(SOMS_VIEW_HEADERS
   render.h
   render_camera.h
   render_gaps.h
+  render_moment.h
   render_rays.h
   render_remarks.h
+  render_report.h
   render_scene.h
   sight_map.h
   stage.h
@@ -21,8 +23,10 @@ set(SOMS_VIEW_SOURCES
   render.cpp
   render_camera.cpp
   render_gaps.cpp
+  render_moment.cpp
   render_rays.cpp
   render_remarks.cpp
+  render_report.cpp
   render_scene.cpp
   sight_map.cpp
   stage.cpp

@@ -5,18 +5,19 @@
 #include "apps/cli/console.h"
 #include "apps/cli/parse.h"
 #include "apps/cli/text.h"
-#include "apps/model/georeference.h"
-#include "apps/output/json.h"
+#include "apps/model/part_filter.h"
 #include "apps/output/output.h"
 #include "apps/view/drawing/gl/gl_renderer.h"
 #include "apps/view/drawing/gl/headless_context.h"
 #include "apps/view/scene/draw_scene.h"
+#include "apps/view/scene/event_finder.h"
 #include "apps/view/scene/orientation_menu.h"
 #include "apps/view/scene/shown_boxes.h"
 #include "apps/view/scene/traversal_trace.h"
-#include "apps/view/verbs/render_gaps.h"
+#include "apps/view/verbs/render_moment.h"
 #include "apps/view/verbs/render_rays.h"
 #include "apps/view/verbs/render_remarks.h"
+#include "apps/view/verbs/render_report.h"
 #include "apps/view/verbs/render_scene.h"
 #include "apps/view/verbs/stage.h"
 #include "apps/view/verbs/tree_options.h"
@@ -42,9 +43,9 @@ constexpr std::uint8_t kBoxFaces = 60;
 const char* const kRenderFooter =
     "Without CITY, an embedded city of 1,000,000 triangles is used, with cars, persons and\n"
     "drones. A city from files has movers only if --mover, --route or --count is given. Red is\n"
-    "where surfaces touch. Two models that touch nowhere have a line between their nearest "
-    "points,\n"
-    "with its length. A camera is a subject (scene, contact, gap or mover:N), a side (north,\n"
+    "where surfaces touch. Without --frame some 60 frames are searched for one in which many\n"
+    "movers touch. Two models that touch nowhere have a line between their nearest points, with\n"
+    "its length. A camera is a subject (scene, contact, gap or mover:N), a side (north,\n"
     "southwest, top, or bearing:elevation in degrees) and a zoom, in any order, as in\n"
     "contact,45:30,2x; or six numbers: the position of the eye and the point that it looks at.\n\n"
     "Example:\n"
@@ -66,8 +67,13 @@ void add_picture_options(command::Parser& parser, RenderOptions& options) {
       ->option_text("WxH");
   parser
       .add_option_function(
-          "--camera", [&options](const std::string& text) { options.camera = parse_camera(text); },
-          "point of view; see below (scene,215:30)")
+          "--camera",
+          [&options](const std::string& text) {
+            std::string clash = std::move(options.camera.clash);
+            options.camera = parse_camera(text);
+            options.camera.clash = std::move(clash);
+          },
+          "point of view; see below (contact where something touches, else\ngap or scene)")
       ->option_text("CAMERA");
   parser.add_flag("--depth", options.depth,
                   "draw how far surfaces are from the eye, by rays; needs no graphics driver");
@@ -93,8 +99,13 @@ void add_content_options(command::Parser& parser, RenderOptions& options) {
                   "which are drawn all at once")
       ->option_text("POSE");
   command::add_count(parser, "--frame", options.frame, 0, 1'000'000'000,
-                     "frame of the simulation to draw, at 60 frames per second (0; with\n"
-                     "--test the frame in which most touches)");
+                     "frame of the simulation to draw, at 60 frames per second (one in\n"
+                     "which many movers touch)");
+  parser
+      .add_option("--clash", options.camera.clash,
+                  "contact that the camera looks at: its number among the pairs of parts,\n"
+                  "that with most pairs of triangles first, or a part's name, or two with a comma")
+      ->option_text("CLASH");
   command::add_count(parser, "--level", options.level, 1, 1000,
                      "draw the boxes of this level of the tree, and paler the\nleaves above it; "
                      "the root is level 1");
@@ -140,7 +151,7 @@ void add_content_options(command::Parser& parser, RenderOptions& options) {
   parser.add_option("--title", options.title, "words above the picture")->option_text("TEXT");
   parser.add_flag_callback(
       "--no-key", [&options] { options.shown.key = false; },
-      "leave out the key of colors, the scale bar and the arrow to the north");
+      "leave out the key of colors, names at a contact, the scale bar and the arrow\nto the north");
   parser.add_flag_callback(
       "--no-ground", [&options] { options.shown.ground = false; },
       "draw no ground below the models");
@@ -162,16 +173,6 @@ void check_level(int level, const Tree& tree, int per_leaf) {
         : per_leaf == 1 ? fmt::format("give 1 to {}", levels)
                         : fmt::format("give 1 to {}, or --leaf below {}", levels, per_leaf));
   }
-}
-
-BodyRef level_body(const RenderOptions& options) {
-  return options.level_of == LevelOf::mover ? mover(0) : city_part(0);
-}
-
-/// True if it is clear whose gap is meant: that of one mover, or of two models.
-bool draws_gap(const RenderOptions& options, const ViewScene& scene) {
-  const bool clear = scene.movers() == 1 || scene.movers() + scene.city_parts() == 2;
-  return !options.no_gap && clear;
 }
 
 ViewOptions what_is_shown(const RenderOptions& options, ViewScene& scene) {
@@ -205,79 +206,6 @@ ViewOptions what_is_shown(const RenderOptions& options, ViewScene& scene) {
   return shown;
 }
 
-/// With the keys of `soms distance --json`.
-command::Json gap_json(const ViewScene& scene, const Gap& gap) {
-  const auto point = [](const Vec3& p) { return command::Json::array({p.x, p.y, p.z}); };
-  const Distance& near = gap.distance;
-  return {{"lower", near.distance.lower},
-          {"upper", near.distance.upper},
-          {"triangles", command::Json::array({scene.numbers().triangle(gap.a, near.triangles->a),
-                                              scene.numbers().triangle(gap.b, near.triangles->b)})},
-          {"points", command::Json::array({point(near.point_a), point(near.point_b)})}};
-}
-
-/// The frame of an orientation test, for the line about a picture: most did not choose it.
-std::string words_of_test(const ViewScene& scene) {
-  const auto test = scene.test();
-  return test ? fmt::format(", frame {} of 0 to {} of the test {}", scene.frame(),
-                            scene.frames().value_or(1) - 1, *test)
-              : std::string();
-}
-
-void report(const RenderOptions& options, ViewScene& scene, const GlRenderer& renderer,
-            command::Console& console) {
-  const DrawStatistics drawn = renderer.statistics();
-  const SceneStatistics facts = scene.statistics();
-  const std::optional<Gap> gap = draws_gap(options, scene) ? scene.gap() : std::nullopt;
-  if (options.trace && facts.trace_cut) {
-    console.note(fmt::format("--trace: stopped after {}; the rest is not drawn",
-                             command::counted(kMostWatchedTests, "box test")));
-  }
-  if (!console.shared().json) {
-    console.note(fmt::format("{}: {}x{}, {}{}, {}{}, drawn by {}", options.output,
-                             options.size.width, options.size.height,
-                             command::counted(facts.triangles, "triangle"), words_of_test(scene),
-                             command::counted(facts.contacts, "touching pair"),
-                             words_of_gaps(scene, gap), GlRenderer::device()));
-    return;
-  }
-  command::Json answer{{"schema", "soms.render/2"},
-                       {"file", options.output},
-                       {"width", options.size.width},
-                       {"height", options.size.height},
-                       {"frame", scene.frame()},
-                       {"triangles", facts.triangles},
-                       {"movers", scene.movers()},
-                       {"touching_pairs", facts.contacts},
-                       {"touching_movers", facts.touching_movers},
-                       {"markers", drawn.markers},
-                       {"marked_movers", drawn.marked},
-                       {"boxes", drawn.boxes},
-                       {"draw_calls", drawn.draw_calls},
-                       {"device", GlRenderer::device()}};
-  if (!options.test.empty()) {
-    answer["test"] = options.test;
-  }
-  if (options.level) {
-    const Tree& tree = scene.tree(level_body(options));
-    const std::size_t on_level = nodes_of_level(tree, *options.level, false).size();
-    answer["level_boxes"] = on_level;
-    answer["leaves_above"] = nodes_of_level(tree, *options.level, true).size() - on_level;
-  }
-  if (gap) {
-    answer["gap"] = gap_json(scene, *gap);
-  }
-  add_gaps(answer, scene);
-  command::add_georeference(answer, scene.georeference());
-  if (!scene.notes().empty()) {
-    answer["notes"] = scene.notes();
-  }
-  if (!scene.warnings().empty()) {
-    answer["warnings"] = command::warnings_json(scene.warnings());
-  }
-  console.print(command::json_line(answer));
-}
-
 /// What the options name. What was left out is reported on the way.
 SceneContent load(const RenderOptions& options, command::Console& console) {
   command::WorldOptions world = options.world;
@@ -287,17 +215,17 @@ SceneContent load(const RenderOptions& options, command::Console& console) {
   SceneContent content = options.test.empty()
                              ? load_content(std::move(world), options.pose, console)
                              : load_tested(std::move(world), options.pose, console);
+  // Numbers of triangles are those of the file, which bodies that move have not got in part.
+  const command::PartFilter* const parts = options.world.city_model.parts.get();
+  if (!is_ray_picture(options) && !options.level && (parts == nullptr || !parts->is_given())) {
+    make_pair_of_two(content);
+  }
   if (content.recording) {
     for (const std::string& note : content.notes) {
       console.note(note);
     }
   }
   return content;
-}
-
-/// The frame that is drawn.
-std::uint64_t drawn_frame(const RenderOptions& options) {
-  return options.frame.value_or(options.test.empty() ? 0 : fullest_frame(options.test));
 }
 
 /// \errors ErrorKind::usage for a frame behind the last one of a recording or test.
@@ -324,6 +252,13 @@ void check_effects(const command::Parser& parser, RenderOptions& options) {
   needs("--center", options.camera.subject == CameraChoice::Subject::place,
         "six numbers of --camera");
   needs("--traversal", options.trace, "--trace");
+  using Subject = CameraChoice::Subject;
+  if (parser.count("--clash") > 0) {
+    if (options.camera.subject == Subject::open) {
+      options.camera.subject = Subject::contact;
+    }
+    needs("--clash", options.camera.subject == Subject::contact, "--camera contact");
+  }
   needs("--descent", options.trace, "--trace");
   if (const std::string given = command::given_of_trees(parser); !given.empty()) {
     needs(given.c_str(), options.trace || options.level, "--level or --trace");
@@ -340,20 +275,38 @@ void check_effects(const command::Parser& parser, RenderOptions& options) {
   }
 }
 
+/// The frame that is drawn where none is searched for.
+std::uint64_t drawn_frame(const RenderOptions& options) {
+  return options.frame.value_or(options.test.empty() ? 0 : fullest_frame(options.test));
+}
+
+/// True if the frame in which most movers touch is drawn. Rays show no contacts.
+bool searches_frame(const RenderOptions& options) {
+  return !options.frame && options.test.empty() && !is_ray_picture(options);
+}
+
 /// The scene at its frame, with its contacts.
-ViewScene make_scene(const RenderOptions& options, command::Console& console) {
+Moment make_scene(const RenderOptions& options, command::Console& console) {
+  constexpr std::uint64_t kMostSearched = 600;
   SceneContent content = load(options, console);
+  const std::uint64_t frames = frames_to_search(content);
+  const bool must_touch = options.camera.subject == CameraChoice::Subject::contact;
   return console.run("finding what touches", [&](const Limits& limits) {
-    ViewScene scene(std::move(content), limits);
+    Moment moment{ViewScene(std::move(content), limits), frames, std::nullopt};
     if (!options.test.empty()) {
-      scene.start_test(options.test);
+      moment.scene.start_test(options.test);
     }
-    const std::uint64_t frame = drawn_frame(options);
-    check_frame(frame, scene);
-    if (frame > 0) {
-      scene.go_to(frame);
+    if (searches_frame(options) && frames > 1) {
+      const std::uint64_t most = must_touch ? frames : kMostSearched;
+      moment.found = go_to_richest(moment.scene, frames, most, limits);
+    } else if (const std::uint64_t frame = drawn_frame(options); frame > 0) {
+      check_frame(frame, moment.scene);
+      moment.scene.go_to(frame);
     }
-    return scene;
+    if (must_touch && moment.scene.contacts().empty()) {
+      refuse_without_contact(moment, limits);
+    }
+    return moment;
   });
 }
 
@@ -362,19 +315,35 @@ bool stands_still(const RenderOptions& options, const ViewScene& scene) {
   return !scene.frames() && (scene.movers() == 0 || !options.pose.empty());
 }
 
+/// The contact that a picture is of.
+std::optional<TouchingPair> touching_in(const RenderOptions& options, const ViewScene& scene,
+                                        const AimedCamera& aimed) {
+  if (!aimed.pair) {
+    return std::nullopt;
+  }
+  const auto has_parts = [&](BodyRef body) {
+    return scene.body(body).shape.mesh().parts.size() > 1;
+  };
+  const bool of_parts = has_parts(aimed.pair->a) && has_parts(aimed.pair->b);
+  const bool alone = !options.camera.clash.empty() || (scene.movers() == 1 && of_parts);
+  return TouchingPair{*aimed.pair, aimed.around, alone};
+}
+
 /// What is drawn, and from where.
-std::pair<DrawnScene, Camera> compose(const RenderOptions& options, ViewScene& scene,
-                                      const command::Console& console) {
+std::pair<DrawnScene, AimedCamera> compose(const RenderOptions& options, ViewScene& scene,
+                                           const command::Console& console) {
   return console.run("choosing what is shown", [&](const Limits& limits) {
     const Vec3 origin = options.center ? scene_bounds(scene).center() : Vec3{};
     CameraChoice choice = options.camera;
     choice.with_gap = draws_gap(options, scene);
     choice.boxes = options.level || options.trace;
     choice.may_cut = true;
-    const auto [camera, around] = aimed_by(choice, scene, options.size, origin, limits);
+    const AimedCamera aimed = aimed_by(choice, scene, options.size, origin, limits);
+    const Camera& camera = aimed.camera;
     ViewOptions shown = what_is_shown(options, scene);
+    shown.touching = touching_in(options, scene, aimed);
     if (choice.subject == CameraChoice::Subject::contact) {
-      shown.focus = around;
+      shown.focus = aimed.around;
     }
     DrawnScene drawn = draw_scene(scene, shown);
     drawn.list.captions.title = options.title;
@@ -386,7 +355,8 @@ std::pair<DrawnScene, Camera> compose(const RenderOptions& options, ViewScene& s
       drawn.list.captions.meters = meters_of(options, scene);
       drawn.list.captions.north = drawn.list.captions.meters > 0;
     }
-    return std::pair(std::move(drawn), camera);
+    keep_seen_entries(drawn.list.captions.key, camera, options.size, scene);
+    return std::pair(std::move(drawn), aimed);
   });
 }
 
@@ -442,7 +412,8 @@ command::Action add_render(command::Parser& parser, command::Shared&) {
   };
 }
 
-int run_render(const RenderOptions& options, command::Console& console) {
+int run_render(const RenderOptions& given, command::Console& console) {
+  RenderOptions options = given;
   const std::uint64_t most = console.shared().max_memory;
   const bool by_rays = is_ray_picture(options);
   if (!by_rays && most != 0 && most < kLeastMemory) {
@@ -470,7 +441,8 @@ int run_render(const RenderOptions& options, command::Console& console) {
     renderer.emplace();
   }
   command::OutputFile file(options.output);
-  ViewScene scene = make_scene(options, console);
+  Moment moment = make_scene(options, console);
+  ViewScene& scene = moment.scene;
   if (options.frame.value_or(0) > 0 && stands_still(options, scene)) {
     const bool posed = !options.pose.empty();
     throw Error(ErrorKind::usage,
@@ -479,21 +451,22 @@ int run_render(const RenderOptions& options, command::Console& console) {
                                   : "nothing moves here"),
                 posed ? "leave it out, or give the poses as --route" : "leave it out");
   }
+  options.camera.subject = chosen_subject(options, scene);
   if (by_rays) {
     write_ray_picture(options, scene, file, console);
     return 0;
   }
   remark_what_is_left_out(options, scene, console);
-  const auto [drawn, camera] = compose(options, scene, console);
-  remark_cut(options, camera, console);
-  const Picture picture = draw_image(options, drawn.list, camera, *renderer, console);
+  const auto [drawn, aimed] = compose(options, scene, console);
+  remark_cut(options, aimed.camera, console);
+  const Picture picture = draw_image(options, drawn.list, aimed.camera, *renderer, console);
   file.stream() << console.run("writing " + options.output,
                                [&](const Limits& limits) { return to_png(picture, limits); });
   file.commit();
   for (const std::string& line : left_out(drawn.counts)) {
     console.note(options.output + ": " + line);
   }
-  report(options, scene, *renderer, console);
+  report(options, moment, aimed, renderer->statistics(), console);
   return 0;
 }
 

@@ -23,9 +23,9 @@ struct RenderOptions {
   std::string pose = {};
   std::string test = {};  ///< name of an orientation test, or empty
   std::optional<std::uint64_t> frame =
-      std::nullopt;  ///< that is drawn; none: the first, of a test the fullest
+      std::nullopt;  ///< that is drawn; none: a rich one, of a test the fullest
   Size size{1920, 1080};
-  CameraChoice camera = {};
+  CameraChoice camera = {.subject = CameraChoice::Subject::open};
   bool center = false;  ///< numbers of --camera count from the middle of the scene
   int samples = 4;
   ViewOptions shown = {};
@@ -46,7 +46,7 @@ struct RenderOptions {
 
 /// \errors As `HeadlessContext`, `load_content`, `place_camera` and `make_draw_list`;
 ///         ErrorKind::cannot_write.
-[[nodiscard]] int run_render(const RenderOptions& options, command::Console& console);
+[[nodiscard]] int run_render(const RenderOptions& given, command::Console& console);
 
 /// Reads "WxH", each from 1 to 16384. \errors ErrorKind::usage.
 [[nodiscard]] Size parse_picture_size(const std::string& text);

@@ -5,7 +5,7 @@
 #include "apps/cli/parse.h"
 #include "apps/view/drawing/length.h"
 #include "apps/view/drawing/visibility.h"
-#include "apps/view/scene/aim.h"
+#include "apps/view/sight/aim.h"
 #include "apps/view/verbs/aimed_camera.h"
 
 #include <fmt/format.h>
@@ -151,7 +151,8 @@ Camera at_gap(const CameraChoice& choice, const ViewScene& scene, Size size, con
 
 /// The corners of a body's triangles that are farthest out on each side of a picture, and nearest.
 /// Of a picture with these from the same direction no other corner is out either.
-void add_outermost(const Body& body, const Frustum& view, std::vector<Vec3>& points) {
+void add_outermost(const Body& body, const Frustum& view, const Box& within,
+                   std::vector<Vec3>& points) {
   const std::array<Vec3, 5> inward{view.forward, view.inward[0], view.inward[1], view.inward[2],
                                    view.inward[3]};
   std::array<Vec3, 5> outermost;
@@ -160,6 +161,9 @@ void add_outermost(const Body& body, const Frustum& view, std::vector<Vec3>& poi
   for (const auto& corners : body.shape.mesh().triangles) {
     for (const std::uint32_t v : corners) {
       const Vec3 p = body.pose.apply(body.shape.mesh().vertices[v]);
+      if (!within.empty() && !within.contains({p, p})) {
+        continue;
+      }
       for (std::size_t side = 0; side < inward.size(); ++side) {
         const double in = dot(inward[side], p - view.eye);
         if (in < least[side]) {
@@ -174,9 +178,9 @@ void add_outermost(const Body& body, const Frustum& view, std::vector<Vec3>& poi
 
 /// Points that show how far a scene reaches: corners of triangles, evenly chosen where there are
 /// many beside those farthest out, or of the boxes of the city's trees, and those of the framed
-/// movers' boxes.
+/// movers' boxes. Of the city what is within a box, unless that is empty.
 std::vector<Vec3> sample_of(const ViewScene& scene, std::span<const std::uint32_t> framed,
-                            bool boxes, const Frustum& view) {
+                            bool boxes, const Box& within, const Frustum& view) {
   constexpr std::size_t kMost = 200'000;
   std::vector<Vec3> points;
   const auto add_box = [&](const Box& box) {
@@ -195,11 +199,14 @@ std::vector<Vec3> sample_of(const ViewScene& scene, std::span<const std::uint32_
     const auto& triangles = body.shape.mesh().triangles;
     const std::size_t step = triangles.size() / kMost + 1;
     if (step > 1) {
-      add_outermost(body, view, points);
+      add_outermost(body, view, within, points);
     }
     for (std::size_t i = 0; i < triangles.size(); i += step) {
       for (const std::uint32_t v : triangles[i]) {
-        points.push_back(body.pose.apply(body.shape.mesh().vertices[v]));
+        const Vec3 p = body.pose.apply(body.shape.mesh().vertices[v]);
+        if (within.empty() || within.contains({p, p})) {
+          points.push_back(p);
+        }
       }
     }
   }
@@ -267,9 +274,24 @@ std::optional<DensePlace> place_in(const CameraChoice& choice, const ViewScene& 
   return open && !choice.boxes ? dense_place(scene) : std::nullopt;
 }
 
+std::optional<CityBulk> bulk_in(const CameraChoice& choice, const ViewScene& scene) {
+  return choice.free_side && !choice.boxes ? city_bulk(scene) : std::nullopt;
+}
+
+CameraChoice::Subject subject_of(const CameraChoice& choice, const ViewScene& scene) {
+  using Subject = CameraChoice::Subject;
+  if (choice.subject != Subject::open) {
+    return choice.subject;
+  }
+  return choice.boxes                     ? Subject::scene
+         : !scene.contacts().empty()      ? Subject::contact
+         : choice.with_gap && scene.gap() ? Subject::gap
+                                          : Subject::scene;
+}
+
 AimedCamera aimed_by(const CameraChoice& choice, const ViewScene& scene, Size size,
                      const Vec3& origin, const Limits& limits) {
-  switch (choice.subject) {
+  switch (subject_of(choice, scene)) {
     case CameraChoice::Subject::place:
       return {{choice.eye + origin, choice.target + origin}, {}};
     case CameraChoice::Subject::mover:
@@ -279,6 +301,7 @@ AimedCamera aimed_by(const CameraChoice& choice, const ViewScene& scene, Size si
     case CameraChoice::Subject::contact:
       return at_contact(choice, scene, size, limits);
     case CameraChoice::Subject::scene:
+    case CameraChoice::Subject::open:
       break;
   }
   const Vec3 back = toward_eye(choice.bearing, choice.elevation);
@@ -287,7 +310,9 @@ AimedCamera aimed_by(const CameraChoice& choice, const ViewScene& scene, Size si
   }
   const std::vector<std::uint32_t> astray = astray_movers(scene);
   std::vector<std::uint32_t> framed_movers;
-  Box bulk = scene.bounds();
+  const std::optional<CityBulk> near = bulk_in(choice, scene);
+  const Box within = near ? near->box : Box{};
+  Box bulk = near ? near->box : scene.bounds();
   for (std::uint32_t k = 0; k < scene.movers(); ++k) {
     if (!std::binary_search(astray.begin(), astray.end(), k)) {
       framed_movers.push_back(k);
@@ -296,7 +321,7 @@ AimedCamera aimed_by(const CameraChoice& choice, const ViewScene& scene, Size si
   }
   const Camera whole = fitted(bulk, back, size);
   const std::vector<Vec3> sample =
-      sample_of(scene, framed_movers, choice.boxes, frustum(whole, size));
+      sample_of(scene, framed_movers, choice.boxes, within, frustum(whole, size));
   return {dollied(framed(whole, sample, size), 1 / choice.zoom), {}};
 }
 

@@ -5,9 +5,10 @@
 #include "soms/base/parallel.h"
 
 #include "apps/view/drawing/camera.h"
-#include "apps/view/scene/aim.h"
-#include "apps/view/scene/dense_place.h"
 #include "apps/view/scene/view_scene.h"
+#include "apps/view/sight/aim.h"
+#include "apps/view/sight/bulk.h"
+#include "apps/view/sight/dense_place.h"
 
 #include <cstdint>
 #include <optional>
@@ -24,17 +25,19 @@ struct CameraChoice {
     gap,      ///< where two bodies are nearest
     contact,  ///< the mover with most contacts that can be seen
     place,    ///< `eye` and `target`
+    open,     ///< nobody chose: a contact, else a gap, else all
   };
 
   Subject subject = Subject::scene;
   std::uint32_t mover = 0;
-  double bearing = 215;   ///< of the eye from the subject, degrees from north (+y) to east (+x)
-  double elevation = 30;  ///< of the eye, degrees above the horizon
-  bool free_side = true;  ///< for movers and contacts: look for a side with nothing between
-  double zoom = 1;        ///< above 1 goes nearer
-  bool with_gap = false;  ///< the gap is drawn: it shall fit, too
-  bool may_cut = false;   ///< for movers and contacts: leave out what hides them from every side
-  bool boxes = false;     ///< for scenes: the bodies' boxes shall fit, not only their triangles
+  std::string clash = {};  ///< for contacts: number or names of the parts; empty: any
+  double bearing = 215;    ///< of the eye from the subject, degrees from north (+y) to east (+x)
+  double elevation = 30;   ///< of the eye, degrees above the horizon
+  bool free_side = true;   ///< for movers and contacts: look for a side with nothing between
+  double zoom = 1;         ///< above 1 goes nearer
+  bool with_gap = false;   ///< the gap is drawn: it shall fit, too
+  bool may_cut = false;    ///< for movers and contacts: leave out what hides them from every side
+  bool boxes = false;      ///< for scenes: the bodies' boxes shall fit, not only their triangles
   Vec3 eye = {};
   Vec3 target = {};
 };
@@ -44,6 +47,10 @@ struct CameraChoice {
 /// bearing:elevation in degrees; a zoom is a factor with an x (2x). Six numbers are the eye and
 /// what it looks at. \errors ErrorKind::usage.
 [[nodiscard]] CameraChoice parse_camera(const std::string& text);
+
+/// The subject of a choice that names none: a contact, else the gap that is drawn, else the scene;
+/// of boxes always the scene.
+[[nodiscard]] CameraChoice::Subject subject_of(const CameraChoice& choice, const ViewScene& scene);
 
 /// The camera for a picture of a scene, and what it looks at: empty unless that is a mover or a
 /// contact. Six numbers count from `origin`.
@@ -59,6 +66,10 @@ struct CameraChoice {
 /// The place that a picture of a sparse scene is of, unless a side is named or boxes are drawn.
 [[nodiscard]] std::optional<DensePlace> place_in(const CameraChoice& choice,
                                                  const ViewScene& scene);
+
+/// The bulk of the city that a picture of it is framed by, unless a side is named or boxes are
+/// drawn.
+[[nodiscard]] std::optional<CityBulk> bulk_in(const CameraChoice& choice, const ViewScene& scene);
 
 /// Movers farther from the city than the city is large, in order; none if they are more than one in
 /// twenty. Pictures of the scene are framed without them.

@@ -4,12 +4,12 @@
 
 #include "apps/cli/length_unit.h"
 #include "apps/cli/text.h"
-#include "apps/model/georeference.h"
 #include "apps/model/models.h"
 #include "apps/output/json.h"
 #include "apps/output/npz_file.h"
 #include "apps/output/output.h"
 #include "apps/view/verbs/ray_picture.h"
+#include "apps/view/verbs/render_report.h"
 #include "apps/view/verbs/render_scene.h"
 #include "apps/view/verbs/sight_map.h"
 
@@ -91,13 +91,7 @@ void say(const RenderOptions& options, const ViewScene& scene, const std::string
   answer["movers"] = scene.movers();
   answer["device"] = "rays";
   answer.update(facts);
-  command::add_georeference(answer, scene.georeference());
-  if (!scene.notes().empty()) {
-    answer["notes"] = scene.notes();
-  }
-  if (!scene.warnings().empty()) {
-    answer["warnings"] = command::warnings_json(scene.warnings());
-  }
+  add_facts_of_files(answer, scene);
   console.print(command::json_line(answer));
 }
 

@@ -39,8 +39,17 @@ void remark_frame(const RenderOptions& options, const ViewScene& scene,
         command::counted(place->movers_left, "mover")));
     return;
   }
+  if (options.camera.subject != CameraChoice::Subject::scene) {
+    return;
+  }
+  if (const auto bulk = bulk_in(options.camera, scene)) {
+    console.note(fmt::format(
+        "{}: {} of the city far from the rest, not in the picture (--camera scene,southwest "
+        "frames all)",
+        options.output, command::counted(bulk->pieces_left, "part")));
+  }
   const std::uint64_t astray = astray_movers(scene).size();
-  if (astray > 0 && options.camera.subject == CameraChoice::Subject::scene) {
+  if (astray > 0) {
     console.note(fmt::format("{}: {} far from the city, not in the picture", options.output,
                              command::counted(astray, "mover")));
   }

@@ -7,11 +7,16 @@
 #include "apps/rows/pose_source.h"
 #include "apps/view/scene/load.h"
 #include "apps/view/scene/orientation_menu.h"
+#include "apps/view/scene/scene_colors.h"
 #include "apps/world/world.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace soms::view {
 
@@ -43,7 +48,32 @@ SceneContent placed(command::WorldOptions options, const std::string& pose,
   return content;
 }
 
+/// True if a model looks like a tile of a city: far wider than high, with many buildings.
+bool looks_like_a_tile(const Body& body) {
+  constexpr double kFlat = 0.2;
+  constexpr std::uint32_t kManyBuildings = 50;
+  const Vec3 extent = body.shape.bounds().extent();
+  if (extent.z > kFlat * std::max(extent.x, extent.y)) {
+    return false;
+  }
+  const std::vector<std::uint32_t> pieces = pieces_of_triangles(*body.shape.shared_mesh());
+  return !pieces.empty() && *std::max_element(pieces.begin(), pieces.end()) >= kManyBuildings;
+}
+
 }  // namespace
+
+void make_pair_of_two(SceneContent& content) {
+  if (content.city.size() != 2 || !content.movers.empty() || content.recording ||
+      !content.georeference.empty() ||
+      std::any_of(content.city.begin(), content.city.end(), looks_like_a_tile)) {
+    return;
+  }
+  content.movers.push_back({std::move(content.city.back()), {}});
+  content.city.pop_back();
+  for (auto* const numbers : {&content.numbers.triangles, &content.numbers.vertices}) {
+    numbers->resize(std::min<std::size_t>(numbers->size(), 1));
+  }
+}
 
 SceneContent load_content(command::WorldOptions options, const std::string& pose,
                           command::Console& console) {

@@ -26,6 +26,11 @@ inline constexpr std::size_t kMostPoses = 100'000;
 [[nodiscard]] SceneContent load_content(command::WorldOptions options, const std::string& pose,
                                         command::Console& console);
 
+/// Makes the second of two models that were named alone a mover that stands where its file puts it,
+/// so that their contacts are found. Tiles of a city stay one: flat, of many buildings, or with a
+/// place on the Earth.
+void make_pair_of_two(SceneContent& content);
+
 /// Adds --test, which names an orientation test.
 void add_test(command::Parser& parser, std::string& test, const std::string& text);
 

@@ -4,13 +4,13 @@
 
 #include "apps/view/control/subject.h"
 #include "apps/view/scene/counted_step.h"
-#include "apps/view/scene/dense_place.h"
 #include "apps/view/scene/event_finder.h"
 #include "apps/view/scene/fast_lesson.h"
 #include "apps/view/scene/lesson.h"
 #include "apps/view/scene/scene_content.h"
 #include "apps/view/scene/view_options.h"
 #include "apps/view/scene/view_scene.h"
+#include "apps/view/sight/dense_place.h"
 
 #include <chrono>
 #include <cstdint>

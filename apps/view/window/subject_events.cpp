@@ -1,7 +1,7 @@
 // What of `SceneSubject` concerns events.
 #include "soms/scene/passages.h"
 
-#include "apps/view/scene/aim.h"
+#include "apps/view/sight/aim.h"
 #include "apps/view/window/scene_subject.h"
 
 #include <fmt/format.h>

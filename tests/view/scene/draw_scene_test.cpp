@@ -203,10 +203,10 @@ TEST(DrawScene, TheGroundIsBelowTheSceneAndTheKeySaysWhatThereIs) {
   };
   ViewOptions options;
   options.gap = false;
-  EXPECT_EQ(signs(options), (std::vector<std::string>{"moves: moving", "at rest"}));
+  EXPECT_EQ(signs(options), (std::vector<std::string>{"moving", "still"}));
   scene.set_pose(0, Pose::translation(1, 1, 1));
-  EXPECT_EQ(signs(options), (std::vector<std::string>{"moves: moving", "at rest", "contact",
-                                                      "n movers in contact"}));
+  EXPECT_EQ(signs(options),
+            (std::vector<std::string>{"moving", "still", "contact", "n movers in contact"}));
   options.level = LevelBoxes{.body = city_part(0), .level = 2};
   EXPECT_EQ(signs(options)[2], "boxes of level 2");
   options.key = false;
@@ -241,9 +241,9 @@ TEST(DrawScene, WhereBoxesThatCollideAreRedSurfacesThatTouchAreNot) {
   for (const KeyEntry& entry : boxes.captions.key) {
     words.push_back(entry.text);
   }
-  EXPECT_EQ(words, (std::vector<std::string>{"moves: moving", "at rest", "boxes visited",
-                                             "boxes that collide", "surfaces that touch",
-                                             "n movers in contact"}));
+  EXPECT_EQ(words,
+            (std::vector<std::string>{"moving", "still", "boxes visited", "boxes that collide",
+                                      "surfaces that touch", "n movers in contact"}));
   options.trace->found = false;  // nothing else is red then
   EXPECT_EQ(make_draw_list(scene, options).glow_color, palette::kContact);
 }

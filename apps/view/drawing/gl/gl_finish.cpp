@@ -15,6 +15,9 @@ namespace soms::view {
 
 namespace {
 
+/// Pixels that red reaches at least, so that it is seen beside the curve of a small contact.
+constexpr float kLeastGlow = 14;
+
 struct GlowRow {
   std::array<float, 3> a;
   std::array<float, 3> b;
@@ -66,7 +69,13 @@ void GlFinish::draw_glows(const DrawList& list, const GlView& view, Size size, u
   std::vector<GlowRow> rows;
   rows.reserve(list.glows.size());
   for (const Glow& glow : list.glows) {
-    rows.push_back({view.relative(glow.a), view.relative(glow.b), view.length(glow.radius)});
+    const auto a = view.relative(glow.a);
+    const auto b = view.relative(glow.b);
+    float depth = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      depth += view.forward[k] * 0.5F * (a[k] + b[k]);
+    }
+    rows.push_back({a, b, std::max(view.length(glow.radius), kLeastGlow * view.slope * depth)});
   }
   near_.begin(size);
   set_places(glow_program_, view);

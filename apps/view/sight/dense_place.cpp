@@ -1,4 +1,6 @@
-#include "apps/view/scene/dense_place.h"
+#include "apps/view/sight/dense_place.h"
+
+#include "apps/view/sight/rich_frame.h"
 
 #include <algorithm>
 #include <array>
@@ -103,18 +105,6 @@ bool for_each_triangle(const ViewScene& scene, const Take& take) {
   return true;
 }
 
-std::set<std::uint32_t> touching_movers(const ViewScene& scene) {
-  std::set<std::uint32_t> touching;
-  for (const Touch& touch : scene.contacts()) {
-    for (const BodyRef& body : {touch.a, touch.b}) {
-      if (body.role == Role::mover) {
-        touching.insert(body.index);
-      }
-    }
-  }
-  return touching;
-}
-
 }  // namespace
 
 std::optional<DensePlace> dense_place(const ViewScene& scene) {
@@ -131,7 +121,7 @@ std::optional<DensePlace> dense_place(const ViewScene& scene) {
   if (!for_each_triangle(scene, [&](const Box& box) { return grid.mark(box); })) {
     return std::nullopt;
   }
-  const std::set<std::uint32_t> touching = touching_movers(scene);
+  const std::set<std::uint32_t> touching = touching_movers(scene.contacts());
   for (std::uint32_t k = 0; k < scene.movers(); ++k) {
     const Vec3 at = scene.bounds(mover(k)).center();
     if (all.contains({at, at})) {

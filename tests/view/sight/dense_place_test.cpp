@@ -1,4 +1,4 @@
-#include "apps/view/scene/dense_place.h"
+#include "apps/view/sight/dense_place.h"
 
 #include "apps/view/scene/load.h"
 #include "tests/support/bodies.h"

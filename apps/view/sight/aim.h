@@ -11,6 +11,7 @@
 #include "apps/view/scene/touch.h"
 #include "apps/view/scene/view_scene.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,12 +22,14 @@ struct Aim {
   std::vector<Vec3> points;
   Box around;
   BodyRef body;
-  bool is_middle = false;  ///< the one point is the body's own middle
-  Box whole = {};          ///< of the bodies that touch: nothing of it is cut away
+  bool is_middle = false;             ///< the one point is the body's own middle
+  std::optional<PartPair> pair = {};  ///< of a contact: the two that touch most
+  Box whole = {};                     ///< of the bodies that touch: nothing of it is cut away
 };
 
 /// A body where it touches others: places on the curves of the contacts, and the parts of the body
-/// that touch. \pre `touches` are contacts of the body, at least one.
+/// that touch, of long ones what is near the curves. \pre `touches` are contacts of the body, at
+/// least one.
 [[nodiscard]] Aim aim_at_touches(const ViewScene& scene, BodyRef body,
                                  const std::vector<Touch>& touches, PartBoxes& part_boxes);
 
@@ -41,7 +44,8 @@ struct Sides {
 /// A camera, and what it looks at.
 struct AimedCamera {
   Camera camera;
-  Box around;  ///< of the aim that was chosen
+  Box around = {};                    ///< of the aim that was chosen
+  std::optional<PartPair> pair = {};  ///< likewise
 };
 
 /// A camera on the first of the aims that is seen well, in the open, with its surroundings; else on

@@ -1,4 +1,4 @@
-#include "apps/view/scene/aim.h"
+#include "apps/view/sight/aim.h"
 
 #include "soms/base/common_box.h"
 
@@ -10,6 +10,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 namespace soms::view {
@@ -39,13 +40,35 @@ std::vector<Vec3> places_of(const std::vector<Touch>& touches, const ViewScene& 
   return places;
 }
 
-/// Bounds of the parts of a body that touch anything.
-Box touching_box(BodyRef body, const std::vector<Touch>& touches, PartBoxes& part_boxes) {
+/// The second of three lengths by size: of a pipe its thickness.
+double middle_extent(const Box& box) {
+  const Vec3 e = box.extent();
+  return std::max(std::min(e.x, e.y), std::min(std::max(e.x, e.y), e.z));
+}
+
+/// Bounds of the parts of a body that touch anything; of long parts, of what is near `places`.
+Box touching_box(BodyRef body, const std::vector<Touch>& touches, std::span<const Vec3> places,
+                 PartBoxes& part_boxes) {
+  constexpr double kOfCurve = 2;
+  constexpr double kOfThickness = 2.5;
   Box box;
+  double thickest = 0;
   for (const Touch& touch : touches) {
-    box.grow(part_boxes(body, touch.a == body ? touch.i : touch.j));
+    const Box part = part_boxes(body, touch.a == body ? touch.i : touch.j);
+    thickest = std::max(thickest, middle_extent(part));
+    box.grow(part);
   }
-  return box;
+  Box curve;
+  for (const Vec3& place : places) {
+    curve.grow(place);
+  }
+  if (curve.empty()) {
+    return box;
+  }
+  const double room = std::max(kOfCurve * diagonal(curve), kOfThickness * thickest);
+  const Vec3 margin{room, room, room};
+  const Box near = common_box({curve.lower - margin, curve.upper + margin}, box);
+  return near.empty() ? box : near;
 }
 
 /// Bounds of the movers that touch, and of the parts of the city; not of those that reach far, such
@@ -96,7 +119,8 @@ double seen_share(const Aim& aim, const Camera& camera, const ViewScene& scene) 
     const bool own = aim.is_middle && hits[k].body == aim.body;
     seen += own || hits[k].t * whole > whole - thin ? 1U : 0U;
   }
-  return (hits.back().body ? kUnderRoof : 1.0) * static_cast<double>(seen) /
+  const bool under_roof = hits.back().body && hits.back().body != aim.body;
+  return (under_roof ? kUnderRoof : 1.0) * static_cast<double>(seen) /
          static_cast<double>(aim.points.size());
 }
 
@@ -110,8 +134,10 @@ double open_sky(const Aim& aim, const ViewScene& scene) {
     rays.push_back({above, toward_eye(360.0 * k / kAround, 40)});
   }
   const std::vector<SurfaceHit> hits = scene.first_hits(rays);
-  const auto free = std::count_if(hits.begin(), hits.end(),
-                                  [](const SurfaceHit& hit) { return !hit.body.has_value(); });
+  // What is looked at is no roof: a pipe goes on above its contact.
+  const auto free = std::count_if(hits.begin(), hits.end(), [&](const SurfaceHit& hit) {
+    return !hit.body || hit.body == aim.body;
+  });
   return static_cast<double>(free) / static_cast<double>(hits.size());
 }
 
@@ -167,7 +193,7 @@ double deepest_cut(const Aim& aim, const std::optional<double>& ground, const Ca
 /// out.
 Aimed aimed(const ViewScene& scene, const Aim& aim, const Sides& sides, const FitCamera& fit,
             bool cut, const Limits& limits) {
-  constexpr double kAimSurroundings = 1.5;  // half of the picture's box, in extents of the subject
+  constexpr double kAimSurroundings = 1;  // half of the picture's box, in extents of the subject
   constexpr double kMuchBetter = 0.2;
   const Vec3 half = aim.around.extent() * kAimSurroundings;
   const Vec3 center = aim.around.center();
@@ -197,18 +223,19 @@ Aimed aimed(const ViewScene& scene, const Aim& aim, const Sides& sides, const Fi
 
 /// Of many aims the one that is seen well, from a single side that is not hidden, the first such;
 /// else the one that is seen best.
-std::pair<Aimed, Box> best_of(const ViewScene& scene, std::span<const Aim> aims, const Sides& sides,
-                              const FitCamera& fit, bool cut, const Limits& limits) {
+std::pair<Aimed, const Aim*> best_of(const ViewScene& scene, std::span<const Aim> aims,
+                                     const Sides& sides, const FitCamera& fit, bool cut,
+                                     const Limits& limits) {
   constexpr double kWell = 0.45;    // of its curve, whose rear the mover itself hides
   constexpr double kIndoors = 0.2;  // what a contact indoors counts
   const double enough = sides.all_around ? kWell : kHidden;
-  std::pair<Aimed, Box> best;
+  std::pair<Aimed, const Aim*> best{{}, nullptr};
   best.first.free = -2;
   for (const Aim& aim : aims) {
     Aimed here = aimed(scene, aim, sides, fit, cut, limits);
     here.free *= cut ? 1 : kIndoors + (1 - kIndoors) * open_sky(aim, scene);
     if (here.free > best.first.free) {
-      best = {here, aim.around};
+      best = {here, &aim};
     }
     if (best.first.free >= enough) {
       break;
@@ -221,21 +248,22 @@ std::pair<Aimed, Box> best_of(const ViewScene& scene, std::span<const Aim> aims,
 
 Aim aim_at_touches(const ViewScene& scene, BodyRef body, const std::vector<Touch>& touches,
                    PartBoxes& part_boxes) {
-  Aim aim{places_of(touches, scene), touching_box(body, touches, part_boxes), body};
-  aim.whole = whole_box(scene, aim.around, touches, part_boxes);
-  return aim;
+  std::vector<Vec3> places = places_of(touches, scene);
+  const Box around = touching_box(body, touches, places, part_boxes);
+  const Box whole = whole_box(scene, around, touches, part_boxes);
+  return {.points = std::move(places), .around = around, .body = body, .whole = whole};
 }
 
 AimedCamera aimed_camera(const ViewScene& scene, std::span<const Aim> aims, const Sides& sides,
                          const FitCamera& fit, const Limits& limits) {
-  const auto whole = best_of(scene, aims, sides, fit, false, limits);
-  if (sides.may_cut && sides.all_around && whole.first.free < kHidden) {
+  auto [best, aim] = best_of(scene, aims, sides, fit, false, limits);
+  if (sides.may_cut && sides.all_around && best.free < kHidden) {
     const auto cut = best_of(scene, aims, sides, fit, true, limits);
-    if (cut.first.free > whole.first.free) {
-      return {cut.first.camera, cut.second};
+    if (cut.first.free > best.free) {
+      std::tie(best, aim) = cut;
     }
   }
-  return {whole.first.camera, whole.second};
+  return {best.camera, aim->around, aim->pair};
 }
 
 Vec3 toward_eye(double bearing, double elevation) {

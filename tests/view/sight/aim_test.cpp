@@ -1,4 +1,4 @@
-#include "apps/view/scene/aim.h"
+#include "apps/view/sight/aim.h"
 
 #include "apps/view/scene/load.h"
 #include "tests/support/bodies.h"
