@@ -46,7 +46,7 @@ std::pair<double, double> extent_along(const std::vector<Vec3>& points) {
   const double whole = length(along);
   double wide = 0;
   for (const Vec3& p : points) {
-    wide = std::max(wide, whole > 0 ? length(cross(along, p - begin)) / whole : 0);
+    wide = std::max(wide, whole > 0 ? 2 * length(cross(along, p - begin)) / whole : 0);
   }
   return {whole, wide};
 }
@@ -111,9 +111,9 @@ std::vector<Glow> ContactGlow::glows() const {
   std::vector<Glow> glows;
   for (std::size_t k = 0; k < pieces_.size(); ++k) {
     const Piece& piece = pieces_[k];
-    // Of a point there is no width: a least one of a small part of the most.
-    const double reach =
-        std::min(piece.most, std::max(reaches[curve_of[k]], kOfLength * piece.most));
+    const double wide = reaches[curve_of[k]];
+    // A point has no width: of it a least part of the most.
+    const double reach = std::min(piece.most, wide > 0 ? wide : kOfLength * piece.most);
     const double step = kGlowStep * reach;
     const Vec3 along = piece.b - piece.a;
     if (step > 0 &&

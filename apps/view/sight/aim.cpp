@@ -213,7 +213,8 @@ Aimed aimed(const ViewScene& scene, const Aim& aim, const Sides& sides, const Fi
     for (int turn = 0; turn < 16; ++turn) {
       check_stop(limits);
       const Aimed here = from(sides.bearing + 22.5 * turn, elevation);
-      if (here.free > best.free + kMuchBetter || best.free < 0) {
+      const bool shows_at_last = best.free < kHidden && here.free >= kHidden;
+      if (here.free > best.free + kMuchBetter || shows_at_last || best.free < 0) {
         best = here;
       }
     }

@@ -17,12 +17,11 @@ class FrameSearch {
       : scene_(scene), most_(most), limits_(limits) {}
 
   void look_at(std::uint64_t frame) {
-    if (is_over()) {
+    if (is_over() || !searched_.insert(frame).second) {
       return;
     }
     soms::check(limits_);
     scene_.go_to(frame);
-    ++searched_;
     const std::size_t movers = touching_movers(scene_.contacts()).size();
     const std::pair here(movers, scene_.contacts().size());
     if (here > most_touching_) {
@@ -31,21 +30,21 @@ class FrameSearch {
     }
   }
 
-  [[nodiscard]] bool is_over() const { return searched_ >= most_; }
+  [[nodiscard]] bool is_over() const { return searched_.size() >= most_; }
 
   [[nodiscard]] bool found() const { return most_touching_.first > 0; }
 
   [[nodiscard]] std::uint64_t frame() const { return frame_; }
 
   [[nodiscard]] RichFrame result(std::uint64_t frames) const {
-    return {frame_, most_touching_.first, frames, searched_};
+    return {frame_, most_touching_.first, frames, searched_.size()};
   }
 
  private:
   ViewScene& scene_;
   std::uint64_t most_;
   const Limits& limits_;
-  std::uint64_t searched_ = 0;
+  std::set<std::uint64_t> searched_;
   std::pair<std::size_t, std::size_t> most_touching_{0, 0};
   std::uint64_t frame_ = 0;
 };

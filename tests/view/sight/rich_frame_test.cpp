@@ -24,7 +24,8 @@ SceneContent blocks(const std::vector<std::pair<std::uint64_t, std::uint64_t>>& 
     content.movers.push_back(
         {Body(block, Pose::translation(0, 0, 10.0 * static_cast<double>(k) + 10)),
          [first = first, last = last, k](std::uint64_t frame) {
-           const double away = first <= frame && frame <= last ? 0.5 : 10;
+           const double away =
+               first <= frame && frame <= last ? 0.5 : 10 + 5 * static_cast<double>(k);
            return Pose::translation(away, 0.3 * static_cast<double>(k), away);
          }});
   }

@@ -166,7 +166,8 @@ TEST_F(RenderMoment, OnePairOfPartsIsShownAndAnotherCanBeChosen) {
   };
   const nlohmann::ordered_json first{"pipe-1", "wall-1"};
   const nlohmann::ordered_json second{"pipe-2", "wall-2"};
-  EXPECT_EQ(bodies({}), first) << "it goes through";
+  const nlohmann::ordered_json chosen = bodies({});
+  EXPECT_TRUE(chosen == first || chosen == second) << "one that is seen well: " << chosen;
   EXPECT_EQ(bodies({"--clash", "1"}), first);
   const std::size_t red_of_one = count_red(read_png(picture_));
   EXPECT_EQ(bodies({"--clash", "2"}), second);
