@@ -72,6 +72,8 @@ inline constexpr Tone kLink{rgb(0x00599c), rgb(0x7cc4f5)};
 inline constexpr Tone kSkyLow{rgb(0xf1f3f4), rgb(0x1a1e23)};
 inline constexpr Tone kSkyHigh{rgb(0xcfdbe6), rgb(0x0f1215)};
 inline constexpr Tone kGround{rgb(0xd9d7d1), rgb(0x2a2e33)};
+inline constexpr Tone kRest{rgb(0xdcdbd7),
+                            rgb(0x6a7179)};  ///< bodies and parts that nothing is said of
 
 // Verdicts and warnings.
 inline constexpr Tone kGood{rgb(0x0b6e4f), rgb(0x4fcf9f)};
@@ -87,18 +89,17 @@ struct Named {
 };
 
 /// As CSS names them on pages, each with two dashes before it.
-inline constexpr std::array kColors{
-    Named{"body-a", kBodyA},      Named{"body-b", kBodyB},
-    Named{"contact", kContact},   Named{"contact-past", kContactPast},
-    Named{"nearest", kNearest},   Named{"free", kFree},
-    Named{"paper", kPaper},       Named{"ink", kInk},
-    Named{"faint", kFaint},       Named{"line", kLine},
-    Named{"soft", kSoft},         Named{"link", kLink},
-    Named{"sky-low", kSkyLow},    Named{"sky-high", kSkyHigh},
-    Named{"ground", kGround},     Named{"good", kGood},
-    Named{"part", kPart},         Named{"bad", kBad},
-    Named{"open", kOpen},         Named{"warn", kWarn},
-    Named{"warn-line", kWarnLine}};
+inline constexpr std::array kColors{Named{"body-a", kBodyA},    Named{"body-b", kBodyB},
+                                    Named{"contact", kContact}, Named{"contact-past", kContactPast},
+                                    Named{"nearest", kNearest}, Named{"free", kFree},
+                                    Named{"paper", kPaper},     Named{"ink", kInk},
+                                    Named{"faint", kFaint},     Named{"line", kLine},
+                                    Named{"soft", kSoft},       Named{"link", kLink},
+                                    Named{"sky-low", kSkyLow},  Named{"sky-high", kSkyHigh},
+                                    Named{"ground", kGround},   Named{"rest", kRest},
+                                    Named{"good", kGood},       Named{"part", kPart},
+                                    Named{"bad", kBad},         Named{"open", kOpen},
+                                    Named{"warn", kWarn},       Named{"warn-line", kWarnLine}};
 
 /// Series of plots, in order, where no meaning above is shown.
 /// \source Okabe, Ito 2008, Color Universal Design.

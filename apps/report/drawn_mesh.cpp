@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 namespace soms::report {
@@ -24,6 +25,12 @@ constexpr std::int64_t kManyCells = 64;
 constexpr double kMostCells = 1 << 30;
 /// Points farther off than this many cells share the last one.
 constexpr double kFarCell = 1e15;
+
+/// A triangle by the vertices that it is drawn with, and its number in the mesh.
+struct Kept {
+  Triple corners;
+  TriangleId source = 0;
+};
 
 /// A vertex with the key of its cell; sorted, cells lie together.
 struct Keyed {
@@ -133,10 +140,11 @@ class Drawer {
   }
 
   DrawnMesh draw(const DrawLimits& limits, const Detail& detail) {
-    std::vector<Triple> whole;
+    std::vector<Kept> whole;
     whole.reserve(mesh_.triangles.size());
-    for (const Triple& t : mesh_.triangles) {
-      whole.push_back({leader_[t[0]], leader_[t[1]], leader_[t[2]]});
+    for (TriangleId i = 0; i < mesh_.triangles.size(); ++i) {
+      const Triple& t = mesh_.triangles[i];
+      whole.push_back({{leader_[t[0]], leader_[t[1]], leader_[t[2]]}, i});
     }
     if (!fits(whole, limits)) {
       choose_kept(limits, detail);
@@ -176,14 +184,14 @@ class Drawer {
     }
   }
 
-  [[nodiscard]] bool fits(const std::vector<Triple>& triangles, const DrawLimits& limits) const {
+  [[nodiscard]] bool fits(const std::vector<Kept>& triangles, const DrawLimits& limits) const {
     if (triangles.size() > limits.triangles) {
       return false;
     }
     std::vector<std::uint8_t> used(corners_.size(), 0);
     std::uint64_t vertices = 0;
-    for (const Triple& t : triangles) {
-      for (const std::uint32_t v : t) {
+    for (const Kept& t : triangles) {
+      for (const std::uint32_t v : t.corners) {
         vertices += used[v] == 0 ? 1U : 0U;
         used[v] = 1;
       }
@@ -229,7 +237,7 @@ class Drawer {
   }
 
   /// What is left with cells of this size.
-  [[nodiscard]] std::vector<Triple> clustered(double size) const {
+  [[nodiscard]] std::vector<Kept> clustered(double size) const {
     std::vector<Keyed> keyed;
     std::vector<std::uint32_t> leader(corners_.size());
     std::iota(leader.begin(), leader.end(), 0U);
@@ -255,22 +263,25 @@ class Drawer {
     return without_duplicates(leader);
   }
 
-  [[nodiscard]] std::vector<Triple> without_duplicates(
+  [[nodiscard]] std::vector<Kept> without_duplicates(
       const std::vector<std::uint32_t>& leader) const {
-    std::vector<std::pair<Triple, Triple>> left;  // corners in order, and as they turn
-    for (const Triple& t : mesh_.triangles) {
+    std::vector<std::tuple<Triple, Triple, TriangleId>>
+        left;  // sorted corners, as they turn, source
+    for (TriangleId i = 0; i < mesh_.triangles.size(); ++i) {
+      const Triple& t = mesh_.triangles[i];
       const Triple moved{leader[leader_[t[0]]], leader[leader_[t[1]]], leader[leader_[t[2]]]};
       if (moved[0] != moved[1] && moved[1] != moved[2] && moved[2] != moved[0]) {
         Triple sorted = moved;
         std::sort(sorted.begin(), sorted.end());
-        left.emplace_back(sorted, moved);
+        left.emplace_back(sorted, moved, i);
       }
     }
     std::sort(left.begin(), left.end());
-    std::vector<Triple> triangles;
+    std::vector<Kept> triangles;
     for (std::size_t k = 0; k < left.size(); ++k) {
-      if (k == 0 || left[k].first != left[k - 1].first) {
-        triangles.push_back(left[k].second);
+      const auto& [sorted, moved, source] = left[k];
+      if (k == 0 || sorted != std::get<0>(left[k - 1])) {
+        triangles.push_back({moved, source});
       }
     }
     return triangles;
@@ -278,7 +289,7 @@ class Drawer {
 
   /// Cells about as small as the limits allow: bisection of their size, from a size that would suit
   /// a smooth surface.
-  [[nodiscard]] std::vector<Triple> search(const DrawLimits& limits) const {
+  [[nodiscard]] std::vector<Kept> search(const DrawLimits& limits) const {
     const double reach =
         std::max({extent_.x, extent_.y, extent_.z}) * drawn_.scale + 1e-30;  // of a mere point
     const double least = 8 * reach / kMostCells;
@@ -287,9 +298,9 @@ class Drawer {
         std::sqrt(area_ / static_cast<double>(std::max<std::uint64_t>(1, limits.triangles))));
     double too_small = 0;
     std::optional<double> large_enough;
-    std::vector<Triple> best;
+    std::vector<Kept> best;
     for (int k = 0; (k < kAttempts || !large_enough) && size < 4 * reach; ++k) {
-      std::vector<Triple> found = clustered(size);
+      std::vector<Kept> found = clustered(size);
       if (fits(found, limits)) {
         large_enough = size;
         best = std::move(found);
@@ -309,13 +320,14 @@ class Drawer {
     return best;
   }
 
-  void emit(const std::vector<Triple>& triangles) {
+  void emit(const std::vector<Kept>& triangles) {
     constexpr std::uint32_t kNone = 0xffffffffU;
     std::vector<std::uint32_t> number(corners_.size(), kNone);
     std::uint32_t next = 0;
     drawn_.indices.reserve(3 * triangles.size());
-    for (const Triple& t : triangles) {
-      for (const std::uint32_t v : t) {
+    for (const Kept& t : triangles) {
+      drawn_.sources.push_back(t.source);
+      for (const std::uint32_t v : t.corners) {
         if (number[v] == kNone) {
           number[v] = next++;
           drawn_.vertices.insert(drawn_.vertices.end(), corners_[v].begin(), corners_[v].end());

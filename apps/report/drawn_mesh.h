@@ -27,6 +27,7 @@ struct DrawnMesh {
   double scale = 1;
   std::vector<float> vertices;         ///< 3 a vertex
   std::vector<std::uint32_t> indices;  ///< 3 a triangle
+  std::vector<TriangleId> sources;     ///< of each triangle: the one of the mesh that it is left of
   std::uint64_t all = 0;               ///< triangles of the mesh
 
   [[nodiscard]] std::uint64_t triangles() const { return indices.size() / 3; }

@@ -2,6 +2,7 @@
 
 #include "apps/report/data_block.h"
 #include "apps/report/packed.h"
+#include "apps/report/placing.h"
 
 #include <fmt/format.h>
 
@@ -59,19 +60,17 @@ void put_exact_pose(Base64Writer& data, const Pose& pose) {
   }
 }
 
-/// Models that bodies of the page have, one after the other, as long as they fit into `room`;
-/// nothing if they do not.
-std::vector<ExactMesh> models_within(const Scene& scene, std::span<const std::uint32_t> bodies,
-                                     std::uint64_t room) {
+/// What is near a row: so many diameters of what moves in it, beyond where it touches. The first
+/// margin that there is room for counts.
+constexpr std::array kMargins{3.0, 2.0, 1.5, 1.0};
+/// Places of rows: those with the most pairs of triangles.
+constexpr std::size_t kMostPlaces = 400;
+
+/// All of them as they are, as long as they fit into `room`; nothing if they do not.
+std::vector<ExactMesh> models_within(std::span<const MeshView> meshes, std::uint64_t room) {
   std::vector<ExactMesh> models;
-  static const Mesh kNone;
-  std::vector<bool> used(scene.models.size(), false);
-  for (const std::uint32_t body : bodies) {
-    used[scene.bodies[body].model] = true;
-  }
   std::uint64_t bytes = 0;
-  for (std::size_t k = 0; k < scene.models.size(); ++k) {
-    const MeshView& mesh = used[k] ? scene.models[k].mesh : kNone;
+  for (const MeshView& mesh : meshes) {
     // At least a byte a corner: large models need not be counted.
     if (bytes + 3 * mesh.triangles.size() > room) {
       return {};
@@ -113,7 +112,77 @@ LiveData::LiveData(const Scene& scene, std::span<const std::uint32_t> bodies,
   }
   has_movers_ = bodies.size() == scene.bodies.size() &&
                 moving * steps.size() <= limits.exact_pose_bytes / kBytesOfExactPose;
-  models_ = models_within(scene, bodies, limits.exact_bytes);
+  models_ = models_within(meshes(), limits.exact_bytes);
+  for (std::size_t k = 0; models_.empty() && k < kMargins.size(); ++k) {
+    set_near(kMargins[k]);
+    if (!near_.empty()) {
+      models_ = models_within(meshes(), limits.exact_bytes);
+    }
+  }
+}
+
+void LiveData::set_near(double margin) {
+  std::vector<const SceneRow*> rows;
+  for (const SceneRow& row : scene_.rows) {
+    if (!row.box.empty()) {
+      rows.push_back(&row);
+    }
+  }
+  std::stable_sort(rows.begin(), rows.end(), [](const SceneRow* a, const SceneRow* b) {
+    return a->most_pairs > b->most_pairs;
+  });
+  rows.resize(std::min(rows.size(), kMostPlaces));
+  near_.clear();
+  for (const SceneRow* row : rows) {
+    double size = 0;
+    for (const std::uint32_t body : {row->a, row->b}) {
+      if (scene_.bodies[body].moves) {
+        size =
+            std::max(size, length(bounds(scene_.models[scene_.bodies[body].model].mesh).extent()));
+      }
+    }
+    const double by = margin * size;
+    Box box;
+    box.grow(row->box.lower - Vec3{by, by, by});
+    box.grow(row->box.upper + Vec3{by, by, by});
+    near_.push_back(box);
+  }
+}
+
+/// The meshes of the page's models; of those that stand still alone, what is near.
+std::vector<MeshView> LiveData::meshes() {
+  static const Mesh kNone;
+  std::vector<MeshView> found(scene_.models.size(), kNone);
+  std::vector<std::vector<Pose>> places(scene_.models.size());  // where a model may be cut
+  std::vector<bool> moves(scene_.models.size(), false);
+  for (const std::uint32_t body : bodies_) {
+    const SceneBody& shown = scene_.bodies[body];
+    found[shown.model] = scene_.models[shown.model].mesh;
+    if (shown.moves) {
+      moves[shown.model] = true;
+    } else {
+      places[shown.model].push_back(scene_.pose(body, 0));
+    }
+  }
+  parts_.clear();
+  for (std::size_t k = 0; k < found.size() && !near_.empty(); ++k) {
+    if (moves[k]) {
+      continue;
+    }
+    std::vector<std::array<std::uint32_t, 3>>& kept = parts_.emplace_back();
+    for (TriangleId i = 0; i < found[k].triangles.size(); ++i) {
+      const bool is_near = std::any_of(places[k].begin(), places[k].end(), [&](const Pose& pose) {
+        const Box box = bounds(moved(found[k].triangle(i), pose));
+        return std::any_of(near_.begin(), near_.end(),
+                           [&](const Box& place) { return overlaps(place, box); });
+      });
+      if (is_near) {
+        kept.push_back(found[k].triangles[i]);
+      }
+    }
+    found[k].triangles = kept;
+  }
+  return found;
 }
 
 void LiveData::write(std::ostream& out) const {
@@ -148,7 +217,14 @@ std::string LiveData::json(const std::function<Vec3(std::size_t model)>& middle)
     models += fmt::format("{}{{\"floats\":{},\"middle\":[{},{},{}]}}", k == 0 ? "" : ",",
                           models_[k].has_floats(), at.x, at.y, at.z);
   }
-  return fmt::format("{{\"room\":{},\"movers\":{},\"models\":[{}]}}", room_, has_movers_, models);
+  std::string places;
+  for (std::size_t k = 0; k < near_.size() && is_there(); ++k) {
+    const auto& [lower, upper] = near_[k];
+    places += fmt::format("{}[{},{},{},{},{},{}]", k == 0 ? "" : ",", lower.x, lower.y, lower.z,
+                          upper.x, upper.y, upper.z);
+  }
+  return fmt::format("{{\"room\":{},\"movers\":{},\"near\":[{}],\"models\":[{}]}}", room_,
+                     has_movers_, places, models);
 }
 
 }  // namespace soms::report

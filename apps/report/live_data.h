@@ -3,9 +3,13 @@
 /// are, where the drawn ones are rounded and may be fewer.
 #pragma once
 
+#include "soms/base/box.h"
+
 #include "apps/report/scene.h"
 
+#include <array>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <ostream>
 #include <span>
@@ -35,8 +39,9 @@ class ExactMesh {
   bool floats_;
 };
 
-/// The models of a scene as they are, and where its bodies are; nothing where no body moves, or
-/// where there is no room.
+/// The models of a scene as they are, and where its bodies are; nothing where no body moves. Where
+/// there is no room for models that stand still, only their triangles near the places of rows are
+/// here: those that meet boxes which the page has, too. Nothing where there is no room for these.
 class LiveData {
  public:
   /// `bodies` are those of the page, `steps` those whose poses it holds.
@@ -55,6 +60,9 @@ class LiveData {
   [[nodiscard]] std::string json(const std::function<Vec3(std::size_t model)>& middle) const;
 
  private:
+  void set_near(double margin);
+  [[nodiscard]] std::vector<MeshView> meshes();
+
   const Scene& scene_;
   std::span<const std::uint32_t> bodies_;
   std::span<const std::uint64_t> steps_;
@@ -62,6 +70,8 @@ class LiveData {
   bool any_moves_ = false;
   bool has_movers_ = false;  ///< all that move are here, with their poses
   std::vector<ExactMesh> models_;
+  std::vector<Box> near_;  ///< where models are whole, if they are not everywhere; in the scene
+  std::deque<std::vector<std::array<std::uint32_t, 3>>> parts_;  ///< triangles of cut models
 };
 
 }  // namespace soms::report

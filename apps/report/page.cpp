@@ -26,7 +26,7 @@ are whole.</p></noscript>
 <div id="sight">
 <div id="stage">
 <canvas id="canvas" tabindex="0" role="application" aria-label="The scene with its contacts; arrow keys
-turn it, plus and minus come closer and go away, N and P go to the next and the previous line of the list"></canvas>
+turn it, plus and minus come closer and go away, N and P go to the next and the previous row of the list"></canvas>
 <svg id="spots" aria-hidden="true"></svg>
 <svg id="gaps" class="gaps" aria-hidden="true"></svg>
 <svg id="live-gap" class="gaps" aria-hidden="true"></svg>
@@ -34,12 +34,14 @@ turn it, plus and minus come closer and go away, N and P go to the next and the 
 <div id="tools"><button id="whole" type="button">Whole scene</button>
 <button id="above" type="button">From above</button>
 <button id="move" type="button" aria-pressed="false" hidden>Move a body</button>
-<button id="reset" type="button" hidden>Reset</button></div>
+<button id="reset" type="button" hidden>Reset</button>
+<span id="within" hidden><button id="earlier" type="button" aria-label="Previous contact of the event" title="Key ,">&#8249;</button>
+<span id="which"></span><button id="later" type="button" aria-label="Next contact of the event" title="Key .">&#8250;</button></span></div>
 <p id="missing" hidden></p>
 <details id="keys"><summary>Keys</summary><div>Drag: turn. Right button, or two fingers: move. Wheel,
 after a click on the picture: zoom in and out. Click a marker or a gap: show what touches or is near there. Arrows: turn, with Shift
-move. + and -: zoom in and out. Home: the whole scene. N, P: next and previous line of the list. Space:
-play, pause. In the list: arrow keys choose, Right and Left open and close a row.<span id="move-keys" hidden> M: move a
+move. + and -: zoom in and out. Home: the whole scene. N, P: next and previous row of the list. Point, comma: next and
+previous contact of the row. Space: play, pause. In the list: arrow keys choose, Right and Left open and close a row.<span id="move-keys" hidden> M: move a
 body, or stop. Then drag a body: along the ground; with Shift: up and down. Arrows, Page Up and Page Down move it, Q and E turn it about
 the vertical, W and S, A and D tilt it; with Shift a tenth as far. R: back to its recorded pose.</span></div></details>
 </div>
@@ -78,7 +80,8 @@ constexpr std::string_view kTime =
 
 /// Ends what stands at the left.
 constexpr std::string_view kLegend =
-    R"html(<p class="note" id="legend"><span class="key moves"></span>moves<span class="key still"></span>does not move<span class="touching">
+    R"html(<p class="note" id="legend"><span class="key moves"></span>moves<span class="key still"></span>what it touches<span class="around" hidden><span
+class="key rest"></span>all else</span><span class="touching">
 <span class="key touch"></span>touches now <span class="key was"></span>touches at another time</span><span id="near" hidden><span class="key gap"></span>gap: a shortest segment with
 its length<span id="near-time"> (dashed: at another time)</span></span></p>
 </div>

@@ -109,6 +109,8 @@ border-radius:3px;overflow:hidden}
 .key{display:inline-block;width:.8em;height:.8em;border-radius:.2em;vertical-align:-.05em;
 margin:0 .3em 0 .6em}
 .key.moves{background:var(--body-a)}.key.still{background:var(--body-b)}.key.touch{background:var(--contact)}.key.was{background:var(--contact-past)}
+.key.rest{background:var(--rest);border:1px solid var(--faint)}#within{background:var(--paper);border:1px solid var(--faint);border-radius:.35rem;padding:0 .2rem}
+#within button{border:0;background:none}#which{font-variant-numeric:tabular-nums}
 .key.gap{height:.2em;vertical-align:.25em;border-radius:0;background:var(--ink)}
 #plots{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,34rem),1fr));gap:0 1.5rem}
 #plots figure{min-width:0}

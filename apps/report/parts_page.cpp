@@ -29,6 +29,7 @@ are whole; soms clash -o clashes.csv writes the list as a table.</p></noscript>
 <div id="stage">
 <canvas id="canvas" tabindex="0" role="application" aria-label="The chosen clash; arrow keys turn it, with Shift move it, plus and
 minus zoom, Home shows all parts, N and P go to the next and the previous row"></canvas>
+<svg id="spots" aria-hidden="true"></svg>
 <div id="tools"><button id="whole" type="button">All parts</button><button id="again" type="button">Chosen clash</button>
 <button id="previous" type="button">Previous</button><button id="next" type="button">Next</button>
 <label><input id="cut" type="checkbox" checked> cut away</label></div>

@@ -38,7 +38,6 @@ font-size:.88rem;line-height:1.2}
 #details div{break-inside:avoid;display:grid;grid-template-columns:10rem minmax(0,1fr);gap:.7rem;padding:.1rem 0}
 #details dt{color:var(--faint)}#details dd{margin:0;overflow-wrap:anywhere;user-select:text}
 #tools label{background:var(--paper);border:1px solid var(--faint);border-radius:.35rem;padding:.25rem .6rem}
-.key.rest{background:var(--ground);border:1px solid var(--faint)}
 #matrices table{margin:.5rem 0 1rem}
 #matrices th{max-width:14rem;overflow-wrap:anywhere}
 #matrices td button{font:inherit;color:var(--link);background:none;border:0;padding:0;cursor:pointer;text-decoration:underline}

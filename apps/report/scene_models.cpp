@@ -1,5 +1,7 @@
 #include "apps/report/scene_models.h"
 
+#include "soms/geometry/parts_of.h"
+
 #include "apps/report/data_block.h"
 #include "apps/report/packed.h"
 #include "apps/report/placing.h"
@@ -9,6 +11,8 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
+#include <tuple>
 
 namespace soms::report {
 
@@ -22,7 +26,8 @@ constexpr int kBitsOfModel = 21;
 SceneModels::SceneModels(const Scene& scene, std::span<const std::uint32_t> bodies, double scale,
                          const SceneLimits& limits,
                          const std::function<Detail(std::size_t model)>& detail)
-    : scene_(scene) {
+    : scene_(scene), parts_(scene.models.size()) {
+  number_parts();
   const std::vector<std::uint64_t> shares = shared_out(scene, bodies, limits);
   const std::uint64_t all = std::accumulate(shares.begin(), shares.end(), std::uint64_t{0});
   for (std::size_t k = 0; k < shares.size(); ++k) {
@@ -41,10 +46,58 @@ SceneModels::SceneModels(const Scene& scene, std::span<const std::uint32_t> bodi
   }
 }
 
+void SceneModels::number_parts() {
+  std::vector<std::optional<PartsOf>> parts_of(scene_.models.size());
+  for (const SceneRow& row : scene_.rows) {
+    for (const auto& [body, part, triangle] :
+         {std::tuple(row.a, row.part_a, row.first.a), std::tuple(row.b, row.part_b, row.first.b)}) {
+      const std::size_t model = scene_.bodies[body].model;
+      const MeshView& mesh = scene_.models[model].mesh;
+      if (part == kNoPart || triangle >= mesh.triangles.size()) {
+        continue;
+      }
+      if (!parts_of[model]) {
+        parts_of[model].emplace(mesh);
+      }
+      const std::uint32_t own = first_run(mesh, (*parts_of[model])(triangle));
+      if (own != Part::kNoParent) {
+        parts_[model].emplace(own, part);
+      }
+    }
+  }
+}
+
+void SceneModels::put_parts(Base64Writer& data, std::size_t model, const DrawnMesh& mesh) const {
+  if (parts_[model].empty()) {
+    return;
+  }
+  const PartsOf parts_of(scene_.models[model].mesh);
+  std::uint64_t length = 0;
+  std::uint64_t number = 0;
+  const auto put_run = [&] {
+    if (length > 0) {
+      put_unsigned(data, length);
+      put_unsigned(data, number);
+    }
+  };
+  for (const TriangleId source : mesh.sources) {
+    const auto found = parts_[model].find(first_run(scene_.models[model].mesh, parts_of(source)));
+    const std::uint64_t next = found == parts_[model].end() ? 0 : found->second + std::uint64_t{1};
+    if (next != number) {
+      put_run();
+      number = next;
+      length = 0;
+    }
+    ++length;
+  }
+  put_run();
+}
+
 void SceneModels::write(std::ostream& out, const std::string& id, std::size_t model,
                         const DrawnMesh& mesh) const {
   DataBlock block(out, id);
   put_mesh(block.data(), mesh, steps_[model]);
+  put_parts(block.data(), model, mesh);
   block.finish();
 }
 

@@ -2,6 +2,7 @@
 
 #include "soms/generate/shapes.h"
 
+#include "apps/report/placing.h"
 #include "apps/report/scene_data.h"
 #include "tests/report/reading.h"
 
@@ -150,6 +151,41 @@ TEST_F(LiveScene, LeavesOutAllTrianglesIfThereIsNoRoom) {
   const auto live = test::scene_of(page)["live"];
   EXPECT_EQ(live["room"], 3000);
   EXPECT_TRUE(live["models"].empty());
+}
+
+TEST_F(LiveScene, KeepsWhatIsNearRowsIfThereIsNoRoomForAll) {
+  // A floor of many triangles, a small mover that touches one corner of it.
+  Mesh floor;
+  for (std::uint32_t k = 0; k < 2000; ++k) {
+    const auto x = static_cast<double>(k);
+    floor.vertices.insert(floor.vertices.end(), {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}});
+    floor.triangles.push_back({3 * k, 3 * k + 1, 3 * k + 2});
+  }
+  scene_.models = {{wide_, "wide"}, {floor, "floor"}};
+  scene_.bodies = {{0, "mover", true}, {1, "floor", false}};
+  scene_.pose = [](std::uint32_t, std::uint64_t) { return Pose::identity(); };
+  SceneRow row{.a = 0, .b = 1};
+  row.box.grow(Vec3{10, 0, 0});
+  scene_.rows = {row};
+  SceneLimits limits;
+  limits.exact_bytes = 20000;
+  const std::string page = written(limits);
+  EXPECT_TRUE(shown_.is_live);
+  const auto live = test::scene_of(page)["live"];
+  ASSERT_EQ(live["near"].size(), 1U);
+  const std::vector<double> near = live["near"][0];
+  EXPECT_LT(near[0], 10 - length(bounds(wide_).extent()));
+  EXPECT_EQ(ExactCorners(page, "exact-0", false).read(), corners_of(wide_));
+  std::vector<Vec3> expected;
+  for (TriangleId i = 0; i < floor.triangles.size(); ++i) {
+    const Triangle t = floor.triangle(i);
+    if (t.b.x >= near[0] && t.a.x <= near[3]) {
+      expected.insert(expected.end(), {t.a, t.b, t.c});
+    }
+  }
+  ASSERT_LT(expected.size(), 3 * floor.triangles.size());
+  EXPECT_EQ(ExactCorners(page, "exact-1", true).read(), expected);
+  EXPECT_TRUE(test::scene_of(written())["live"]["near"].empty()) << "there is room for all";
 }
 
 TEST_F(LiveScene, LeavesOutPosesOfMoversIfThereIsNoRoom) {

@@ -34,6 +34,30 @@ READ_PICTURE = IS_CONTACT + """
   };
   image.src = 'data:image/png;base64,' + source;"""
 
+# Pixels of the colors of bodies, of contacts, of contacts that walls hide, and of shadows upon a ground, in the light scheme.
+COUNT_COLORS = IS_CONTACT + """
+  const [source, done] = arguments, image = new Image();
+  image.onload = () => {
+    const canvas = document.createElement('canvas');
+    [canvas.width, canvas.height] = [image.width, image.height];
+    const pen = canvas.getContext('2d', {willReadFrequently: true});
+    pen.drawImage(image, 0, 0);
+    const {data} = pen.getImageData(0, 0, image.width, image.height);
+    const found = {blue: 0, sand: 0, contact: 0, hidden: 0, shadow: 0, light: 0, all: data.length / 4};
+    for (let at = 0; at < data.length; at += 4) {
+      const [r, g, b] = [data[at], data[at + 1], data[at + 2]];
+      found.blue += b > r + 60 && b > g + 30;
+      found.sand += r > b + 35 && g > b + 15 && r < g + 60;
+      found.contact += isContact(data, at);
+      found.hidden += r > g + 40 && r > b + 45 && Math.abs(g - b) < 25 && g > 110;
+      const gray = Math.abs(r - g) < 12 && Math.abs(g - b) < 16;
+      found.shadow += gray && r > 120 && r < 190;
+      found.light += gray && r > 210;
+    }
+    done(found);
+  };
+  image.src = 'data:image/png;base64,' + source;"""
+
 
 class Look:
     """A page that is open."""
@@ -84,6 +108,10 @@ class Look:
     def picture(self):
         """Of that picture: how many colors, pixels of a contact, and the sum of a pixel at the upper right."""
         return self.browser.execute_async_script(READ_PICTURE, self.canvas())
+
+    def colors(self):
+        """How many pixels of each meaning that picture has."""
+        return self.browser.execute_async_script(COUNT_COLORS, self.canvas())
 
     def print_one(self):
         """Prints, as far as scripts notice, with one row in the list: each row on paper is a picture to draw."""

@@ -95,11 +95,11 @@ class PackedReader {
 
 }  // namespace
 
-PageMesh mesh_of(std::string_view page, std::string_view id, double step) {
+PageMesh mesh_of(std::string_view page, std::string_view id, double step, std::uint64_t triangles) {
   PackedReader numbers(bytes_of(element(page, id)));
   PageMesh mesh;
   std::array<std::int64_t, 3> at{};
-  while (!numbers.done()) {
+  while (!numbers.done() && mesh.indices.size() / 3 < triangles) {
     const std::uint64_t back = numbers.next();
     if (back == 0) {
       for (std::int64_t& part : at) {
@@ -111,6 +111,10 @@ PageMesh mesh_of(std::string_view page, std::string_view id, double step) {
     EXPECT_LE(back, mesh.vertices.size());
     mesh.indices.push_back(
         static_cast<std::uint32_t>(mesh.vertices.size() - std::max<std::uint64_t>(back, 1)));
+  }
+  while (!numbers.done()) {
+    const std::uint64_t length = numbers.next();
+    mesh.parts.push_back({length, numbers.next()});
   }
   return mesh;
 }

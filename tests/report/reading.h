@@ -26,10 +26,13 @@ namespace soms::test {
 struct PageMesh {
   std::vector<std::array<double, 3>> vertices;
   std::vector<std::uint32_t> indices;
+  /// How many triangles in a row are of a part, and its number plus 1.
+  std::vector<std::array<std::uint64_t, 2>> parts = {};
 };
 
-/// The mesh "model-K" or "coarse-K" of a page.
-[[nodiscard]] PageMesh mesh_of(std::string_view page, std::string_view id, double step);
+/// The mesh "model-K" or "coarse-K" of a page; of so many triangles, if parts follow it.
+[[nodiscard]] PageMesh mesh_of(std::string_view page, std::string_view id, double step,
+                               std::uint64_t triangles = ~std::uint64_t{0});
 
 /// Place and turning of each body that moves, at each step that the page holds, body after body.
 [[nodiscard]] std::vector<std::array<double, 7>> poses_of(std::string_view page);

@@ -123,6 +123,28 @@ TEST(SceneData, DoesNotShakeAtMapCoordinates) {
   EXPECT_NEAR(east + static_cast<double>(still[0]) + ground.vertices[0][0], 1'000'000, 1e-4);
 }
 
+TEST(SceneData, SaysWhichTrianglesAreOfAPartThatARowNames) {
+  Field field;
+  for (std::uint32_t k = 1; k < 5; ++k) {
+    const double east = 1'000'000 + 5.0 * k;
+    field.ground.vertices.insert(
+        field.ground.vertices.end(),
+        {{east, 2'000'000, 400}, {east + 1, 2'000'000, 400}, {east, 2'000'001, 400}});
+    field.ground.triangles.push_back({3 * k, 3 * k + 1, 3 * k + 2});
+  }
+  const auto add_part = [&](const char* name, std::uint32_t first, std::uint32_t count) {
+    field.ground.parts.push_back({.name = name, .first = first, .count = count});
+  };
+  add_part("path", 0, 2);
+  add_part("turf", 2, 2);
+  field.scene.rows[0].first.b = 3;
+  const std::string page = field.write();
+  const auto model = test::scene_of(page)["models"][0];
+  EXPECT_EQ(test::mesh_of(page, "model-0", model["step"], 5).parts,
+            (std::vector<std::array<std::uint64_t, 2>>{{2, 0}, {2, 1}, {1, 0}}));
+  EXPECT_TRUE(test::mesh_of(page, "model-1", model["step"], 1).parts.empty());
+}
+
 TEST(SceneData, PlacesAContactWhereItIs) {
   Field field;
   const std::string page = field.write();

@@ -104,7 +104,7 @@ for (const [query, found] of [
 WORDS = """
 import { counts, gapWords, liveAnswer, liveOthers, liveWhere, notDrawn, rowMost, rowNoun, shortName, whatIsDrawn } from '%(words)s';
 import { Entries, NO, PERHAPS, YES } from '%(entries)s';
-import { whyNot } from '%(live_data)s';
+import { LiveData, whyNot } from '%(live_data)s';
 import { argumentOf, poseOf, roundedPlace, turnOf } from '%(pose)s';
 const NONE = 0xffffffff;
 const page = ({ parts = [0, NONE], complete = true, held = [[0], [1]], all = 2, noun = '', spans = [[3, 9, 7], [3, 9, 3]] }) => ({
@@ -151,12 +151,20 @@ check(gapWords(near(9, 5), 0), 'car 3 and wall: 2 m at frame 3; near in frames 3
 check(gapWords(near(9, 3), 0), 'car 3 and wall: 2 m at frame 3; from (1, 0, 0) to (3, 0, 0)');
 check(gapWords(near(1, 3), 0), 'car 3 and wall: 2 m; from (1, 0, 0) to (3, 0, 0)');
 const named = { scene: { bodies: { names: ['car', 'wall', 'van'] } } };
-check(liveAnswer(named, 0, { touched: [], gap: { body: 1, lower: 0.123456 } }, 0), 'car touches nothing: 0.1235 from wall');
-check(liveAnswer(named, 0, { touched: [], gap: null }, 0), 'car touches nothing');
-check(liveAnswer(named, 0, { touched: [], gap: null }, 2), 'car touches nothing that it is compared with');
-check(liveAnswer(named, 0, { touched: [{ body: 1, pairs: 1 }] }, 0), 'car touches wall: 1 pair of triangles');
-check(liveAnswer(named, 0, { touched: [{ body: 1, pairs: 5 }, { body: 2, pairs: 1234 }] }, 0),
+check(liveAnswer(named, 0, { touched: [], gap: { body: 1, lower: 0.123456 } }, { left: 0 }), 'car touches nothing: 0.1235 from wall');
+check(liveAnswer(named, 0, { touched: [], gap: null }, { left: 0 }), 'car touches nothing');
+check(liveAnswer(named, 0, { touched: [], gap: null }, { left: 0, known: 10 }), 'car touches nothing; the nearest is at least 9.99 away');
+check(liveAnswer(named, 0, { touched: [], gap: null }, { left: 0, known: -1 }),
+  'car is where this page does not hold all exact triangles: what it touches is not known here');
+check(liveAnswer(named, 0, { touched: [], gap: null }, { left: 2 }), 'car touches nothing that it is compared with');
+check(liveAnswer(named, 0, { touched: [{ body: 1, pairs: 1 }] }, { left: 0 }), 'car touches wall: 1 pair of triangles');
+check(liveAnswer(named, 0, { touched: [{ body: 1, pairs: 5 }, { body: 2, pairs: 1234 }] }, { left: 0 }),
   'car touches van (1,234), wall (5): 1,239 pairs of triangles');
+const known = (near, x, radius) => LiveData.prototype.known.call({ scene: { live: { near } }, middle: () => [0, 0, 0] }, 0,
+  [1, 0, 0, x, 0, 1, 0, 5, 0, 0, 1, 5], radius);
+check(known([], 5, 2), Infinity);
+check(Math.abs(known([[-9, 0, 0, -8, 1, 1], [0, 0, 0, 10, 10, 10]], 4, 1) - 3) < 1e-6, true);
+check(known([[0, 0, 0, 10, 10, 10]], 9, 2) < 0, true);
 check(liveWhere(named, 0, true, true, -1), 'car is where the report has it.');
 check(liveWhere(named, 0, true, false, -1), 'car is where the report has it, rounded.');
 check(liveWhere(named, 0, false, false, 1), 'car is moved. wall stays where the report has it, at a pose without a short form.');

@@ -1,36 +1,30 @@
 // The bodies of the scene. Large models have a coarse stand-in, for the first picture and for motion
 // where drawing is slow; movers that are small on the screen are drawn as their boxes.
 import * as THREE from 'three';
+import { creased } from './creases.js';
 import { solid } from './look.js';
 import { MotionPoses } from './motions.js';
 import { Poses } from './poses.js';
 
 const SMALL = 14; // pixels: what is smaller is drawn as a box
 
-export function geometryOf({ positions, indices }) {
-  const geometry = new THREE.BufferGeometry();
-  geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3));
-  geometry.setIndex(new THREE.BufferAttribute(indices, 1));
-  geometry.computeBoundingBox();
-  geometry.computeBoundingSphere();
-  return geometry;
-}
-
 function boxOf(geometry) {
   const size = geometry.boundingBox.getSize(new THREE.Vector3());
   const middle = geometry.boundingBox.getCenter(new THREE.Vector3());
-  return new THREE.BoxGeometry(size.x, size.y, size.z).translate(middle.x, middle.y, middle.z);
+  const box = new THREE.BoxGeometry(size.x, size.y, size.z).translate(middle.x, middle.y, middle.z);
+  return creased({ positions: box.getAttribute('position').array, indices: box.index.array });
 }
 
 export class Bodies {
   constructor(world, scene) {
     this.scene = scene;
-    this.geometries = scene.models.map((model) => geometryOf(model.mesh));
+    this.world = world;
+    this.geometries = scene.models.map((model) => creased(model.mesh));
     this.whole = new Map(); // of models that have a stand-in, once they are there
-    this.stillMaterial = solid();
     this.movingMaterial = solid();
     this.stillMeshes = [];
     const poses = new Poses(scene);
+    this.partColor = new THREE.Color();
     this.poses = scene.motions ? new MotionPoses(poses, scene.motions) : poses;
     this.moving = []; // bodies that move, with where they are
     this.moved = null; // the one that the reader moves: its number, place and turning
@@ -42,9 +36,10 @@ export class Bodies {
           body, model, matrix: new THREE.Matrix4(), place: new THREE.Vector3(), color: new THREE.Color(),
         });
       } else {
-        const mesh = new THREE.Mesh(this.geometries[model], this.stillMaterial);
+        const mesh = new THREE.Mesh(this.geometries[model], solid());
         this.poses.still(body, mesh.position, mesh.quaternion);
-        mesh.userData.model = model;
+        mesh.userData = { model, body };
+        mesh.castShadow = mesh.receiveShadow = true;
         this.stillMeshes.push(mesh);
         world.add(mesh);
       }
@@ -52,6 +47,7 @@ export class Bodies {
     const instances = (geometry, count) => {
       const mesh = new THREE.InstancedMesh(geometry, this.movingMaterial, count);
       mesh.frustumCulled = false;
+      mesh.castShadow = mesh.receiveShadow = true;
       mesh.userData.bodies = [];
       mesh.setColorAt(0, new THREE.Color());
       world.add(mesh);
@@ -63,10 +59,39 @@ export class Bodies {
 
   // The whole of a model that was coarse so far.
   setModel(k, mesh) {
-    this.whole.set(k, geometryOf(mesh));
+    this.whole.set(k, creased(mesh));
+    this.scene.models[k].mesh = mesh;
+    if (this.part) {
+      this.showPart(...this.part.shown); // by finer triangles
+    }
     if (this.near[k]) {
       this.near[k].geometry = this.whole.get(k);
     }
+  }
+
+  // A part of a body that stands still, upon the body; or none.
+  showPart(body, part) {
+    this.part ??= this.addPart();
+    this.part.mesh.visible = false;
+    this.part.shown = [body, part];
+    if (part === undefined || this.scene.bodies.moves[body]) {
+      return;
+    }
+    const { positions, indices, parts } = this.scene.models[this.scene.bodies.model[body]].mesh;
+    const own = parts ? indices.filter((_, corner) => parts[(corner - corner % 3) / 3] === part + 1) : [];
+    if (own.length > 0) {
+      this.part.mesh.geometry.dispose();
+      this.part.mesh.geometry = creased({ positions, indices: own });
+      this.poses.still(body, this.part.mesh.position, this.part.mesh.quaternion);
+      this.part.mesh.visible = true;
+    }
+  }
+
+  addPart() {
+    const mesh = new THREE.Mesh(new THREE.BufferGeometry(), solid({ polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -2 }));
+    mesh.receiveShadow = true; // the body casts it
+    this.world.add(mesh);
+    return { mesh };
   }
 
   // Models with a stand-in are drawn by it, or whole. True if that changes the picture.
@@ -99,6 +124,8 @@ export class Bodies {
       mover.matrix.compose(mover.place, turn, size);
       mover.color.copy(colorOf(mover.body));
     }
+    this.stillMeshes.forEach(({ material, userData }) => material.color.copy(colorOf(userData.body)));
+    this.part?.mesh.material.color.copy(this.partColor);
   }
 
   // Chooses who is drawn whole, as the camera sees them: lengths at distance 1 are so many pixels high.
@@ -127,6 +154,14 @@ export class Bodies {
     const [place, turn] = [new THREE.Vector3(), new THREE.Quaternion()];
     this.poses.at(body, step, place, turn);
     return { place: place.toArray(), turn: turn.toArray() };
+  }
+
+  // All that stands still, and some that move, each as geometry and where it is.
+  placed(bodies) {
+    const movers = this.moving.filter(({ body }) => bodies.includes(body))
+      .map(({ model, matrix }) => ({ geometry: this.geometries[model], matrix }));
+    this.stillMeshes.forEach((mesh) => mesh.updateMatrix());
+    return [...movers, ...this.stillMeshes.map(({ userData: { model }, matrix }) => ({ geometry: this.whole.get(model) ?? this.geometries[model], matrix }))];
   }
 
   // Where a body is drawn: the middle of its model.

@@ -6,6 +6,7 @@ import { ClashRows, detailsOf, partsWords, rowSentence } from './clash_rows.js';
 import { ClashTable } from './clash_table.js';
 import { ClashView } from './clash_view.js';
 import { addPrinting, addSteps, byId, makeView, said } from './page.js';
+import { addPicking } from './scene_page.js';
 
 function showDetails(all, r) {
   byId('picked').textContent = `${r + 1}. ${rowSentence(all, r)}`;
@@ -45,6 +46,7 @@ export function startClashes() {
   addSteps(view, table);
   if (view) {
     byId('again').addEventListener('click', () => (table.chosen >= 0 ? view.choose(table.chosen) : table.neighbor(1)));
+    addPicking(view, choose, () => {});
     byId('cut').addEventListener('change', () => view.setCut(byId('cut').checked));
   }
   addPrinting(() => printedClashes(all, view, table));
@@ -56,10 +58,12 @@ export function startClashes() {
   }
   // For scripts that look at the page, our tests among them.
   window.soms = {
+    view,
     rows: all.rows.length,
     row: (r) => ({ ...all.rows[r], a: all.sides[all.rows[r].a], b: all.sides[all.rows[r].b] }),
     shown: () => [...rows.order],
     chosenRow: () => table.chosen,
+    spots: () => view?.spotCounts.heaps ?? [],
     flying: () => Boolean(view?.flight),
     target: () => view?.controls.target.toArray(),
     focus: (r) => [...all.sights.focus(r)],

@@ -1,13 +1,15 @@
 // The parts of a clash page: the two that are chosen in color, the others pale and cut away before the clash.
 import * as THREE from 'three';
-import { geometryOf } from './bodies.js';
+import { creased } from './creases.js';
 import { trianglesOf } from './curves.js';
 import { solid } from './look.js';
+import { Spots } from './spots.js';
 import { View } from './view.js';
 
 const DISTANCE = 2.62; // of the eye, in reaches: all within the reach is seen at 45 degrees
 const CUT = 0.1; // reaches from the middle of the clash toward the eye
-const GLASS = 0.4;
+const GLASS = 0.28;
+const GLASS_OF_ALL = 0.3; // of the set that one sees through where no row is chosen
 const HIDDEN = 0.45; // of parts that others hide all the same
 const NO_LINES = new Float32Array(0);
 
@@ -27,24 +29,63 @@ function joinedGeometry(parts) {
     vertex += mesh.positions.length / 3;
     corner += mesh.indices.length;
   }
-  return geometryOf({ positions, indices });
+  return creased({ positions, indices });
 }
 
 export class ClashView extends View {
   constructor(canvas, all) {
-    super(canvas, all, [0.35, 0.75, 0.6], [0.5, 0.35, 0.8]);
+    super(canvas, all, [0.35, 0.75, 0.6], [-0.5, 0.45, 0.85]);
     this.row = -1;
     this.isCut = true;
     this.renderer.localClippingEnabled = true;
     this.addParts();
+    this.addSpotsOfRows();
+    this.spotCounts = new Spots(this, () => (this.row < 0 ? this.spotsAt : []), () => true);
+    this.show(-1);
     this.begin();
   }
 
+  // The parts of the first set, of the second, and those of no row.
+  partsBySet() {
+    const { parts, rows, scene } = this.all;
+    const setOf = new Map();
+    for (const side of ['b', 'a']) {
+      rows.forEach((row) => setOf.set(scene.of_sides[row[side]], side === 'a' ? 0 : 1));
+    }
+    const sets = [[], [], []];
+    parts.forEach((part, k) => sets[setOf.get(k) ?? 2].push(part));
+    return sets;
+  }
+
+  addSpotsOfRows() {
+    const { rows, sights } = this.all;
+    this.spotsAt = rows.flatMap((_, row) => (sights.reach(row) > 0 ? [{ row, contact: -1, place: sights.place(row) }] : []));
+    const places = trianglesOf(Float32Array.from(this.spotsAt.flatMap(({ place }) => [...place])));
+    this.allSpots = ['halo', 'touch'].map((use, above) => ({ use, points: this.addSpots(this.world, places, 12 - 4 * above, 9 + above) }));
+  }
+
+  spotAt(x, y) { return this.row < 0 ? this.spotCounts.at(this.spotsAt, x, y) : undefined; }
+
+  gapAt() { return -1; }
+
   addParts() {
     this.plane = new THREE.Plane();
-    this.rest = new THREE.Mesh(joinedGeometry(this.all.parts), solid());
-    this.rest.frustumCulled = false;
-    this.world.add(this.rest);
+    const sets = this.partsBySet();
+    this.sets = sets.map((parts) => {
+      const made = new THREE.Mesh(joinedGeometry(parts), solid());
+      made.frustumCulled = false;
+      made.castShadow = made.receiveShadow = true;
+      this.world.add(made);
+      return made;
+    });
+    // Of the set with the larger parts, only the nearest surface is drawn where one sees through it.
+    const size = (parts) => parts.reduce((sum, { mesh }) => mesh.positions.reduce((most, at) => Math.max(most, at), 0) + sum, 0) / Math.max(1, parts.length);
+    this.clear = this.sets[size(sets[0]) > size(sets[1]) ? 0 : 1];
+    this.clearDepth = new THREE.Mesh(this.clear.geometry, new THREE.MeshBasicMaterial({ colorWrite: false, side: THREE.DoubleSide, transparent: true }));
+    this.clearDepth.frustumCulled = false;
+    this.clearDepth.renderOrder = 3;
+    this.clear.renderOrder = 4;
+    this.world.add(this.clearDepth);
     const mesh = (material, order) => {
       const made = new THREE.Mesh(new THREE.BufferGeometry(), material);
       made.frustumCulled = false;
@@ -70,12 +111,20 @@ export class ClashView extends View {
 
   paint(paper = false) {
     super.paint(paper);
-    this.rest.material.color.copy(this.colors.rest);
+    this.allSpots.forEach(({ use, points }) => points.material.color.copy(this.colors[use]));
     this.mark.material.color.copy(this.colors.touch);
     this.paintParts();
   }
 
   paintParts() {
+    const isWhole = this.row < 0;
+    ['moves', 'still', 'rest'].forEach((use, set) => this.sets[set].material.color.copy(this.colors[isWhole ? use : 'rest']));
+    Object.assign(this.clear.material, {
+      transparent: isWhole, opacity: isWhole ? GLASS_OF_ALL : 1, depthFunc: isWhole ? THREE.LessEqualDepth : THREE.LessDepth, needsUpdate: true,
+    });
+    this.clearDepth.visible = isWhole;
+    this.stage.shade = isWhole ? 1 : 0;
+    this.allSpots.forEach(({ points }) => { points.visible = isWhole && this.spotsAt.length > 0; });
     const [a, b] = [this.colors.moves, this.colors.still];
     const aIsGlass = this.row >= 0 && this.all.sights.aIsLarger(this.row);
     [this.glass, this.glassBehind].forEach(({ material }) => material.color.copy(aIsGlass ? a : b));
@@ -102,7 +151,16 @@ export class ClashView extends View {
       this.mark.geometry.dispose();
       this.mark.geometry = trianglesOf(sights.place(r).slice());
     }
-    this.paintParts();
+    if (this.colors) {
+      this.paintParts();
+    }
+    this.stage.changed();
+  }
+
+  // All parts in the colors of their sets, and a mark for each row.
+  whole(soft = true) {
+    this.show(-1);
+    super.whole(soft);
   }
 
   // Where the eye stands to see a row; null where it has no place.
@@ -134,7 +192,7 @@ export class ClashView extends View {
   // What is nearer to the eye than the clash is cut away, from wherever it is looked at.
   prepare() {
     const cuts = this.isCut && this.row >= 0 && this.all.sights.reach(this.row) > 0;
-    this.rest.material.clippingPlanes = cuts ? [this.plane] : [];
+    this.sets.forEach(({ material }) => { material.clippingPlanes = cuts ? [this.plane] : []; });
     if (cuts) {
       const { sights } = this.all;
       const away = this.camera.getWorldDirection(new THREE.Vector3());

@@ -5,7 +5,11 @@ import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 
 const HALO = 4; // pixels around the ink
+const HIDDEN = 0.6; // of the width, behind walls
+const DASH = 5; // pixels
+const MANY = 300; // lines
 const NOTHING = new Float32Array(6);
+const NO_LINES = new Float32Array(0);
 
 // A line without length has no direction, and would not be drawn: the length it gets is not seen.
 function withLength(lines, least) {
@@ -18,16 +22,38 @@ function withLength(lines, least) {
   return all;
 }
 
-// One set of lines. `through`: no wall hides it.
+// Lines are brought nearer to the eye by their width: else the surfaces that cross in them would cover half of it.
+const LIFTED = `
+  vec4 held = position.y < 0.5 ? start : end;
+  vec4 lifted = projectionMatrix * vec4(held.xyz * (1.0 - 1.5 * LIFT / (resolution.y * projectionMatrix[1][1])), 1.0);
+  if (clip.w > 0.0) {
+    clip.z = lifted.z / lifted.w * clip.w;
+  }
+  gl_Position = clip;`;
+
+function lineMaterial(linewidth, lift, more) {
+  const made = new LineMaterial({ linewidth, depthWrite: false, transparent: true, ...more });
+  made.vertexShader = made.vertexShader.replace('gl_Position = clip;', LIFTED);
+  made.defines.LIFT = lift.toFixed(1);
+  return made;
+}
+
+// One set of lines. `through`: what walls hide of it is pale and dashed; else it is not seen.
 export class Curve {
   constructor(world, width, order, through) {
     this.width = width;
-    const material = (linewidth) => new LineMaterial({
-      linewidth, depthTest: !through, depthWrite: false, transparent: true, polygonOffset: !through, polygonOffsetFactor: -4, polygonOffsetUnits: -8,
-    });
-    this.parts = [material(width + HALO), material(width)].map((made, above) => {
+    this.lines = NO_LINES;
+    this.isSeen = true;
+    const [halo, ink] = [width + HALO, width].map((wide) => lineMaterial(wide, width + HALO, {}));
+    this.parts = [halo, ink];
+    if (through) {
+      this.parts.push(lineMaterial(HIDDEN * width, width + HALO, {
+        dashed: true, dashSize: DASH, gapSize: DASH, depthFunc: THREE.GreaterDepth, opacity: 0.9,
+      }));
+    }
+    this.parts = this.parts.map((made, above) => {
       const part = new LineSegments2(new LineSegmentsGeometry(), made);
-      part.renderOrder = order + above;
+      part.renderOrder = order + (above + 1) % 3; // what is hidden comes first
       part.frustumCulled = false;
       part.visible = false;
       world.add(part);
@@ -38,12 +64,27 @@ export class Curve {
   // Six floats a line.
   show(lines, size) {
     const some = lines.length > 0;
+    this.lines = lines;
     const positions = some ? withLength(lines, 1e-6 * size) : NOTHING;
     this.parts[0].geometry.dispose();
     const geometry = new LineSegmentsGeometry().setPositions(positions);
     for (const part of this.parts) {
       part.geometry = geometry;
       part.visible = some;
+    }
+    this.parts[2]?.computeLineDistances();
+  }
+
+  // Where drawing is slow, a camera that moves sees the ink of long curves alone.
+  setCoarse(coarse) {
+    const bare = coarse && this.lines.length > 6 * MANY;
+    this.parts.forEach((part, k) => { part.visible = this.lines.length > 0 && this.isSeen && (k === 1 || !bare); });
+  }
+
+  // Dashes are as long on every screen: lengths are so many pixels where the eye looks.
+  setScale(pixels) {
+    if (this.parts[2]) {
+      this.parts[2].material.dashScale = pixels;
     }
   }
 
@@ -52,11 +93,15 @@ export class Curve {
     const share = Math.min(1, Math.max(0.5, picture / 700));
     this.parts[0].material.linewidth = share * (this.width + HALO);
     this.parts[1].material.linewidth = share * this.width;
+    if (this.parts[2]) {
+      this.parts[2].material.linewidth = share * HIDDEN * this.width;
+    }
   }
 
-  paint(ink, halo) {
+  paint(ink, halo, hidden) {
     this.parts[0].material.color.copy(halo);
     this.parts[1].material.color.copy(ink);
+    this.parts[2]?.material.color.copy(hidden);
   }
 }
 

@@ -154,6 +154,26 @@ export class List extends Scrolled {
     this.reveal();
   }
 
+  // The next row in the order of the list, whatever is folded out.
+  nextRow(by) {
+    const { order } = this.entries;
+    const at = order.indexOf(this.chosen.row);
+    const next = at < 0 ? (by > 0 ? 0 : order.length - 1) : Math.min(order.length - 1, Math.max(0, at + by));
+    if (order.length > 0) {
+      this.onChoose(order[next], -1);
+    }
+  }
+
+  // The next of the contacts that the page holds of the chosen row.
+  nextContact(by) {
+    const contacts = this.chosen.row < 0 ? [] : [...this.all.rows.contacts(this.chosen.row)];
+    if (contacts.length > 0) {
+      const at = contacts.indexOf(this.chosen.contact);
+      const next = at < 0 ? (by > 0 ? 0 : contacts.length - 1) : Math.min(contacts.length - 1, Math.max(0, at + by));
+      this.onChoose(this.chosen.row, contacts[next]);
+    }
+  }
+
   // What is left out is passed over.
   chooseAt(at, by) {
     const { entries } = this;

@@ -51,11 +51,11 @@ export class Live {
     this.active = false;
     this.answer = null; // of the pose that is shown; null until it is there
     const why = whyNot(all);
-    byId('move').hidden = false;
     if (why) {
       this.refuse(why);
       return;
     }
+    byId('move').hidden = false;
     byId('move-keys').hidden = false;
     byId('move').addEventListener('click', () => this.toggle());
     byId('reset').addEventListener('click', () => this.reset());
@@ -72,7 +72,7 @@ export class Live {
     if (this.active) {
       this.toggle();
     }
-    byId('move').disabled = true;
+    byId('move').hidden = byId('move').disabled = true;
     byId('no-live').hidden = false;
     byId('no-live').textContent = `Bodies cannot be moved on this page: ${why}.`;
   }
@@ -210,10 +210,12 @@ export class Live {
     byId('live-others').textContent = liveOthers(this.all, others.length, left);
     byId('reset').disabled = this.isRecorded();
     const mover = { body: this.held, model: model[this.held], pose: Float64Array.from(this.pose) };
-    if (others.length > 0) {
-      this.answers.ask({ mover, others, left });
+    // The ball of the drawn body, whose corners are rounded, is made a little larger.
+    const known = this.data.known(this.held, this.pose, 0.5001 * this.view.bodies.sizeOf(this.held) / this.all.scene.scale);
+    if (others.length > 0 && known > 0) {
+      this.answers.ask({ mover, others, left, known });
     } else {
-      this.show({ mover, left }, { touched: [], lines: [], gap: null });
+      this.show({ mover, left, known }, { touched: [], lines: [], gap: null });
     }
   }
 
@@ -239,13 +241,15 @@ export class Live {
     if (!this.active || question.mover.body !== this.held || (this.answer && !isCurrent)) {
       return;
     }
+    // What is nearer than the rest of the scene, which is not here, is the nearest of all.
+    const gap = found.gap && found.gap.upper <= question.known ? found.gap : null;
     const { origin, scale } = this.all.scene;
     const lines = Float32Array.from(found.lines, (value, k) => (value - origin[k % 3]) * scale);
-    this.drawn.show(lines, found.gap && { points: found.gap.points.map((at) => this.data.onPage(at)), length: found.gap.lower });
-    byId('live-answer').textContent = liveAnswer(this.all, this.held, found, question.left);
+    this.drawn.show(lines, gap && { points: gap.points.map((at) => this.data.onPage(at)), length: gap.lower });
+    byId('live-answer').textContent = liveAnswer(this.all, this.held, { ...found, gap }, question);
     if (isCurrent) {
       byId('live').classList.remove('waiting');
-      this.answer = { ...found, lines: found.lines.length / 6 };
+      this.answer = { ...found, gap, known: question.known, lines: found.lines.length / 6 };
     }
   }
 }

@@ -2,7 +2,7 @@
 import { takeText } from './data.js';
 import { bytesOf, unpackDoubles } from './exact.js';
 import { number } from './words.js';
-import { poseOf } from './pose.js';
+import { moved, poseOf } from './pose.js';
 
 const NUMBERS = 12; // of a pose
 
@@ -52,6 +52,19 @@ export class LiveData {
     const t = [0, 1, 2].map((axis) => origin[axis] + place[axis] / scale
       - (turned[4 * axis] * middle[0] + turned[4 * axis + 1] * middle[1] + turned[4 * axis + 2] * middle[2]));
     return poseOf(turn, t);
+  }
+
+  // How far around a body at a pose all exact triangles are on the page; negative where some at it may be missing. The
+  // body is taken as the ball around its middle.
+  known(body, pose, radius) {
+    const { near } = this.scene.live;
+    if (near.length === 0) {
+      return Infinity;
+    }
+    const middle = moved(pose, this.middle(body));
+    const around = near.map((box) => Math.min(...middle.flatMap((at, axis) => [at - box[axis], box[axis + 3] - at])));
+    const rounding = 1e-9 * (radius + Math.hypot(...middle));
+    return Math.max(...around) - radius - rounding;
   }
 
   // A point of the scene, in units of the page.

@@ -50,6 +50,14 @@ function linked(all, choose, chooseGap) {
   return what === 'row' && named < all.rows.count ? () => choose(named, -1) : null;
 }
 
+// The buttons that go through the contacts of the chosen row, and which of them is shown.
+function showContacts({ rows }, r, k) {
+  const contacts = r < 0 ? [] : [...rows.contacts(r)];
+  byId('within').hidden = contacts.length < 2;
+  const at = contacts.indexOf(k);
+  byId('which').textContent = at < 0 ? `${contacts.length.toLocaleString('en')} contacts` : `${at + 1} of ${contacts.length.toLocaleString('en')}`;
+}
+
 // Of two bodies at one pose: which is which, and what the lines are.
 function nameColors({ scene, contacts, gaps }) {
   byId('near').hidden = gaps.count === 0;
@@ -69,6 +77,7 @@ function start() {
   nameColors(all);
   byId('missing').hidden = notDrawn(all) === '';
   const view = makeView(SceneView, all, 'tools');
+  document.querySelectorAll('.around').forEach((key) => { key.hidden = !view || view.named.size === 0; });
   const time = new Time(overSteps(all.scene.steps), (step) => {
     view?.setStep(step);
     list.setStep(step);
@@ -91,6 +100,7 @@ function start() {
     live?.follow();
     byId('moment').textContent = moment(all, begin);
     byId('picked').textContent = wordsOf(all, r, k);
+    showContacts(all, r, k);
   };
   const chooseGap = (g, opens = false, ofWay = false) => {
     const step = all.gaps.nearest(g);
@@ -106,13 +116,18 @@ function start() {
     live?.follow();
     byId('moment').textContent = moment(all, step);
     byId('picked').textContent = gapWords(all, g);
+    showContacts(all, -1, -1);
     if (!opens) {
       history.replaceState(null, '', `#gap=${g}`);
     }
   };
   const list = new List(all, choose);
   const live = view && all.scene.live ? new Live(all, view) : null;
-  addSteps(view, list, { ' ': () => time.toggle() });
+  addSteps(view, { neighbor: (by) => list.nextRow(by) }, {
+    ' ': () => time.toggle(), '.': () => list.nextContact(1), ',': () => list.nextContact(-1),
+  });
+  byId('later').addEventListener('click', () => list.nextContact(1));
+  byId('earlier').addEventListener('click', () => list.nextContact(-1));
   addTimeLine(all, choose);
   addLinks('gap', chooseGap);
   if (view) {
@@ -125,6 +140,7 @@ function start() {
   loadRest(all, view);
   // For scripts that look at the page, our tests among them.
   window.soms = {
+    view,
     rows: all.rows.count,
     contacts: all.contacts.count,
     total: (r) => all.rows.total(r),

@@ -109,6 +109,7 @@ export function startMotions() {
   loadRest(all, view);
   // For scripts that look at the page, our tests among them.
   window.soms = {
+    view,
     motions: motions.length,
     motion: (k) => motions[k],
     shown: () => list.order.length,

@@ -141,7 +141,7 @@ export class MotionView extends SceneView {
   }
 
   // The list counts motions, and a number over the picture would hide the contact.
-  countSpots() {}
+  countedSpots() { return []; }
 
   setModel(k, mesh) {
     super.setModel(k, mesh);

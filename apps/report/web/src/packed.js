@@ -29,7 +29,22 @@ export class Packed {
 // A mesh, corner by corner: 0 and a vertex, as its difference from the one before, or how many
 // vertices ago the corner's vertex came.
 export function unpackMesh(bytes, triangles, step) {
-  return unpackNextMesh(new Packed(bytes), triangles, step);
+  const numbers = new Packed(bytes);
+  return { ...unpackNextMesh(numbers, triangles, step), parts: unpackParts(numbers, triangles) };
+}
+
+// Of each triangle, the number of its part plus 1, or 0; nothing where no row names a part.
+function unpackParts(numbers, triangles) {
+  if (numbers.done) {
+    return undefined;
+  }
+  const parts = new Uint32Array(triangles);
+  for (let at = 0; at < triangles;) {
+    const [length, part] = [numbers.next(), numbers.next()];
+    parts.fill(part, at, at + length);
+    at += length;
+  }
+  return parts;
 }
 
 // The same where more follows.

@@ -1,15 +1,17 @@
 // Bodies at the steps of a scene, their contacts and gaps, and what is chosen of them.
 import * as THREE from 'three';
 import { Bodies } from './bodies.js';
-import { SpotCounts } from './counts.js';
 import { joined, trianglesOf } from './curves.js';
 import { GapLines } from './gaps.js';
+import { clearDirection, samplesOf, trianglesNear } from './sights.js';
+import { Spots } from './spots.js';
 import { View } from './view.js';
+import { NO_PART } from './words.js';
 
 const AROUND = 4; // distance of the eye, in reaches of a contact
-const NEAR_POINTER = 14; // pixels
+const LARGER = 0.8; // of the larger body's radius is seen around a contact
+const WIDER = 1.25; // reaches at most, for that
 const ALWAYS_SEEN = 10; // drawing order of what no wall may hide
-const SLOW = 90; // milliseconds of a whole picture from which motion is drawn coarsely
 const CURVE_SEEN = 6; // pixels: smaller curves are spots
 const MOST_CURVES = 300; // drawn at a time, beside the chosen one
 
@@ -26,22 +28,22 @@ function edgesOf(corners) {
 
 export class SceneView extends View {
   constructor(canvas, all) {
-    super(canvas, all, [0.25, 0.6, 0.45], [0.5, -0.35, 0.8]);
+    super(canvas, all, [0.25, 0.6, 0.45], [-0.5, 0.35, 0.85]);
     this.step = 0;
     this.exact = null; // a step, and the poses of two bodies at it: those of what is chosen
     this.chosenBodies = [];
     this.shownRow = -1;
     this.shownContact = -1;
-    this.slow = false; // until a whole picture was
     this.marks = new THREE.Group(); // contacts of the report, and what is chosen
     this.world.add(this.marks);
     this.bodies = new Bodies(this.world, all.scene);
+    this.named = this.namedBodies();
     this.addCurves();
     this.addContacts();
     this.addChosen();
     this.gapLines = new GapLines(all);
-    this.spotCounts = new SpotCounts();
-    this.layers.push(this.gapLines, { draw: () => this.countSpots() });
+    this.layers.push(this.gapLines);
+    this.spotCounts = new Spots(this, () => this.countedSpots(), (spot) => this.isNow(spot));
     this.begin();
   }
 
@@ -95,8 +97,8 @@ export class SceneView extends View {
   }
 
   addChosen() {
-    const fill = () => new THREE.MeshBasicMaterial({ side: THREE.DoubleSide, transparent: true, opacity: 0.3, depthTest: false });
-    const line = (opacity) => new THREE.LineBasicMaterial({ depthTest: false, transparent: true, opacity });
+    const fill = () => new THREE.MeshBasicMaterial({ side: THREE.DoubleSide, transparent: true, opacity: 0.3, depthTest: false, fog: false });
+    const line = (opacity) => new THREE.LineBasicMaterial({ depthTest: false, fog: false, transparent: true, opacity });
     this.chosenParts = [0, 1].map(() => ({
       mesh: new THREE.Mesh(new THREE.BufferGeometry(), fill()),
       edges: new THREE.LineSegments(new THREE.BufferGeometry(), line(0.3)),
@@ -116,7 +118,6 @@ export class SceneView extends View {
 
   paint(paper = false) {
     super.paint(paper);
-    this.bodies.stillMaterial.color.copy(this.colors.still);
     this.chosenParts[0].mesh.material.color.copy(this.colors.moves);
     this.chosenParts[1].mesh.material.color.copy(this.colors.still);
     this.chosenParts.forEach(({ edges }) => edges.material.color.copy(this.colors.line));
@@ -133,7 +134,9 @@ export class SceneView extends View {
   }
 
   placeBodies() {
+    this.bodies.partColor.copy(this.colors.still);
     this.bodies.place(this.step, this.exact?.step === this.step ? this.exact : null, (body) => this.colorOf(body));
+    this.stage.changed();
   }
 
   // While the reader moves a body, contacts of the report are not drawn: they are those of other poses.
@@ -164,21 +167,22 @@ export class SceneView extends View {
       }
       const active = this.isNow(spot);
       const color = active ? this.colors.touch : this.colors.was;
-      const hidden = row === this.shownRow && this.all.rows.after(row) === 0; // a passage is a point: its spot stays
-      if (!hidden && !large) {
-        this.smallSpots.push(spot);
+      const isCurve = large || curve === undefined;
+      const hidden = row === this.shownRow && isCurve && this.all.rows.after(row) === 0; // a passage is a point: its spot stays
+      if (row === this.shownRow && spot.curve !== undefined) {
+        this.chosenCurve.isSeen = large; // from afar it is a spot
       }
+      this.smallSpots.push(...(hidden || large ? [] : [spot]));
       for (const [ink, { r, g, b }] of [[this.spotColors, color], [this.haloColors, this.colors.halo]]) {
         ink.setXYZW(n, r, g, b, hidden || large ? 0 : active ? 1 : 0.6);
       }
     });
     this.spotColors.needsUpdate = this.haloColors.needsUpdate = true;
-    const drawn = near.sort((a, b) => a.distance - b.distance).slice(0, MOST_CURVES).map(({ spot }) => spot)
-      .filter(({ row }) => row !== this.shownRow);
     if (curves.count === 0) {
       this.showCrossings();
       return;
     }
+    const drawn = near.sort((a, b) => a.distance - b.distance).slice(0, MOST_CURVES).map(({ spot }) => spot).filter(({ row }) => row !== this.shownRow);
     const key = drawn.map((spot) => `${spot.curve}${this.isNow(spot) ? '!' : ''}`).join();
     if (key !== this.shownCurves) {
       this.shownCurves = key;
@@ -204,9 +208,27 @@ export class SceneView extends View {
     this.now.show(joined(lines), scene.size);
   }
 
-  // Two movers that are chosen are told apart by the colors of A and B.
+  // What moves is A, of two that are chosen the second is B. A body whose parts rows name is what is around; of it the
+  // chosen part is B.
   colorOf(body) {
-    return body === this.chosenBodies[1] ? this.colors.still : this.colors.moves;
+    if (this.all.scene.bodies.moves[body]) {
+      return body === this.chosenBodies[1] ? this.colors.still : this.colors.moves;
+    }
+    return this.named.has(body) ? this.colors.rest : body === this.chosenBodies[0] ? this.colors.moves : this.colors.still;
+  }
+
+  // Bodies among many whose parts rows name.
+  namedBodies() {
+    const { rows, scene } = this.all;
+    const named = new Set();
+    for (let r = 0; r < rows.count && scene.bodies.model.length > 2; ++r) {
+      [rows.a(r), rows.b(r)].forEach((body, side) => {
+        if (rows.part(r, side) !== NO_PART) {
+          named.add(body);
+        }
+      });
+    }
+    return named;
   }
 
   // Shows contact k, or row r: the curve of its step of most pairs, or what is known of its first.
@@ -217,6 +239,7 @@ export class SceneView extends View {
     const members = k >= 0 ? [k]
       : [...rows.contacts(r)].filter((member) => contacts.begin(member) === rows.begin(r));
     this.chosenBodies = [rows.a(r), rows.b(r)];
+    this.bodies.showPart(rows.b(r), rows.part(r, 1));
     this.shownRow = r;
     this.shownContact = k;
     this.gapLines.chosen = -1;
@@ -231,6 +254,7 @@ export class SceneView extends View {
     const pairs = curve === undefined ? members.flatMap((member) => Array.from(
       { length: contacts.pairCount(member) }, (_, n) => contacts.firstPair(member) + n)) : [];
     const isPoint = rows.after(r) > 0;
+    this.chosenCurve.isSeen = true;
     this.chosenCurve.show(curve === undefined ? joined(isPoint ? [] : pairs.map((n) => contacts.crossing(n))) : curves.lines[curve], this.all.scene.size);
     this.chosenParts.forEach(({ mesh, edges }, side) => {
       const seen = new Map();
@@ -242,10 +266,9 @@ export class SceneView extends View {
       edges.geometry.dispose();
       mesh.geometry = trianglesOf(all);
       edges.geometry = trianglesOf(edgesOf(all));
-      mesh.visible = all.length > 0;
-      edges.visible = mesh.visible && k >= 0; // of many triangles they would hide all else
+      mesh.visible = edges.visible = k >= 0 && all.length > 0; // of many triangles they would hide all else
     });
-    this.frameRow(r, k < 0 && curve === undefined);
+    this.frameRow(r, k < 0 && curve === undefined && pairs.length === 0);
     this.setStep(k >= 0 ? contacts.begin(k) + rows.after(r) : rows.moment(r));
     return k >= 0 ? { place: contacts.focus(k), reach: contacts.reach(k) } : this.sightOf(r);
   }
@@ -254,7 +277,13 @@ export class SceneView extends View {
     const { curves, rows } = this.all;
     const curve = curves.ofRow.get(r);
     return curve === undefined ? { place: rows.center(r), reach: this.reachOf(r) }
-      : { place: curves.place(curve), reach: curves.reach(curve) };
+      : { place: curves.place(curve), reach: this.wider(curves.reach(curve), rows.a(r), rows.b(r)) };
+  }
+
+  // So much around a contact that the larger of two bodies is known again, unless it is far larger than the other.
+  wider(reach, a, b) {
+    const larger = Math.max(this.bodies.sizeOf(a), this.bodies.sizeOf(b)) / 2;
+    return Math.max(reach, Math.min(LARGER * larger, WIDER * reach));
   }
 
   choose(r, k) {
@@ -289,6 +318,7 @@ export class SceneView extends View {
   // Nothing of the list is chosen.
   clearChosen() {
     this.chosenBodies = [];
+    this.bodies.showPart();
     this.shownRow = -1;
     this.shownContact = -1;
     this.box.visible = false;
@@ -308,6 +338,7 @@ export class SceneView extends View {
   }
 
   flyTo(place, reach, along, soft = true) {
+    this.framed = [place, reach, along]; // until the reader looks elsewhere
     const target = new THREE.Vector3().fromArray(place);
     const distance = Math.max(AROUND * this.narrow() * reach, 1e-5 * this.all.scene.size);
     this.fly(target, target.clone().addScaledVector(this.clearDirection(target, distance, along), distance), soft);
@@ -332,59 +363,23 @@ export class SceneView extends View {
     this.box.scale.fromArray([...this.all.rows.half(r)].map((half) => 2 * Math.max(half, least)));
   }
 
-  // A direction from which nothing that stands still hides the target, if there is one: near the
-  // present one first, then around it, then steeper. A segment `along` is looked at from aside.
+  // A direction from which the most of what is chosen is seen.
   clearDirection(target, distance, along) {
     const { up } = this.camera;
-    const away = this.camera.position.clone().sub(this.controls.target);
+    const away = this.offset();
     away.addScaledVector(up, -away.dot(up));
     if (away.lengthSq() < 1e-12 * this.all.scene.size ** 2) {
       away.set(1, 0.3, 0.2).addScaledVector(up, -new THREE.Vector3(1, 0.3, 0.2).dot(up));
     }
-    away.normalize();
-    const ray = new THREE.Raycaster();
-    const candidates = along?.lengthSq() > 0 ? this.asideOf(along.normalize(), away) : [35, 60].flatMap((rise) => [0, 90, -90, 180].map((turn) => {
-      const level = away.clone().applyAxisAngle(up, THREE.MathUtils.degToRad(turn));
-      const angle = THREE.MathUtils.degToRad(rise);
-      return level.multiplyScalar(Math.cos(angle)).addScaledVector(up, Math.sin(angle));
-    }));
-    const clear = candidates.find((direction) => {
-      ray.set(target.clone().addScaledVector(direction, distance), direction.clone().negate());
-      ray.far = 0.98 * distance;
-      return ray.intersectObjects(this.bodies.stillMeshes, false).length === 0;
+    const samples = along ? [target] : samplesOf(this.chosenCurve.lines);
+    return clearDirection({
+      samples: samples.length > 0 ? samples : [target], distance, away: away.normalize(), up, along, corners: trianglesNear(this.bodies.placed(this.chosenBodies), target, distance),
     });
-    return clear ?? candidates[4];
   }
 
-  // Directions at right angles to a segment but for some rise, those from above first.
-  asideOf(along, away) {
-    const { up } = this.camera;
-    const first = away.clone().addScaledVector(along, -away.dot(along));
-    if (first.lengthSq() < 1e-6) {
-      first.crossVectors(along, up);
-    }
-    first.normalize();
-    return [0, 45, -45, 90, -90, 135, -135, 180].map((turn) => first.clone()
-      .applyAxisAngle(along, THREE.MathUtils.degToRad(turn)).addScaledVector(up, 0.2).normalize())
-      .sort((a, b) => (b.dot(up) > 0.1) - (a.dot(up) > 0.1));
-  }
+  spotAt(x, y) { return this.spotCounts.at(this.spotsAt, x, y); }
 
-  // The spot nearest to a place on the canvas; undefined if none is near.
-  spotAt(x, y) {
-    const seen = this.spotsAt.map((spot) => {
-      const [u, v, depth] = this.onCanvas(spot.place);
-      return { spot, away: Math.abs(depth) <= 1 ? Math.hypot(u - x, v - y) : Infinity };
-    });
-    return seen.reduce((best, one) => (one.away < best.away ? one : best), { away: NEAR_POINTER }).spot;
-  }
-
-  // How many rows are where spots lie on each other.
-  countSpots() {
-    const { clientWidth: width, clientHeight: height } = this.canvas;
-    this.spotCounts.draw(this.smallSpots.map((spot) => [...this.onCanvas(spot.place), this.isNow(spot)])
-      .filter(([x, y, depth]) => Math.abs(depth) <= 1 && x >= 0 && y >= 0 && x <= width && y <= height)
-      .map(([x, y, , now]) => ({ x, y, now })));
-  }
+  countedSpots() { return this.smallSpots; }
 
   // The gap at a place on the canvas; -1 if none is near.
   gapAt(x, y) {
@@ -394,6 +389,10 @@ export class SceneView extends View {
   // The whole of a model that was coarse so far.
   setModel(k, mesh) {
     this.bodies.setModel(k, mesh);
+    this.stage.changed();
+    if (this.framed) {
+      this.flyTo(...this.framed, false); // what was coarse may hide what is chosen
+    }
     this.draw();
   }
 
@@ -402,24 +401,5 @@ export class SceneView extends View {
     this.isWhole = this.bodies.setCoarse(this.slow && this.isMoving) && !this.isMoving;
     this.bodies.sort(this.camera, this.pixels());
     this.markContacts();
-  }
-
-  // Measures the first picture, when it is seen, and how long the first whole one takes.
-  drawn() {
-    const since = performance.now();
-    const whole = this.isWhole;
-    const first = this.firstPicture === undefined;
-    if (first) {
-      this.firstPicture = { triangles: this.renderer.info.render.triangles };
-    }
-    if (first || (whole && !this.slow)) {
-      requestAnimationFrame(() => requestAnimationFrame((now) => {
-        this.slow ||= whole && now - since > SLOW;
-        if (first) {
-          this.firstPicture.at = now;
-          this.onFirst?.();
-        }
-      }));
-    }
   }
 }

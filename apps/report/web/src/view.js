@@ -3,13 +3,17 @@
 import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { Curve } from './curves.js';
+import { fittedEye } from './framing.js';
 import { calm, colors, whenSchemeChanges } from './look.js';
+import { Stage } from './stage.js';
 
 const FLIGHT = 700; // milliseconds
 const STILL = 250; // milliseconds without motion
 const TURN = 0.12; // radians, for a key
 const SHIFT = 0.1; // distances of the eye, for a key
 const CLOSER = 0.85; // of that distance, for a key
+const SLOW = 90; // milliseconds of a whole picture from which motion is drawn coarsely
+const COARSE = 0.5; // of the pixels along a side, then
 
 function roundSpot() {
   const canvas = document.createElement('canvas');
@@ -36,19 +40,17 @@ export class View {
     this.spots = []; // each with its size in pixels
     this.layers = []; // what lies over the picture: each with `draw(camera, width, height)`
     this.movedAt = -Infinity;
+    this.slow = false; // until a whole picture was
+    this.isWhole = true; // what is drawn is not a stand-in
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
     this.ratio = Math.min(window.devicePixelRatio, 2);
     this.world = new THREE.Scene();
     this.camera = new THREE.PerspectiveCamera(45, 1, 0.1, 1000);
     this.camera.up.copy(this.toward(0, 0, 1));
-    this.sky = new THREE.HemisphereLight(0xffffff, 0x8a8578, 1);
-    this.sky.position.copy(this.camera.up);
-    this.sun = new THREE.DirectionalLight(0xffffff, 1);
-    this.sun.position.copy(this.toward(...sun));
-    this.world.add(this.sky, this.sun);
+    this.stage = new Stage(this.world, this.renderer, all.scene, this.camera.up, this.toward(...sun));
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener('change', () => this.drawMotion());
-    this.controls.addEventListener('start', () => { this.flight = null; });
+    this.controls.addEventListener('start', () => { this.flight = this.framed = null; });
     this.controls.enableZoom = false; // until the reader means the picture, not the page
     canvas.addEventListener('pointerdown', () => canvas.focus({ preventScroll: true }), true);
     canvas.addEventListener('focus', () => { this.controls.enableZoom = true; });
@@ -72,7 +74,7 @@ export class View {
     const curve = new Curve(parent, width, order, through);
     this.curves.push({ curve, use });
     if (this.colors) {
-      curve.paint(this.colors[use], this.colors.halo);
+      curve.paint(this.colors[use], this.colors.halo, this.colors.was);
       curve.fit(this.canvas.clientWidth);
     }
     return curve;
@@ -81,7 +83,7 @@ export class View {
   // Round spots of so many pixels that nothing hides.
   addSpots(parent, geometry, pixels, order, more) {
     const points = new THREE.Points(geometry, new THREE.PointsMaterial({
-      sizeAttenuation: false, transparent: true, depthTest: false, map: roundSpot(), alphaTest: 0.05, ...more,
+      sizeAttenuation: false, transparent: true, fog: false, depthTest: false, map: roundSpot(), alphaTest: 0.05, ...more,
     }));
     points.frustumCulled = false;
     points.renderOrder = order;
@@ -93,9 +95,8 @@ export class View {
   paint(paper = false) {
     this.colors = colors(paper);
     this.world.background = this.colors.paper;
-    this.sky.intensity = this.colors.sky;
-    this.sun.intensity = this.colors.sun;
-    this.curves.forEach(({ curve, use }) => curve.paint(this.colors[use], this.colors.halo));
+    this.stage.paint(this.colors);
+    this.curves.forEach(({ curve, use }) => curve.paint(this.colors[use], this.colors.halo, this.colors.was));
   }
 
   fit() {
@@ -108,6 +109,7 @@ export class View {
 
   resize(width, height, ratio) {
     this.renderer.setDrawingBufferSize(width, height, ratio);
+    this.drawnRatio = ratio;
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     this.curves.forEach(({ curve }) => curve.fit(width));
@@ -178,8 +180,18 @@ export class View {
   // How much farther away a picture must be seen from that is higher than wide.
   narrow() { return Math.max(1, 1.1 / this.camera.aspect); }
 
+  // All of the scene is seen from there, whatever the shape of the picture.
   flyHome(home, soft = true) {
-    this.fly(new THREE.Vector3(), this.toward(...home).multiplyScalar(this.all.scene.size * this.narrow()), soft);
+    this.framed = null;
+    const toward = this.toward(...home).normalize();
+    const { eye, target } = fittedEye(this.corners(), toward, this.camera, this.canvas.clientHeight);
+    this.fly(target, eye, soft);
+  }
+
+  // Places around the whole scene.
+  corners() {
+    const { half } = this.all.scene;
+    return Array.from({ length: 8 }, (_, k) => new THREE.Vector3(...half.map((part, axis) => (k >> axis & 1 ? part : -part))));
   }
 
   whole(soft = true) { this.flyHome(this.home, soft); }
@@ -227,7 +239,7 @@ export class View {
   }
 
   place(offset) {
-    this.flight = null;
+    this.flight = this.framed = null;
     this.camera.position.copy(this.controls.target).add(offset);
     this.controls.update();
   }
@@ -252,6 +264,7 @@ export class View {
         this.followFlight();
       }
       this.isMoving = Boolean(this.flight) || performance.now() - this.movedAt < 0.9 * STILL;
+      this.setSharpness();
       this.render();
       this.drawn();
       this.layers.forEach((layer) => layer.draw(this.camera, this.canvas.clientWidth, this.canvas.clientHeight));
@@ -264,14 +277,46 @@ export class View {
   render() {
     const distance = this.offset().length();
     this.camera.near = Math.max(0.02 * distance, 1e-6 * this.all.scene.size);
-    this.camera.far = distance + 3 * this.all.scene.size;
+    this.camera.far = distance + 6 * this.all.scene.size;
     this.camera.updateProjectionMatrix();
     this.camera.updateMatrixWorld();
     this.prepare();
+    this.curves.forEach(({ curve }) => {
+      curve.setScale(this.pixels() / distance);
+      curve.setCoarse(this.slow && this.isMoving);
+    });
+    this.stage.aim(this.controls.target, distance);
     this.renderer.render(this.world, this.camera);
+  }
+
+  // Where drawing is slow, fewer pixels are drawn as long as the camera moves.
+  setSharpness() {
+    const ratio = this.ratio * (this.slow && this.isMoving ? COARSE : 1);
+    if (ratio !== this.drawnRatio && this.canvas.clientWidth > 0) {
+      this.resize(this.canvas.clientWidth, this.canvas.clientHeight, ratio);
+    }
   }
 
   prepare() {}
 
-  drawn() {}
+  // Measures the first picture, when it is seen, and how long the first whole one takes. The first has no shadows.
+  drawn() {
+    const since = performance.now();
+    const whole = this.isWhole && !this.isMoving;
+    const first = this.firstPicture === undefined;
+    if (first) {
+      this.firstPicture = { triangles: this.renderer.info.render.triangles };
+    }
+    if (first || (whole && !this.slow)) {
+      requestAnimationFrame(() => requestAnimationFrame((now) => {
+        this.slow ||= whole && !first && now - since > SLOW;
+        if (first) {
+          this.firstPicture.at = now;
+          this.stage.addShadows();
+          this.onFirst?.();
+          this.draw();
+        }
+      }));
+    }
+  }
 }

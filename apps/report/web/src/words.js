@@ -2,7 +2,7 @@
 
 export const number = (value) => value.toLocaleString('en');
 
-const NO_PART = 0xffffffff;
+export const NO_PART = 0xffffffff;
 
 const some = (values, most) => values.slice(0, most).map(number).join(', ')
   + (values.length > most ? ', ...' : '');
@@ -266,8 +266,14 @@ const MOST_TOUCHED = 5; // bodies that are named
 export const inDigits = (length) => String(Number(length.toPrecision(4)));
 
 // What a moved body touches, or how near it is: "car 3 touches house_1: 12 pairs of triangles". `left` bodies were left out.
-export function liveAnswer({ scene }, body, { touched, gap }, left) {
+export function liveAnswer({ scene }, body, { touched, gap }, { left, known = Infinity }) {
   const name = bodyName(scene, body);
+  if (known <= 0) {
+    return `${name} is where this page does not hold all exact triangles: what it touches is not known here`;
+  }
+  if (touched.length === 0 && !gap && known < Infinity) {
+    return `${name} touches nothing${left > 0 ? ' that it is compared with' : ''}; the nearest is at least ${inDigits(0.999 * known)} away`;
+  }
   if (touched.length === 0) {
     return `${name} touches nothing${left > 0 ? ' that it is compared with' : ''}${gap ? `: ${inDigits(gap.lower)} from ${bodyName(scene, gap.body)}` : ''}`;
   }
