@@ -43,6 +43,7 @@ ALLOWED = {
     "tests/robot/robot_query_test.cpp": (("clock",), "the least moment there is"),
     "tests/query/contains_parts_test.cpp": (("clock",), "the least moment there is"),
     "tests/query/contains_test.cpp": (("clock",), "the least moment there is"),
+    "tests/query/self_overlap_test.cpp": (("clock",), "the least moment there is"),
     "tests/query/signed_closest_test.cpp": (("clock",), "a moment long past"),
     "tests/query/ray_test.cpp": (("clock",), "the least moment there is"),
     "tests/query/distance_cut_test.cpp": (("clock",), "deadlines, each later than the one before, until the query is complete"),
