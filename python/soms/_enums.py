@@ -15,6 +15,14 @@ class ClashKind(_enum.IntEnum):
     undecided = 5
 
 
+class CommonCorners(_enum.IntEnum):
+    """Which corners two triangles have in common: those of one vertex, or those in one
+    place."""
+
+    index = 0
+    position = 1
+
+
 class ContactChange(_enum.IntEnum):
     """What became of a contact of two bodies since the step before."""
 
