@@ -14,7 +14,7 @@ def colors():
     """By the name that CSS has: (light, dark), as #rrggbb."""
     text = TABLE.read_text(encoding="utf-8")
     tones = {name: (f"#{light}", f"#{dark}") for name, light, dark in re.findall(
-        r"constexpr Tone (k\w+)\{rgb\(0x([0-9a-f]{6})\), rgb\(0x([0-9a-f]{6})\)\};", text)}
+        r"constexpr Tone (k\w+)\{rgb\(0x([0-9a-f]{6})\),\s*rgb\(0x([0-9a-f]{6})\)\};", text)}
     named = re.findall(r'Named\{"([a-z-]+)", (k\w+)\}', text)
     if not named or {tone for _, tone in named} - set(tones):
         sys.exit(f"{TABLE}: the table of colors has another form than this script knows")

@@ -12,6 +12,26 @@ namespace {
 constexpr std::size_t kGap = 2;
 constexpr std::size_t kLeastName = 12;
 
+bool begins_character(char c) {
+  return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U;
+}
+
+/// Characters of UTF-8.
+std::size_t width_of(const std::string& cell) {
+  return static_cast<std::size_t>(std::count_if(cell.begin(), cell.end(), begins_character));
+}
+
+/// Where character `number` begins, or the end.
+std::size_t place_of(const std::string& cell, std::size_t number) {
+  std::size_t at = 0;
+  for (; at < cell.size(); ++at) {
+    if (begins_character(cell[at]) && number-- == 0) {
+      break;
+    }
+  }
+  return at;
+}
+
 /// The widths of columns; 0 for those that are left out.
 std::vector<std::size_t> widths_of(const std::vector<TableColumn>& columns,
                                    const std::vector<TableRow>& rows) {
@@ -19,7 +39,7 @@ std::vector<std::size_t> widths_of(const std::vector<TableColumn>& columns,
   for (std::size_t k = 0; k < columns.size(); ++k) {
     std::size_t widest = 0;
     for (const TableRow& row : rows) {
-      widest = std::max(widest, row.cells[k].size());
+      widest = std::max(widest, width_of(row.cells[k]));
     }
     widths.push_back(widest == 0 ? 0 : std::max(widest, columns[k].head.size()));
   }
@@ -54,11 +74,13 @@ void fit(const std::vector<TableColumn>& columns, std::size_t most,
 /// Both of its ends: names that differ often do so at the last letters.
 std::string without_middle(const std::string& cell, std::size_t width) {
   constexpr std::size_t kDots = 3;
-  if (cell.size() <= width) {
+  const std::size_t whole = width_of(cell);
+  if (whole <= width) {
     return cell;
   }
   const std::size_t tail = (width - kDots) / 2;
-  return cell.substr(0, width - kDots - tail) + "..." + cell.substr(cell.size() - tail);
+  return cell.substr(0, place_of(cell, width - kDots - tail)) + "..." +
+         cell.substr(place_of(cell, whole - tail));
 }
 
 }  // namespace
@@ -81,7 +103,7 @@ std::string table_text(const std::vector<TableColumn>& columns, std::vector<Tabl
       }
       const std::string cell =
           columns[k].shortens ? without_middle(rows[at].cells[k], widths[k]) : rows[at].cells[k];
-      const std::string blanks(widths[k] - std::min(widths[k], cell.size()), ' ');
+      const std::string blanks(widths[k] - std::min(widths[k], width_of(cell)), ' ');
       const bool inked = rows[at].ink && line.empty();
       const std::string shown = inked ? terminal.paint(cell, *rows[at].ink) : cell;
       line += std::string(kGap, ' ') + (columns[k].right ? blanks + shown : shown + blanks);

@@ -37,7 +37,10 @@ std::optional<std::size_t> worst_row(const Scene& scene) {
 }
 
 std::string who_touches(const Scene& scene, const SceneRow& row) {
-  return fmt::format("{} touches {}", side_words(scene, row.a, row.part_a),
+  const char* const meets = row.meeting == Meeting::touch     ? "touches"
+                            : row.meeting == Meeting::passage ? "passed through"
+                                                              : "may have passed through";
+  return fmt::format("{} {} {}", side_words(scene, row.a, row.part_a), meets,
                      side_words(scene, row.b, row.part_b));
 }
 

@@ -142,19 +142,25 @@ Upright read_upright(const std::string& path, const Role& role, Console& console
   return made_upright(read_model(path, role.options, console), path, role, console);
 }
 
-/// The two models of a city of two if both look y up, else none. A pair is turned as one.
-std::vector<Mesh> two_that_lie(const WorldOptions& options, Console& console) {
-  std::vector<Mesh> meshes;
+/// What was read of a city of two, to see whether both models look y up: a pair is turned as one.
+struct PairLooked {
+  std::vector<Mesh> meshes;  ///< the first ones, as many as that took
+  bool both_lie = false;
+};
+
+PairLooked look_at_pair(const WorldOptions& options, Console& console) {
+  PairLooked looked;
   if (!options.guess_up || options.cities.size() != 2) {
-    return meshes;
+    return looked;
   }
   for (const std::string& path : options.cities) {
-    meshes.push_back(read_model(path, options.city_model, console));
-    if (!may_lie(meshes.back(), options.city_model)) {
-      return {};
+    looked.meshes.push_back(read_model(path, options.city_model, console));
+    if (!may_lie(looked.meshes.back(), options.city_model)) {
+      return looked;
     }
   }
-  return meshes;
+  looked.both_lie = true;
+  return looked;
 }
 
 Shape build_named(Mesh mesh, const std::string& name, const WorldOptions& options,
@@ -272,18 +278,20 @@ std::optional<City> load_city(World& world, const WorldOptions& options,
     return city;
   }
   const bool shared = options.cities.size() > 1;
-  std::vector<Mesh> lying = two_that_lie(options, console);
+  PairLooked looked = look_at_pair(options, console);
+  world.read_ms = milliseconds_since(begin);
   const Role role{options.city_model,
                   "--scale",
                   "--up",
                   shared,
                   false,
-                  options.guess_up && (!shared || !lying.empty())};
+                  options.guess_up && (!shared || looked.both_lie)};
   for (std::size_t k = 0; k < options.cities.size(); ++k) {
     const std::string& path = options.cities[k];
     const auto start = Clock::now();
-    Upright model = lying.empty() ? read_upright(path, role, console)
-                                  : made_upright(std::move(lying[k]), path, role, console);
+    Mesh mesh = k < looked.meshes.size() ? std::move(looked.meshes[k])
+                                         : read_model(path, role.options, console);
+    Upright model = made_upright(std::move(mesh), path, role, console);
     frames.push_back(model.frame);
     world.read_ms += milliseconds_since(start);
     world.title += (world.title.empty() ? "" : " + ") + short_name(path);

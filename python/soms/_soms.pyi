@@ -9,9 +9,9 @@ from numpy.typing import ArrayLike, NDArray
 
 # Enumerations, written by tools/fields.py.
 from soms._enums import (
-    ClashKind, ContactVerdict, Coverage, JointType, Layout, MeshFormat, OverlapMode, Partition,
-    RecordedOrigin, RecordingEnding, Relation, RobotVerdict, Rotation, Rule, SceneBodyKind, Side,
-    StepScope, TreeCheck, TriangleFeature, Undecided, UpAxis,
+    ClashKind, CommonCorners, ContactVerdict, Coverage, JointType, Layout, MeshFormat, OverlapMode,
+    Partition, RecordedOrigin, RecordingEnding, Relation, RobotVerdict, Rotation, Rule,
+    SceneBodyKind, Side, StepScope, TreeCheck, TriangleFeature, Undecided, UpAxis,
 )
 # End of enumerations.
 from soms._error import Error
@@ -1584,6 +1584,10 @@ def overlap(
     limit: int | None = None, timeout: float | None = None, threads: int = 1,
     progress: Progress = None,
 ) -> OverlapBatch: ...
+def self_overlap(
+    model: BodyLike, *, by: CommonCorners | str = "index", mode: OverlapMode | str = "all", limit: int | None = None,
+    timeout: float | None = None, threads: int = 1, progress: Progress = None,
+) -> SelfOverlap: ...
 @overload
 def distance(
     a: BodyLike, b: BodyLike | TileSet, poses: None = None, *, at_most: float = ...,

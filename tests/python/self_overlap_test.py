@@ -20,14 +20,14 @@ class SelfOverlap(unittest.TestCase):
         self.assertTrue(answer)
         self.assertEqual(np.asarray(answer.pairs).tolist(), [[0, 1], [1, 2]])
         self.assertEqual(np.asarray(answer.duplicates).tolist(), [[0, 2]])
-        self.assertEqual(answer.coverage, "complete")
+        self.assertEqual(answer.coverage, soms.Coverage.complete)
 
     def test_takes_modes_and_limits(self):
         shape = soms.Shape(soms.Mesh(VERTICES, TRIANGLES))
         self.assertEqual(np.asarray(soms.self_overlap(shape, mode="first").pairs).tolist(), [[0, 1]])
         self.assertEqual(len(soms.self_overlap(shape, mode="any").pairs), 1)
         cut = soms.self_overlap(shape, limit=1)
-        self.assertEqual((len(cut.pairs), cut.coverage), (1, "cut"))
+        self.assertEqual((len(cut.pairs), cut.coverage), (1, soms.Coverage.cut))
         with self.assertRaises(soms.Error):
             soms.self_overlap(shape, by="corner")
 

@@ -200,7 +200,7 @@ Action add_self(Parser& parser, Shared&) {
   add_choice<CommonCorners>(
       parser, "--by", options->question.by,
       {{"index", CommonCorners::index}, {"position", CommonCorners::position}},
-      "which corners two triangles share: those of one vertex, or those in one place (index)")
+      "corners are shared by vertex, or by place (index)")
       ->group(kQuestionGroup);
   parser
       .add_flag_callback(

@@ -49,11 +49,11 @@ class MotionQuestion : public BatchQuestion<FirstContact> {
   std::uint64_t answer(const ShowProgress& show) override;
 
   [[nodiscard]] std::optional<std::string> difference(std::size_t k) override {
-    return console_.run("verifying", [&](const Limits&) {
+    return console_.run("verifying", [&](const Limits& limits) {
       return motion_difference(
           {rows_.mover(), rows_.block()[k], rows_.fixed().shape,
            rows_.way_of_b().value_or(RigidMotion::along(rows_.fixed().pose, {}))},
-          at(k), options_);
+          at(k), options_, limits);
     });
   }
 
@@ -144,7 +144,7 @@ class MotionQuestion : public BatchQuestion<FirstContact> {
 
 /// Where B moves, too, each motion of A is a question of its own.
 void MotionQuestion::answer_of_two(const std::vector<RigidMotion>& motions, const Limits& limits) {
-  for_each_chunk(motions.size(), 1, limits, [&](std::size_t k, std::size_t) {
+  for_each_chunk(motions.size(), 1, limits.without_deadline(), [&](std::size_t k, std::size_t) {
     put(k, first_contact(rows_.mover(), motions[k], rows_.fixed().shape, *rows_.way_of_b(),
                          options_, limits.alone()));
   });

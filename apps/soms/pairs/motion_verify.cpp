@@ -44,8 +44,8 @@ Shape one_triangle(const Shape& shape, TriangleId i) {
 class MotionCheck {
  public:
   MotionCheck(const VerifiedMotion& motion, const FirstContact& answer,
-              const FirstContactOptions& options)
-      : motion_(motion), answer_(answer), options_(options) {}
+              const FirstContactOptions& options, const Limits& limits)
+      : motion_(motion), answer_(answer), options_(options), limits_(limits) {}
 
   [[nodiscard]] std::optional<std::string> difference() {
     if (options_.within == 0) {
@@ -57,6 +57,7 @@ class MotionCheck {
       return starts ? "brute force finds a contact at the start" : "no contact is at the start";
     }
     for (int k = 1; k <= kStretches; ++k) {
+      check(limits_);
       const double t = static_cast<double>(k) / kStretches;
       if ((t < answer_.t.lower || answer_.t.lower == 1) && touches_before(t)) {
         return fmt::format("brute force finds a contact at t = {}, but none is said before {}",
@@ -81,13 +82,16 @@ class MotionCheck {
   [[nodiscard]] std::vector<TrianglePair> pairs_at(double t) const {
     const Body a = a_at(t);
     const Body b = b_at(t);
-    return reference::overlap(a.shape.mesh(), a.pose, b.shape.mesh(), b.pose).pairs;
+    return reference::overlap(a.shape.mesh(), a.pose, b.shape.mesh(), b.pose,
+                              limits_.without_deadline())
+        .pairs;
   }
 
   [[nodiscard]] bool touches_at(double t) const {
     return options_.within == 0
                ? !pairs_at(t).empty()
-               : reference::within_by_brute_force(a_at(t), b_at(t), options_.within);
+               : reference::within_by_brute_force(a_at(t), b_at(t), options_.within,
+                                                  limits_.without_deadline());
   }
 
   /// Next to rounding, the law decides about a pair that touches at a pose.
@@ -139,6 +143,7 @@ class MotionCheck {
   const VerifiedMotion& motion_;
   const FirstContact& answer_;
   const FirstContactOptions& options_;
+  const Limits& limits_;
   std::vector<TrianglePair> at_start_;  ///< in contact; with `parting` they are left out
 };
 
@@ -146,8 +151,9 @@ class MotionCheck {
 
 std::optional<std::string> motion_difference(const VerifiedMotion& motion,
                                              const FirstContact& answer,
-                                             const FirstContactOptions& options) {
-  return MotionCheck(motion, answer, options).difference();
+                                             const FirstContactOptions& options,
+                                             const Limits& limits) {
+  return MotionCheck(motion, answer, options, limits).difference();
 }
 
 }  // namespace soms::command

@@ -21,8 +21,10 @@ struct VerifiedMotion {
 /// What brute force finds wrong with an answer; nothing if it finds the same. All pairs of
 /// triangles are compared at 33 times of the way. If B rests and there are few pairs, the law of
 /// the motion decides all of them in whole numbers, for all times.
+/// \errors ErrorKind::cancelled, timed_out.
 [[nodiscard]] std::optional<std::string> motion_difference(const VerifiedMotion& motion,
                                                            const FirstContact& answer,
-                                                           const FirstContactOptions& options);
+                                                           const FirstContactOptions& options,
+                                                           const Limits& limits);
 
 }  // namespace soms::command

@@ -277,6 +277,11 @@ std::string lead_of(const World& world, const Outcome& outcome, const report::Sc
     return fmt::format("Nothing touches: {}.", tested);
   }
   const report::SceneRow& row = scene.rows[*worst];
+  if (row.meeting != report::Meeting::touch) {  // there is nothing else
+    return fmt::format("{} between two frames: {} in all, among {}.",
+                       report::who_touches(scene, row), counted(scene.rows.size(), "passage"),
+                       tested);
+  }
   return fmt::format("{} most: {} of triangles in frame {}. In all {} by {} of {}.",
                      report::who_touches(scene, row), counted(row.most_pairs, "pair"),
                      with_commas(row.most_step), counted(scene.rows.size(), "event"),

@@ -65,8 +65,9 @@ struct NearWay {
 /// The ways of two bodies to a frame, and what brute force finds wrong with an answer.
 class StepRoutes {
  public:
-  StepRoutes(const World& world, const std::vector<Pose>& before, const std::vector<Pose>& poses)
-      : world_(world), before_(before), poses_(poses) {}
+  StepRoutes(const World& world, const std::vector<Pose>& before, const std::vector<Pose>& poses,
+             const Limits& limits)
+      : world_(world), before_(before), poses_(poses), limits_(limits.without_deadline()) {}
 
   [[nodiscard]] bool is_wrong_with_city(MoverId mover, EnvironmentId part,
                                         FirstContact said) const {
@@ -81,17 +82,17 @@ class StepRoutes {
       }
       said.triangles->b = static_cast<TriangleId>(at - near.triangles.begin());
     }
-    return !near.triangles.empty() &&
-           motion_difference(
-               {shape(mover), route, Shape(near.mesh), RigidMotion::along(city.pose, {})}, said, {})
-               .has_value();
+    return !near.triangles.empty() && motion_difference({shape(mover), route, Shape(near.mesh),
+                                                         RigidMotion::along(city.pose, {})},
+                                                        said, {}, limits_)
+                                          .has_value();
   }
 
   [[nodiscard]] bool is_wrong_between(MoverId a, MoverId b, const FirstContact& said) const {
     if (!overlaps(box_of_way(shape(a), way(a)), box_of_way(shape(b), way(b)))) {
       return said.verdict != ContactVerdict::free;
     }
-    return motion_difference({shape(a), way(a), shape(b), way(b)}, said, {}).has_value();
+    return motion_difference({shape(a), way(a), shape(b), way(b)}, said, {}, limits_).has_value();
   }
 
  private:
@@ -106,6 +107,7 @@ class StepRoutes {
   const World& world_;
   const std::vector<Pose>& before_;
   const std::vector<Pose>& poses_;
+  Limits limits_;  ///< a frame is checked as a whole
 };
 
 template <class Passage>
@@ -143,7 +145,7 @@ bool lists_movers(const StepReport& report, MoverId a, MoverId b) {
 
 VerifiedPassages PassageVerifier::verify(const StepReport& report, const std::vector<Pose>& before,
                                          const std::vector<Pose>& poses, const Limits& limits) {
-  const StepRoutes ways(world_, before, poses);
+  const StepRoutes ways(world_, before, poses, limits);
   VerifiedPassages verified;
   const std::size_t with_city = report.environment_passages.size();
   const std::size_t all = with_city + report.mover_passages.size();

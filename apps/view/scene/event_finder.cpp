@@ -16,7 +16,7 @@
 
 namespace soms::view {
 
-/// The scene is made when the search begins: most windows never search.
+/// The scene is made when the search begins: a window where nothing moves never searches.
 struct EventFinder::State {
   SceneContent content;
   Limits limits;

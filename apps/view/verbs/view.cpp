@@ -89,7 +89,7 @@ command::Action add_view(command::Parser& parser, command::Shared&) {
   command::add_count(parser, "--frame", options->frame, 0, kMostFrames,
                      "frame of --test to begin with (that in which most touches; with --run or\n"
                      "--frames the first)");
-  parser.add_flag("--run", options->viewer.run, "start running, not still at the first frame");
+  parser.add_flag("--run", options->viewer.run, "start running, not still at the first contact");
   parser.add_flag_callback(
       "--no-panels", [options] { options->viewer.panels = false; }, "start without panels");
   parser

@@ -329,6 +329,7 @@ void SceneSubject::restart() {
 void SceneSubject::place_object(const Pose& pose) {
   if (const auto held = object()) {
     home_.try_emplace(*held, scene_.body(mover(*held)).pose);
+    std::erase(at_moment_, *held);
     changed();
     scene_.set_pose(*held, pose);
     if (!scene_.test()) {

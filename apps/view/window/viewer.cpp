@@ -113,6 +113,7 @@ struct Opened {
       const auto share = [&](double done) { say("cutting the picture in blocks", done); };
       share(0);
       Limits limits;
+      limits.threads = 0;
       limits.progress = share;
       limits.stop = stop;
       cut.cut(session->bare_picture(), limits);

@@ -98,7 +98,7 @@ TEST(MotionVerb, AnAnswerThatIsWrongIsFound) {
   for (const Vec3& by : {Vec3{0, 0, 0}, Vec3{0, 0.25, 0}}) {  // B rests, or moves
     const command::VerifiedMotion motion{cube, to_left, cube, RigidMotion::along(Pose(), by)};
     const auto is_wrong = [&](const FirstContact& answer) {
-      return command::motion_difference(motion, answer, {}).has_value();
+      return command::motion_difference(motion, answer, {}, {}).has_value();
     };
     EXPECT_FALSE(is_wrong(right));
     FirstContact late = right;

@@ -1,4 +1,5 @@
 // What a person sees on a terminal: lines of its width, tables, colors. Pipes get neither.
+#include "apps/cli/table.h"
 #include "tests/commands/run.h"
 #include "tests/support/support.h"
 
@@ -50,6 +51,20 @@ std::string words_of(const std::string& text) {
 std::vector<std::string> clash_words() {
   return {"clash", test::data("clash/structure.obj").string(), "--against",
           test::data("clash/services.gltf").string()};
+}
+
+// Names have letters of several bytes: none is cut, and columns stand below each other.
+TEST(Terminal, TablesCountLetters) {
+  const std::vector<command::TableColumn> columns{{"part", false, true}, {"depth", true, false}};
+  const std::string text =
+      command::table_text(columns,
+                          {{{"L\u00fcftungsrohr Au\u00dfenwand S\u00fcd \u00dcbergang", "1"}, {}},
+                           {{"Sch\u00e4chte", "22"}, {}}},
+                          {.person = true, .colors = false, .width = 30});
+  EXPECT_EQ(text,
+            "  part                   depth\n"
+            "  L\u00fcftungsr... \u00dcbergang      1\n"
+            "  Sch\u00e4chte                  22\n");
 }
 
 TEST(Terminal, HelpHasItsWidthAndAllWords) {

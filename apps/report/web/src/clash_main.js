@@ -46,7 +46,7 @@ export function startClashes() {
   addSteps(view, table);
   if (view) {
     byId('again').addEventListener('click', () => (table.chosen >= 0 ? view.choose(table.chosen) : table.neighbor(1)));
-    addPicking(view, choose, () => {});
+    addPicking(view, (r) => choose(r), () => {});
     byId('cut').addEventListener('change', () => view.setCut(byId('cut').checked));
   }
   addPrinting(() => printedClashes(all, view, table));

@@ -29,9 +29,9 @@ export function addPicking(view, choose, chooseGap) {
 export function openPage({ scene, rows, gaps }, list, linked, showRow, showGap) {
   if (linked) {
     linked();
-  } else if (rows.count > 0) {
+  } else if (list.entries.order.length > 0) {
     showRow(list.entries.order[0]);
-  } else if (gaps.count > 0) {
+  } else if (rows.count === 0 && gaps.count > 0) {
     showGap(scene.steps.noun === 'station');
   }
 }
