@@ -73,7 +73,7 @@ import { haystack, holds, rowHaystack } from '%(words)s';
 const names = ['crate, 12,345', 'dock'];
 const all = {
   scene: { bodies: { names, moves: [1, 0] }, moving: 1, parts: ['lid'], paths: ['crates/lid'], steps: { noun: 'frame', count: 3000 } },
-  contacts: { a: () => 0, b: () => 1, part: () => 0xffffffff, begin: () => 1234, end: () => 2000,
+  contacts: { row: () => 0, a: () => 0, b: () => 1, part: () => 0xffffffff, begin: () => 1234, end: () => 2000,
     triangles: (k, side) => (side === 0 ? [4711, 8] : [23456]), pairsInAll: () => 2, pairCount: () => 2 },
   rows: { meeting: () => 0, after: () => 0, a: () => 0, b: () => 1, part: (r, side) => (side === 0 ? 0 : 0xffffffff), begin: () => 3, end: () => 3,
     steps: () => 1, triangle: (r, side) => (side === 0 ? undefined : 23456) },
