@@ -31,7 +31,7 @@ SelfOverlap self_overlap(const MeshView& mesh, CommonCorners by, const Limits& l
   const PlainArithmetic plain;
   const std::vector<std::uint32_t> names = names_of(mesh, by);
   const auto corners_of = [&](TriangleId id) {
-    detail::CornerNames corners = mesh.triangles[id];
+    soms::detail::CornerNames corners = mesh.triangles[id];
     for (std::uint32_t& corner : corners) {
       corner = names[corner];
     }
@@ -44,12 +44,12 @@ SelfOverlap self_overlap(const MeshView& mesh, CommonCorners by, const Limits& l
     if (pair.a >= pair.b) {
       continue;
     }
-    const detail::CornerNames a = corners_of(pair.a);
-    const detail::CornerNames b = corners_of(pair.b);
+    const soms::detail::CornerNames a = corners_of(pair.a);
+    const soms::detail::CornerNames b = corners_of(pair.b);
     const bool apart = std::none_of(a.begin(), a.end(), [&](std::uint32_t corner) {
       return std::find(b.begin(), b.end(), corner) != b.end();
     });
-    const detail::Neighbors neighbors(a, b);
+    const soms::detail::Neighbors neighbors(a, b);
     if (apart || (!neighbors.duplicate() && neighbors.share_more(mesh.vertices))) {
       answer.pairs.push_back(pair);
     } else if (neighbors.duplicate()) {

@@ -18,7 +18,7 @@ constexpr double kUnderflow = 0x1p-800;
 constexpr double kLargest = 0x1p200;
 
 /// A stretch is halved so often at most.
-constexpr int kDepth = 4;
+constexpr int kPartingHalvings = 4;
 
 using DoubleDouble4 = std::array<DoubleDouble, 4>;
 
@@ -201,7 +201,7 @@ class PartingCheck {
 
 bool surely_parted(const RigidMotion& motion, const Triangle& moving, const Triangle& resting,
                    double from, double until) {
-  return PartingCheck(motion, moving, resting).parted(from, until, kDepth);
+  return PartingCheck(motion, moving, resting).parted(from, until, kPartingHalvings);
 }
 
 }  // namespace soms::detail

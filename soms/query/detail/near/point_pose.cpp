@@ -22,8 +22,8 @@ constexpr double kFarPoint = 16;
 constexpr double kPointRounding = 96;
 constexpr double kOfResidual = 12;
 constexpr double kPoseUnderflow = 0x1p-1064;
-constexpr double kRowOfInverse = 1.74;
-static_assert(4.01 * kRowOfInverse + (4.01 + 1.01 + 3.01) * kRowOfInverse + 32 + 2 * 3.5 + 10 <
+constexpr double kRowAtPoint = 1.74;
+static_assert(4.01 * kRowAtPoint + (4.01 + 1.01 + 3.01) * kRowAtPoint + 32 + 2 * 3.5 + 10 <
               kPointRounding);
 static_assert(10.5 < kOfResidual);
 

@@ -9,14 +9,15 @@ namespace soms::detail {
 
 namespace {
 
-constexpr std::array<Projection, 3> kProjections{Projection::xy, Projection::yz, Projection::zx};
+constexpr std::array<Projection, 3> kProjectionsOfNeighbors{Projection::xy, Projection::yz,
+                                                            Projection::zx};
 
 bool same_side(Sign a, Sign b) {
   return a == b && a != Sign::zero;
 }
 
 bool is_segment(const Vec3& a, const Vec3& b, const Vec3& c) {
-  for (const Projection plane : kProjections) {
+  for (const Projection plane : kProjectionsOfNeighbors) {
     if (orientation2d(a, b, c, plane) != Sign::zero) {
       return false;
     }
@@ -24,23 +25,23 @@ bool is_segment(const Vec3& a, const Vec3& b, const Vec3& c) {
   return true;
 }
 
-Triangle point(const Vec3& p) {
+Triangle point_triangle(const Vec3& p) {
   return {p, p, p};
 }
 
-Triangle segment(const Vec3& p, const Vec3& q) {
+Triangle segment_triangle(const Vec3& p, const Vec3& q) {
   return {p, q, q};
 }
 
 bool on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-  return triangles_overlap(point(p), segment(a, b));
+  return triangles_overlap(point_triangle(p), segment_triangle(a, b));
 }
 
 /// Whether the segment from v to p shares a point other than v with the triangle (v, r, s), which
 /// has area: it leaves that at p or through the edge from r to s, if it enters at all.
 bool segment_beyond_corner(const Vec3& v, const Vec3& p, const Vec3& r, const Vec3& s) {
-  return p != v && (triangles_overlap(point(p), {v, r, s}) ||
-                    triangles_overlap(segment(v, p), segment(r, s)));
+  return p != v && (triangles_overlap(point_triangle(p), {v, r, s}) ||
+                    triangles_overlap(segment_triangle(v, p), segment_triangle(r, s)));
 }
 
 /// Whether two segments from v share another point.
@@ -70,7 +71,8 @@ bool share_beyond_corner(const Vec3& v, const Vec3& p, const Vec3& q, const Vec3
   if (second_is_segment) {
     return segment_beyond_corner(v, r, p, q) || segment_beyond_corner(v, s, p, q);
   }
-  return triangles_overlap(segment(p, q), {v, r, s}) || triangles_overlap(segment(r, s), {v, p, q});
+  return triangles_overlap(segment_triangle(p, q), {v, r, s}) ||
+         triangles_overlap(segment_triangle(r, s), {v, p, q});
 }
 
 bool share_beyond_edge(const Vec3& u, const Vec3& v, const Vec3& p, const Vec3& r) {
@@ -80,7 +82,7 @@ bool share_beyond_edge(const Vec3& u, const Vec3& v, const Vec3& p, const Vec3& 
   if (orientation(u, v, p, r) != Sign::zero) {
     return false;
   }
-  for (const Projection plane : kProjections) {
+  for (const Projection plane : kProjectionsOfNeighbors) {
     const Sign side = orientation2d(u, v, p, plane);
     const Sign other = orientation2d(u, v, r, plane);
     if (side != Sign::zero || other != Sign::zero) {
