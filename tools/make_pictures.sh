@@ -66,14 +66,14 @@ data=${SOMS_DATA:-/nonexistent}
 # A street of a generated city, and cars of their own.
 "$soms" generate city --triangles 40000 --seed 3 -o "$models/town.obj" -q
 "$soms" generate city --triangles 20000 -o "$models/town.ply" -q
-"$soms" generate sedan -o "$models/sedan.obj" -q
+"$soms" generate sedan -o "$models/sedan.ply" -q  # without parts: it is one body
 "$soms" generate van -o "$models/van.obj" -q
-draw city_contact "$models/town.obj" --mover "$models/sedan.obj" --pose "-50.42 -74.9 -1.2 0.819152 0 0 0.573576" \
-  --scale 1 --camera contact,335:15,1.7x --size 1200x675
+draw city_contact "$models/town.obj" --mover "$models/sedan.ply" --pose "-50.42 -74.9 -1.2 0.819152 0 0 0.573576" \
+  --scale 1 --camera contact,335:15,1.4x --size 1200x675
 draw town "$models/town.ply" --scale 1 --size 960x540
-draw vehicles "$models/van.obj" --mover "$models/sedan.obj" --pose "1.2 -3.2 0" --no-gap --no-key \
+draw vehicles "$models/van.obj" --mover "$models/sedan.ply" --pose "1.2 -3.2 0" --no-gap --no-key \
   --camera scene,125:14,0.92x --size 960x480
-draw city_above "$models/town.ply" --mover "$models/sedan.obj" --count 40 --frame 60 --no-ground --scale 1 --camera scene,215:38,1.1x \
+draw city_above "$models/town.ply" --mover "$models/sedan.ply" --count 40 --frame 60 --no-ground --scale 1 --camera scene,215:38,1.1x \
   --size 960x540
 
 for level in 1 3 5 6; do
