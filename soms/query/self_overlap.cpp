@@ -22,7 +22,14 @@ SelfOverlap self_overlap(const Shape& shape, const SelfOverlapOptions& options,
   }
   std::vector<std::uint32_t> joined;
   if (options.by == CommonCorners::position) {
-    detail::Work work(limits, detail::joining_work(shape.mesh()));
+    if (limits.late()) {
+      SelfOverlap nothing;
+      nothing.coverage = Coverage::cut;
+      return nothing;
+    }
+    Limits joining;  // one bar of progress is enough
+    joining.stop = limits.stop;
+    detail::Work work(joining, detail::joining_work(shape.mesh()));
     joined = detail::joined_by_position(shape.mesh(), work);
   }
   const Body body{shape};

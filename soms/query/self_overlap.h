@@ -97,7 +97,9 @@ struct Fields<SelfOverlap> {
 /// duplicates. A pose would change nothing.
 ///
 /// \errors  ErrorKind::usage for a `limit` without effect; cancelled.
-/// \cost    Typically linear in the number of triangles plus the answer; by position, O(n) more.
+/// \cost    Typically linear in the number of triangles plus the answer; quadratic in the triangles
+///          around one vertex, and in those with the same corners. By position, O(n) more on one
+///          thread, which no deadline ends.
 /// \threads Any number of callers; `limits` splits one query, but for mode `first` and where there
 ///          is a limit.
 /// \source  The meaning of CGAL's `self_intersections`, for triangles without area, too.

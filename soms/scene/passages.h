@@ -11,7 +11,8 @@
 
 namespace soms {
 
-/// The two touch between the steps alone: in contact neither at the pose before nor now. `contacts`
+/// The two touch between the steps alone, or may, where the passage grazes: in contact neither at
+/// the pose before nor now. `contacts`
 /// are those of the report or frame of the passage, sorted.
 [[nodiscard]] bool is_between_steps(const EnvironmentPassage& passage,
                                     std::span<const EnvironmentContact> contacts);

@@ -280,14 +280,23 @@ void RecordingWriter::put_frame(std::span<const Pose> poses, const StepReport& r
     }
   }
   if (swept_) {
-    put(chunk_, static_cast<std::uint64_t>(report.environment_passages.size()));
-    for (const EnvironmentPassage& passage : report.environment_passages) {
-      put_passage(chunk_, passage.mover, passage.part, passage);
-    }
-    put(chunk_, static_cast<std::uint64_t>(report.mover_passages.size()));
-    for (const MoverPassage& passage : report.mover_passages) {
-      put_passage(chunk_, passage.a, passage.b, passage);
-    }
+    put_passages(report);
+  }
+}
+
+void RecordingWriter::put_passages(const StepReport& report) {
+  // The recording has no way to its first frame.
+  const bool is_first = end_.frames == 0;
+  const std::span environment(report.environment_passages.data(),
+                              is_first ? 0 : report.environment_passages.size());
+  put(chunk_, static_cast<std::uint64_t>(environment.size()));
+  for (const EnvironmentPassage& passage : environment) {
+    put_passage(chunk_, passage.mover, passage.part, passage);
+  }
+  const std::span movers(report.mover_passages.data(), is_first ? 0 : report.mover_passages.size());
+  put(chunk_, static_cast<std::uint64_t>(movers.size()));
+  for (const MoverPassage& passage : movers) {
+    put_passage(chunk_, passage.a, passage.b, passage);
   }
 }
 

@@ -156,6 +156,7 @@ class RecordingWriter {
 
  private:
   void put_frame(std::span<const Pose> poses, const StepReport& report);
+  void put_passages(const StepReport& report);
   void flush();
   void write(const std::string& bytes);
 

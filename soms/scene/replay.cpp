@@ -150,6 +150,10 @@ struct Replay::State {
       start();
       for (std::uint32_t k = 0; k < chunk.frames; ++k) {
         read_frame(content, head, frame);
+        if (frames + k == 0 &&
+            !(frame.environment_passages.empty() && frame.mover_passages.empty())) {
+          throw content.fault("passages on the way to the first frame, which has none");
+        }
         sum.environment_contacts += frame.environment.size();
         sum.mover_contacts += frame.movers.size();
         running.add(hash_of_contacts());

@@ -25,7 +25,8 @@ std::uint32_t version_in(const std::string& bytes) {
   return detail::get<std::uint32_t>(bytes.data() + 8);
 }
 
-/// What is said of a recording of one frame, two movers and a part, with these passages.
+/// What is said of a recording of two frames, two movers and a part, with these passages on the way
+/// to each; no way leads to the first.
 std::string words_of_passages(const std::vector<EnvironmentPassage>& environment,
                               const std::vector<MoverPassage>& movers) {
   RecordingHead head;
@@ -41,11 +42,14 @@ std::string words_of_passages(const std::vector<EnvironmentPassage>& environment
   report.environment_passages = environment;
   report.mover_passages = movers;
   writer.add(std::vector<Pose>(2), report);
+  writer.add(std::vector<Pose>(2), report);
   writer.finish(RecordingEnding::complete);
   Replay replay = test::replay_of(out.str());
   if (!replay.fault()) {
-    EXPECT_EQ(replay.frame(0).environment_passages, environment);
-    EXPECT_EQ(replay.frame(0).mover_passages, movers);
+    EXPECT_EQ(replay.frame(1).environment_passages, environment);
+    EXPECT_EQ(replay.frame(1).mover_passages, movers);
+    EXPECT_TRUE(replay.frame(0).environment_passages.empty());
+    EXPECT_TRUE(replay.frame(0).mover_passages.empty());
     return {};
   }
   const std::string words = replay.fault()->place();

@@ -104,8 +104,11 @@ struct EventFinder::State {
                         .point = passage.point});
   }
 
-  /// Those that no frame shows. In the first frame there are none.
+  /// Those that no frame shows. No way leads to the first frame.
   void add_passages(const StepReport& report) {
+    if (searched == 0) {
+      return;
+    }
     for (const EnvironmentPassage& passage : report.environment_passages) {
       if (is_between_steps(passage, report.environment)) {
         add({{SceneBodyKind::environment, passage.part}, parts[passage.part](passage.j)}, passage);

@@ -29,6 +29,9 @@ NamedTriangle named(const SelfFrame& frame, TriangleId id) {
 bool list_duplicates(const SelfFrame& frame, std::uint64_t limit, const Limits& limits,
                      std::vector<TrianglePair>& pairs) {
   const std::size_t count = frame.mesh().triangles.size();
+  if (limits.late()) {
+    return false;
+  }
   std::vector<NamedTriangle> all(count);
   for (std::size_t i = 0; i < count; ++i) {
     all[i] = named(frame, static_cast<TriangleId>(i));
