@@ -18,7 +18,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -192,47 +191,6 @@ TEST(SelfOverlap, FindsNoFaultInClosedSurfaces) {
       EXPECT_TRUE(answer.duplicates.empty());
     }
   }
-}
-
-/// Each triangle cut into four at the midpoints of its edges, as they are rounded.
-Mesh quartered(const Mesh& mesh) {
-  Mesh cut;
-  cut.vertices = mesh.vertices;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
-  const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-    const auto next = static_cast<std::uint32_t>(cut.vertices.size());
-    const auto [found, is_new] = middles.try_emplace(std::minmax(a, b), next);
-    if (is_new) {
-      cut.vertices.push_back(0.5 * (cut.vertices[a] + cut.vertices[b]));
-    }
-    return found->second;
-  };
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const std::uint32_t ab = middle(a, b);
-    const std::uint32_t bc = middle(b, c);
-    const std::uint32_t ca = middle(c, a);
-    cut.triangles.insert(cut.triangles.end(),
-                         {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
-  }
-  return cut;
-}
-
-// libigl#2382, #2381: a triangle cut twice into 16, and its like at another scale.
-TEST(SelfOverlap, FindsNothingInACutTriangle) {
-  test::for_each_case("query/self-overlap-cut", 81, [&](Rng& rng) {
-    const double scale = std::exp2(rng.uniform(-200, 200));
-    const auto point = [&] {
-      const auto part = [&] { return static_cast<double>(static_cast<float>(rng.uniform(-1, 1))); };
-      return scale * Vec3{part(), part(), part()};
-    };
-    Mesh mesh = test::soup_body({{point(), point(), point()}});
-    for (int times = 0; times < 2; ++times) {
-      mesh = quartered(mesh);
-    }
-    const SelfOverlap truth = reference::self_overlap(mesh);
-    ASSERT_NO_FATAL_FAILURE(expect_everywhere(Shape(mesh), CommonCorners::index, truth));
-    ASSERT_FALSE(truth.any);
-  });
 }
 
 TEST(SelfOverlap, DoesNotDependOnOrder) {
