@@ -28,7 +28,7 @@ namespace soms::command {
 namespace {
 
 /// Most pairs that are listed as text.
-constexpr std::size_t kListed = 20;
+constexpr std::size_t kListedPairs = 20;
 
 /// What was found in a model, by the numbers of its file.
 class SelfReport {
@@ -107,15 +107,15 @@ class SelfReport {
 
   [[nodiscard]] std::string listed(const std::vector<TrianglePair>& pairs) const {
     std::string text;
-    for (std::size_t k = 0; k < std::min(kListed, pairs.size()); ++k) {
+    for (std::size_t k = 0; k < std::min(kListedPairs, pairs.size()); ++k) {
       const Vec3 at = place_of(pairs[k]);
       text += fmt::format("  {} and {} at ({}, {}, {})\n", triangle_label(mesh_, pairs[k].a),
                           triangle_label(mesh_, pairs[k].b), readable(at.x), readable(at.y),
                           readable(at.z));
     }
-    if (pairs.size() > kListed) {
+    if (pairs.size() > kListedPairs) {
       text += fmt::format("  and {} more; --json or -o FILE lists all\n",
-                          with_commas(pairs.size() - kListed));
+                          with_commas(pairs.size() - kListedPairs));
     }
     return text;
   }

@@ -13,7 +13,7 @@ namespace soms::view {
 
 namespace {
 
-constexpr std::size_t kCells = 256;            ///< along a side of the grid
+constexpr std::size_t kCellsOfPlace = 256;     ///< along a side of the grid
 constexpr std::size_t kWindow = 12;            ///< likewise of a place
 constexpr double kSparse = 0.02;               ///< of the cells; more are a city as any
 constexpr std::uint32_t kMover = 4;            ///< what it counts, in cells of surface
@@ -24,11 +24,11 @@ constexpr std::uint64_t kFewTriangles = 1000;  ///< which are a model, not a cit
 class CellGrid {
  public:
   explicit CellGrid(const Box& all)
-      : low_(all.lower), side_(std::max(all.extent().x, all.extent().y) / kCells) {}
+      : low_(all.lower), side_(std::max(all.extent().x, all.extent().y) / kCellsOfPlace) {}
 
   [[nodiscard]] std::size_t cell(double along, double low) const {
     const double at = std::floor((along - low) / side_);
-    return static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(kCells - 1)));
+    return static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(kCellsOfPlace - 1)));
   }
 
   [[nodiscard]] std::array<std::size_t, 2> cell_of(const Vec3& p) const {
@@ -44,8 +44,8 @@ class CellGrid {
     }
     for (std::size_t y = y0; y <= y1; ++y) {
       for (std::size_t x = x0; x <= x1; ++x) {
-        marked_ += weights_[y * kCells + x] == 0 ? 1U : 0U;
-        weights_[y * kCells + x] = 1;
+        marked_ += weights_[y * kCellsOfPlace + x] == 0 ? 1U : 0U;
+        weights_[y * kCellsOfPlace + x] = 1;
       }
     }
     return static_cast<double>(marked_) <= kMost;
@@ -53,24 +53,26 @@ class CellGrid {
 
   void add(const Vec3& p, std::uint32_t weight) {
     const auto [x, y] = cell_of(p);
-    weights_[y * kCells + x] += weight;
+    weights_[y * kCellsOfPlace + x] += weight;
   }
 
   /// The lower cell of the window of greatest weight, the first of equal ones.
   [[nodiscard]] std::array<std::size_t, 2> heaviest() const {
-    std::vector<std::uint64_t> sums((kCells + 1) * (kCells + 1), 0);  // of all cells before
+    std::vector<std::uint64_t> sums((kCellsOfPlace + 1) * (kCellsOfPlace + 1),
+                                    0);  // of all cells before
     const auto sum = [&](std::size_t x, std::size_t y) -> std::uint64_t& {
-      return sums[y * (kCells + 1) + x];
+      return sums[y * (kCellsOfPlace + 1) + x];
     };
-    for (std::size_t y = 0; y < kCells; ++y) {
-      for (std::size_t x = 0; x < kCells; ++x) {
-        sum(x + 1, y + 1) = weights_[y * kCells + x] + sum(x, y + 1) + sum(x + 1, y) - sum(x, y);
+    for (std::size_t y = 0; y < kCellsOfPlace; ++y) {
+      for (std::size_t x = 0; x < kCellsOfPlace; ++x) {
+        sum(x + 1, y + 1) =
+            weights_[y * kCellsOfPlace + x] + sum(x, y + 1) + sum(x + 1, y) - sum(x, y);
       }
     }
     std::array<std::size_t, 2> best{};
     std::uint64_t most = 0;
-    for (std::size_t y = 0; y + kWindow <= kCells; ++y) {
-      for (std::size_t x = 0; x + kWindow <= kCells; ++x) {
+    for (std::size_t y = 0; y + kWindow <= kCellsOfPlace; ++y) {
+      for (std::size_t x = 0; x + kWindow <= kCellsOfPlace; ++x) {
         const std::uint64_t here =
             sum(x + kWindow, y + kWindow) + sum(x, y) - sum(x + kWindow, y) - sum(x, y + kWindow);
         if (here > most) {
@@ -83,11 +85,12 @@ class CellGrid {
   }
 
  private:
-  static constexpr double kMost = kSparse * kCells * kCells;
+  static constexpr double kMost = kSparse * kCellsOfPlace * kCellsOfPlace;
 
   Vec3 low_;
   double side_;
-  std::vector<std::uint32_t> weights_ = std::vector<std::uint32_t>(kCells * kCells, 0);
+  std::vector<std::uint32_t> weights_ =
+      std::vector<std::uint32_t>(kCellsOfPlace * kCellsOfPlace, 0);
   std::size_t marked_ = 0;
 };
 
