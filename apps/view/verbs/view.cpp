@@ -9,7 +9,6 @@
 #include "apps/view/scene/orientation_menu.h"
 #include "apps/view/verbs/render_scene.h"
 #include "apps/view/verbs/tree_options.h"
-#include "apps/view/window/app_window.h"
 #include "apps/view/window/scene_subject.h"
 #include "apps/world/world.h"
 
@@ -159,7 +158,6 @@ int run_view(const ViewVerbOptions& options, command::Console& console) {
                 "add --screenshot FILE, or press Shift+F12 in the window");
   }
   command::check_extension("--screenshot", options.viewer.screenshot, {".png"});
-  AppWindow::require_display();
   command::WorldOptions world = options.world;
   world.guess_up = true;
   const SubjectMaker make = [&](const Say& say) {

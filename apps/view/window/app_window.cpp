@@ -213,10 +213,6 @@ AppWindow::~AppWindow() {
   ImGui::DestroyContext();
 }
 
-void AppWindow::require_display() {
-  const Library library;
-}
-
 void AppWindow::wait(double seconds) {
   if (seconds < 0) {
     glfwWaitEvents();

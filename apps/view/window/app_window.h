@@ -24,10 +24,6 @@ class AppWindow {
   AppWindow(const AppWindow&) = delete;
   AppWindow& operator=(const AppWindow&) = delete;
 
-  /// Throws as the constructor would where there is no display: cheap, so it comes before long
-  /// work.
-  static void require_display();
-
   /// Waits for events, at most `seconds`; 0 only looks, a negative number waits without end.
   void wait(double seconds);
 
