@@ -3,10 +3,13 @@ import * as THREE from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
+import { chained } from './chains.js';
 
 const HALO = 4; // pixels around the ink
 const HIDDEN = 0.6; // of the width, behind walls
-const DASH = 5; // pixels
+const DASH = 8; // pixels
+const GAP = 7; // pixels
+const PALE = 0.65; // opacity of dashes
 const MANY = 300; // lines
 const NOTHING = new Float32Array(6);
 const NO_LINES = new Float32Array(0);
@@ -48,7 +51,7 @@ export class Curve {
     this.parts = [halo, ink];
     if (through) {
       this.parts.push(lineMaterial(HIDDEN * width, width + HALO, {
-        dashed: true, dashSize: DASH, gapSize: DASH, depthFunc: THREE.GreaterDepth, opacity: 0.9,
+        dashed: true, dashSize: DASH, gapSize: GAP, depthFunc: THREE.GreaterDepth, opacity: PALE,
       }));
     }
     this.parts = this.parts.map((made, above) => {
@@ -66,13 +69,24 @@ export class Curve {
     const some = lines.length > 0;
     this.lines = lines;
     const positions = some ? withLength(lines, 1e-6 * size) : NOTHING;
-    this.parts[0].geometry.dispose();
+    this.parts.forEach((part) => part.geometry.dispose());
     const geometry = new LineSegmentsGeometry().setPositions(positions);
     for (const part of this.parts) {
       part.geometry = geometry;
       part.visible = some;
     }
-    this.parts[2]?.computeLineDistances();
+    if (this.parts[2] && some) {
+      this.parts[2].geometry = new LineSegmentsGeometry().setPositions(chained(positions, 1e-5 * size));
+      this.parts[2].computeLineDistances();
+    }
+  }
+
+  // Behind what one sees through, hidden lines are whole and have the color of the others.
+  setBehindGlass(behind) {
+    if (this.parts[2]) {
+      this.parts[2].material.dashed = !behind;
+      this.parts[2].material.color.copy(behind ? this.parts[1].material.color : this.hidden);
+    }
   }
 
   // Where drawing is slow, a camera that moves sees the ink of long curves alone.
@@ -101,7 +115,8 @@ export class Curve {
   paint(ink, halo, hidden) {
     this.parts[0].material.color.copy(halo);
     this.parts[1].material.color.copy(ink);
-    this.parts[2]?.material.color.copy(hidden);
+    this.hidden = hidden;
+    this.setBehindGlass(this.parts[2]?.material.dashed === false);
   }
 }
 
