@@ -2,11 +2,13 @@
 // where drawing is slow; movers that are small on the screen are drawn as their boxes.
 import * as THREE from 'three';
 import { creased } from './creases.js';
+import { Glass } from './glass.js';
 import { solid } from './look.js';
 import { MotionPoses } from './motions.js';
 import { Poses } from './poses.js';
 
 const SMALL = 14; // pixels: what is smaller is drawn as a box
+const CLEAR = -4; // drawing order: before all marks
 
 function boxOf(geometry) {
   const size = geometry.boundingBox.getSize(new THREE.Vector3());
@@ -26,6 +28,8 @@ export class Bodies {
     const poses = new Poses(scene);
     this.partColor = new THREE.Color();
     this.poses = scene.motions ? new MotionPoses(poses, scene.motions) : poses;
+    this.clear = -1; // the body that one sees through
+    this.glass = new Glass(world, CLEAR);
     this.moving = []; // bodies that move, with where they are
     this.moved = null; // the one that the reader moves: its number, place and turning
     const counts = scene.models.map(() => 0);
@@ -62,23 +66,31 @@ export class Bodies {
     this.whole.set(k, creased(mesh));
     this.scene.models[k].mesh = mesh;
     if (this.part) {
-      this.showPart(...this.part.shown); // by finer triangles
+      this.showSome(...this.part.shown); // by finer triangles
     }
     if (this.near[k]) {
       this.near[k].geometry = this.whole.get(k);
     }
+    this.placeClear();
   }
 
   // A part of a body that stands still, upon the body; or none.
   showPart(body, part) {
+    this.showSome(body, part === undefined ? undefined : ({ indices, parts }) => (
+      parts ? indices.filter((_, corner) => parts[(corner - corner % 3) / 3] === part + 1) : []));
+  }
+
+  // Triangles of a body that stands still: `some(mesh)` has their corners.
+  showSome(body, some) {
     this.part ??= this.addPart();
     this.part.mesh.visible = false;
-    this.part.shown = [body, part];
-    if (part === undefined || this.scene.bodies.moves[body]) {
+    this.part.shown = [body, some];
+    if (some === undefined || this.scene.bodies.moves[body]) {
       return;
     }
-    const { positions, indices, parts } = this.scene.models[this.scene.bodies.model[body]].mesh;
-    const own = parts ? indices.filter((_, corner) => parts[(corner - corner % 3) / 3] === part + 1) : [];
+    const { mesh } = this.scene.models[this.scene.bodies.model[body]];
+    const { positions } = mesh;
+    const own = some(mesh);
     if (own.length > 0) {
       this.part.mesh.geometry.dispose();
       this.part.mesh.geometry = creased({ positions, indices: own });
@@ -126,6 +138,26 @@ export class Bodies {
     }
     this.stillMeshes.forEach(({ material, userData }) => material.color.copy(colorOf(userData.body)));
     this.part?.mesh.material.color.copy(this.partColor);
+    if (this.clear >= 0) {
+      this.glass.ink.color.copy(colorOf(this.clear));
+      this.placeClear();
+    }
+  }
+
+  // One sees through a body; with -1 through none.
+  setClear(body) {
+    this.clear = body;
+    this.stillMeshes.forEach((mesh) => { mesh.visible = mesh.userData.body !== body; });
+    this.glass.show(body >= 0);
+    this.placeClear();
+  }
+
+  placeClear() {
+    const [found] = this.clear < 0 ? [] : this.placed([this.clear]).filter(({ body }) => body === this.clear);
+    if (found) {
+      this.glass.geometry = found.geometry;
+      this.glass.place(found.matrix);
+    }
   }
 
   // Chooses who is drawn whole, as the camera sees them: lengths at distance 1 are so many pixels high.
@@ -133,7 +165,7 @@ export class Bodies {
     for (const list of [this.near, this.far]) {
       list.forEach((mesh) => { if (mesh) { mesh.count = 0; } });
     }
-    for (const { body, model, place, matrix, color } of this.moving) {
+    for (const { body, model, place, matrix, color } of this.moving.filter((mover) => mover.body !== this.clear)) {
       const size = 2 * this.geometries[model].boundingSphere.radius;
       const large = size * pixels > SMALL * camera.position.distanceTo(place);
       const mesh = (large ? this.near : this.far)[model];
@@ -156,12 +188,12 @@ export class Bodies {
     return { place: place.toArray(), turn: turn.toArray() };
   }
 
-  // All that stands still, and some that move, each as geometry and where it is.
+  // All that stands still, and some that move, each with its geometry and where it is.
   placed(bodies) {
     const movers = this.moving.filter(({ body }) => bodies.includes(body))
-      .map(({ model, matrix }) => ({ geometry: this.geometries[model], matrix }));
+      .map(({ body, model, matrix }) => ({ body, geometry: this.whole.get(model) ?? this.geometries[model], matrix }));
     this.stillMeshes.forEach((mesh) => mesh.updateMatrix());
-    return [...movers, ...this.stillMeshes.map(({ userData: { model }, matrix }) => ({ geometry: this.whole.get(model) ?? this.geometries[model], matrix }))];
+    return [...movers, ...this.stillMeshes.map(({ userData: { model, body }, matrix }) => ({ body, geometry: this.whole.get(model) ?? this.geometries[model], matrix }))];
   }
 
   // Where a body is drawn: the middle of its model.
@@ -178,7 +210,11 @@ export class Bodies {
   moverAt(raycaster) {
     const movers = [...this.near, ...this.far].filter((mesh) => mesh?.count > 0);
     movers.forEach((mesh) => { mesh.boundingSphere = null; }); // instances have moved since it was found
-    const [first] = raycaster.intersectObjects([...movers, ...this.stillMeshes], false);
+    const clear = this.scene.bodies.moves[this.clear] ? [this.glass.meshes[0]] : [];
+    const [first] = raycaster.intersectObjects([...movers, ...clear, ...this.stillMeshes.filter(({ visible }) => visible)], false);
+    if (first?.object === clear[0] && first) {
+      return { body: this.clear, point: first.point };
+    }
     return first?.instanceId === undefined ? null : { body: first.object.userData.bodies[first.instanceId], point: first.point };
   }
 }

@@ -2,13 +2,13 @@
 import * as THREE from 'three';
 import { creased } from './creases.js';
 import { trianglesOf } from './curves.js';
+import { depthOnly, Glass, GLASS } from './glass.js';
 import { solid } from './look.js';
 import { Spots } from './spots.js';
 import { View } from './view.js';
 
 const DISTANCE = 2.62; // of the eye, in reaches: all within the reach is seen at 45 degrees
 const CUT = 0.1; // reaches from the middle of the clash toward the eye
-const GLASS = 0.28;
 const GLASS_OF_ALL = 0.3; // of the set that one sees through where no row is chosen
 const HIDDEN = 0.45; // of parts that others hide all the same
 const NO_LINES = new Float32Array(0);
@@ -81,7 +81,7 @@ export class ClashView extends View {
     // Of the set with the larger parts, only the nearest surface is drawn where one sees through it.
     const size = (parts) => parts.reduce((sum, { mesh }) => mesh.positions.reduce((most, at) => Math.max(most, at), 0) + sum, 0) / Math.max(1, parts.length);
     this.clear = this.sets[size(sets[0]) > size(sets[1]) ? 0 : 1];
-    this.clearDepth = new THREE.Mesh(this.clear.geometry, new THREE.MeshBasicMaterial({ colorWrite: false, side: THREE.DoubleSide, transparent: true }));
+    this.clearDepth = new THREE.Mesh(this.clear.geometry, depthOnly());
     this.clearDepth.frustumCulled = false;
     this.clearDepth.renderOrder = 3;
     this.clear.renderOrder = 4;
@@ -97,9 +97,7 @@ export class ClashView extends View {
     // In front of the pale part that they are themselves.
     const before = { polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -2 };
     this.small = mesh(solid({ transparent: true, ...before }), 2); // after what shines through, which it hides
-    // Of what one sees through, only the nearest surface is drawn: its depth first, then its color.
-    this.glassDepth = mesh(new THREE.MeshBasicMaterial({ colorWrite: false, side: THREE.DoubleSide, transparent: true, ...before }), 3);
-    this.glass = mesh(solid({ transparent: true, opacity: GLASS, depthFunc: THREE.LessEqualDepth, ...before }), 4);
+    this.glass = new Glass(this.world, 3, before);
     // Where other parts are before the two, these shine through.
     const behind = { transparent: true, depthFunc: THREE.GreaterDepth, depthWrite: false };
     this.smallBehind = mesh(solid({ ...behind, opacity: HIDDEN }), 1);
@@ -127,7 +125,7 @@ export class ClashView extends View {
     this.allSpots.forEach(({ points }) => { points.visible = isWhole && this.spotsAt.length > 0; });
     const [a, b] = [this.colors.moves, this.colors.still];
     const aIsGlass = this.row >= 0 && this.all.sights.aIsLarger(this.row);
-    [this.glass, this.glassBehind].forEach(({ material }) => material.color.copy(aIsGlass ? a : b));
+    [this.glass.ink, this.glassBehind.material].forEach(({ color }) => color.copy(aIsGlass ? a : b));
     [this.small, this.smallBehind].forEach(({ material }) => material.color.copy(aIsGlass ? b : a));
   }
 
@@ -137,7 +135,7 @@ export class ClashView extends View {
     const { rows, parts, scene, sights, curves } = this.all;
     const [a, b] = r < 0 ? [] : [rows[r].a, rows[r].b].map((side) => parts[scene.of_sides[side]]);
     const [large, little] = r >= 0 && sights.aIsLarger(r) ? [a, b] : [b, a];
-    for (const [meshes, part] of [[[this.small, this.smallBehind], little], [[this.glass, this.glassBehind, this.glassDepth], large]]) {
+    for (const [meshes, part] of [[[this.small, this.smallBehind], little], [[...this.glass.meshes, this.glassBehind], large]]) {
       meshes[0].geometry.dispose();
       const geometry = part === undefined ? new THREE.BufferGeometry() : joinedGeometry([part]);
       for (const mesh of meshes) {

@@ -1,35 +1,19 @@
 // A body on its way: where it is, pale where it starts, touches and ends, and where the contact is.
 import * as THREE from 'three';
+import { Glass } from './glass.js';
 import { solid } from './look.js';
 import { partAt, poseOn, stepAt } from './motions.js';
 import { SceneView } from './scene_view.js';
 
 const MOVER = 0; // the body
 const MEETING_SEEN = 20; // drawing order: above all other marks
-const PALE = 0.28; // opacity
 const HIDDEN = 0.2;
 const PARTS_OF_TRACE = 64;
 const AROUND = 0.6; // of what is seen around a way, in its radii; the eye stands a few of them away
 
-// A body that lets what is behind it be seen, but not its own far side: its depth is drawn first.
-class Ghost {
-  constructor(parent, geometry) {
-    this.ink = solid({ transparent: true, opacity: PALE, depthWrite: false });
-    this.meshes = [new THREE.MeshBasicMaterial({ colorWrite: false, transparent: true, side: THREE.DoubleSide }), this.ink]
-      .map((material, order) => {
-        const mesh = new THREE.Mesh(geometry, material);
-        mesh.renderOrder = order - 2; // before what no wall may hide
-        mesh.visible = mesh.frustumCulled = false;
-        parent.add(mesh);
-        return mesh;
-      });
-  }
-
-  set geometry(geometry) { this.meshes.forEach((mesh) => { mesh.geometry = geometry; }); }
-
-  show(visible) { this.meshes.forEach((mesh) => { mesh.visible = visible; }); }
-
-  place(motion, t) {
+// A body at a part of a way.
+class Ghost extends Glass {
+  put(motion, t) {
     this.part = t;
     this.meshes.forEach(({ position, quaternion }) => poseOn(motion, t, position, quaternion));
   }
@@ -41,7 +25,7 @@ export class MotionView extends SceneView {
     super.addChosen();
     this.motions = this.all.scene.motions;
     const geometry = this.bodies.geometries[this.all.scene.bodies.model[MOVER]];
-    this.ghosts = [0, 1, 2].map(() => new Ghost(this.world, geometry));
+    this.ghosts = [0, 1, 2].map(() => new Ghost(this.world, -2, {}, geometry));
     // The parts of the body that walls hide.
     this.behind = new THREE.Mesh(geometry, solid({ transparent: true, opacity: HIDDEN, depthWrite: false, depthFunc: THREE.GreaterDepth }));
     this.behind.frustumCulled = false;
@@ -90,7 +74,7 @@ export class MotionView extends SceneView {
       this.exact = null;
     }
     this.meeting.forEach((spot) => { spot.visible = motion.row >= 0; });
-    [0, motion.moment, 1].forEach((t, n) => this.ghosts[n].place(motion, t));
+    [0, motion.moment, 1].forEach((t, n) => this.ghosts[n].put(motion, t));
     this.traces[0].show(this.traceOf(0, motion.moment), this.all.scene.size);
     this.traces[1].show(motion.moment < 1 ? this.traceOf(motion.moment, 1) : new Float32Array(0), this.all.scene.size);
     this.setPart(motion.moment);

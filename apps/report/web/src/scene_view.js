@@ -3,7 +3,7 @@ import * as THREE from 'three';
 import { Bodies } from './bodies.js';
 import { joined, trianglesOf } from './curves.js';
 import { GapLines } from './gaps.js';
-import { clearDirection, samplesOf, trianglesNear } from './sights.js';
+import { clearDirection, hiderOf, samplesOf, trianglesNear } from './sights.js';
 import { Spots } from './spots.js';
 import { View } from './view.js';
 import { NO_PART } from './words.js';
@@ -239,6 +239,7 @@ export class SceneView extends View {
     const members = k >= 0 ? [k]
       : [...rows.contacts(r)].filter((member) => contacts.begin(member) === rows.begin(r));
     this.chosenBodies = [rows.a(r), rows.b(r)];
+    this.seeThrough(-1);
     this.bodies.showPart(rows.b(r), rows.part(r, 1));
     this.shownRow = r;
     this.shownContact = k;
@@ -298,7 +299,7 @@ export class SceneView extends View {
 
   kept() {
     return {
-      ...super.kept(), step: this.step, exact: this.exact, row: this.shownRow, contact: this.shownContact, gap: this.gapLines.chosen, bodies: this.chosenBodies,
+      ...super.kept(), step: this.step, exact: this.exact, row: this.shownRow, contact: this.shownContact, gap: this.gapLines.chosen, bodies: this.chosenBodies, clear: this.bodies.clear,
     };
   }
 
@@ -311,6 +312,7 @@ export class SceneView extends View {
     this.gapLines.chosen = kept.gap;
     this.exact = kept.exact;
     this.chosenBodies = kept.bodies;
+    this.seeThrough(kept.clear);
     this.setStep(kept.step);
     super.restore(kept);
   }
@@ -318,6 +320,7 @@ export class SceneView extends View {
   // Nothing of the list is chosen.
   clearChosen() {
     this.chosenBodies = [];
+    this.seeThrough(-1);
     this.bodies.showPart();
     this.shownRow = -1;
     this.shownContact = -1;
@@ -341,7 +344,28 @@ export class SceneView extends View {
     this.framed = [place, reach, along]; // until the reader looks elsewhere
     const target = new THREE.Vector3().fromArray(place);
     const distance = Math.max(AROUND * this.narrow() * reach, 1e-5 * this.all.scene.size);
-    this.fly(target, target.clone().addScaledVector(this.clearDirection(target, distance, along), distance), soft);
+    const samples = this.samplesSeen(target, along);
+    const direction = this.clearDirection(target, distance, along, samples);
+    const placed = this.bodies.placed(this.chosenBodies);
+    const pair = this.chosenBodies.flatMap((body) => placed.find((one) => one.body === body) ?? []);
+    const hider = hiderOf(pair, { direction, samples, distance, target });
+    this.seeThrough(hider && this.mayBeClear(hider.body) ? hider.body : -1);
+    this.fly(target, target.clone().addScaledVector(direction, distance), soft);
+  }
+
+  mayBeClear() { return true; }
+
+  // One sees through a body that hides what is chosen; with -1 through none.
+  seeThrough(body) {
+    this.bodies.setClear(body);
+    this.curves.forEach(({ curve }) => curve.setBehindGlass(body >= 0));
+    this.placeBodies();
+  }
+
+  // What should be seen of what is chosen.
+  samplesSeen(target, along) {
+    const samples = along ? [] : samplesOf(this.chosenCurve.lines);
+    return samples.length > 0 ? samples : [target];
   }
 
   // How much around the place of a row is worth seeing: more than its box, less than the scene.
@@ -364,16 +388,15 @@ export class SceneView extends View {
   }
 
   // A direction from which the most of what is chosen is seen.
-  clearDirection(target, distance, along) {
+  clearDirection(target, distance, along, samples) {
     const { up } = this.camera;
     const away = this.offset();
     away.addScaledVector(up, -away.dot(up));
     if (away.lengthSq() < 1e-12 * this.all.scene.size ** 2) {
       away.set(1, 0.3, 0.2).addScaledVector(up, -new THREE.Vector3(1, 0.3, 0.2).dot(up));
     }
-    const samples = along ? [target] : samplesOf(this.chosenCurve.lines);
     return clearDirection({
-      samples: samples.length > 0 ? samples : [target], distance, away: away.normalize(), up, along, corners: trianglesNear(this.bodies.placed(this.chosenBodies), target, distance),
+      samples, distance, away: away.normalize(), up, along, corners: trianglesNear(this.bodies.placed(this.chosenBodies), target, distance),
     });
   }
 

@@ -6,6 +6,9 @@ const MOST = 20000; // triangles that may hide it
 const OFF = 0.005; // of the way to the eye: surfaces that meet in a curve do not hide it
 const RISES = [32, 50, 70]; // degrees
 const TURNS = [0, 35, -35, 75, -75, 120, -120, 180];
+const ON_BODY = 32; // places of a body
+const MOST_HIDDEN = 0.5; // share of what is looked at
+const TOO_LARGE = 10; // sizes of the other body: what is so large is where both are
 const FAMILIAR = 0.004; // share of the samples that a direction may see less, for each step away from the present one
 
 // Corners of the triangles of meshes that come near a place, nine floats each.
@@ -40,6 +43,13 @@ export function samplesOf(lines) {
     const at = 6 * Math.floor((n + 0.5) * count / Math.min(SAMPLES, count));
     return new THREE.Vector3((lines[at] + lines[at + 3]) / 2, (lines[at + 1] + lines[at + 4]) / 2, (lines[at + 2] + lines[at + 5]) / 2);
   });
+}
+
+// Corners of a body, evenly taken.
+export function placesOn({ geometry, matrix }) {
+  const corners = geometry.getAttribute('position');
+  return Array.from({ length: Math.min(ON_BODY, corners.count) }, (_, n, count = Math.min(ON_BODY, corners.count)) => (
+    new THREE.Vector3().fromBufferAttribute(corners, Math.floor((n + 0.5) * corners.count / count)).applyMatrix4(matrix)));
 }
 
 // Whether a triangle is met on the way; in plain numbers, as there are millions of pairs to test.
@@ -108,4 +118,15 @@ export function clearDirection({ samples, distance, corners, away, up, along }) 
     }
   });
   return best;
+}
+
+// The one of two bodies that hides most of the samples, or of the other body, in a direction: the eye should see through
+// it. Undefined where at least half of all is seen.
+export function hiderOf(pair, { direction, samples, distance, target }) {
+  const sizes = pair.map(({ geometry }) => geometry.boundingSphere.radius);
+  const hides = (body, places) => 1 - seenFrom(direction, places, distance, trianglesNear([body], target, distance)) / places.length;
+  const found = pair.length < 2 ? [] : pair.map((body, side) => ({
+    body, large: sizes[side] > TOO_LARGE * sizes[1 - side], share: Math.max(hides(body, samples), hides(body, placesOn(pair[1 - side]))),
+  })).filter(({ large, share }) => !large && share > MOST_HIDDEN);
+  return found.sort((a, b) => b.share - a.share)[0]?.body;
 }
