@@ -17,6 +17,17 @@ function boxOf(geometry) {
   return creased({ positions: box.getAttribute('position').array, indices: box.index.array });
 }
 
+// A mesh but for some of its triangles.
+function without({ positions, indices }, gone) {
+  const keyAt = (corners, at) => corners.subarray(at, at + 3).join();
+  const keys = new Set(Array.from({ length: gone.length / 3 }, (_, n) => keyAt(gone, 3 * n)));
+  const firsts = new Set(gone.filter((_, corner) => corner % 3 === 0));
+  return { positions, indices: indices.filter((_, corner) => {
+    const at = corner - corner % 3;
+    return !firsts.has(indices[at]) || !keys.has(keyAt(indices, at));
+  }) };
+}
+
 export class Bodies {
   constructor(world, scene) {
     this.scene = scene;
@@ -28,7 +39,8 @@ export class Bodies {
     const poses = new Poses(scene);
     this.partColor = new THREE.Color();
     this.poses = scene.motions ? new MotionPoses(poses, scene.motions) : poses;
-    this.clear = -1; // the body that one sees through
+    this.clear = -1; // the body that one sees through,
+    this.clearsPart = false; // or through the part of it that is shown
     this.glass = new Glass(world, CLEAR);
     this.moving = []; // bodies that move, with where they are
     this.moved = null; // the one that the reader moves: its number, place and turning
@@ -71,7 +83,7 @@ export class Bodies {
     if (this.near[k]) {
       this.near[k].geometry = this.whole.get(k);
     }
-    this.placeClear();
+    this.setClear(this.clear, this.clearsPart);
   }
 
   // A part of a body that stands still, upon the body; or none.
@@ -83,7 +95,7 @@ export class Bodies {
   // Triangles of a body that stands still: `some(mesh)` has their corners.
   showSome(body, some) {
     this.part ??= this.addPart();
-    this.part.mesh.visible = false;
+    this.part.mesh.visible = this.part.isThere = false;
     this.part.shown = [body, some];
     if (some === undefined || this.scene.bodies.moves[body]) {
       return;
@@ -91,11 +103,12 @@ export class Bodies {
     const { mesh } = this.scene.models[this.scene.bodies.model[body]];
     const { positions } = mesh;
     const own = some(mesh);
+    this.part.indices = own;
     if (own.length > 0) {
       this.part.mesh.geometry.dispose();
       this.part.mesh.geometry = creased({ positions, indices: own });
       this.poses.still(body, this.part.mesh.position, this.part.mesh.quaternion);
-      this.part.mesh.visible = true;
+      this.part.mesh.visible = this.part.isThere = true;
     }
   }
 
@@ -111,7 +124,7 @@ export class Bodies {
     let changed = false;
     for (const mesh of this.stillMeshes) {
       const { model } = mesh.userData;
-      const wanted = (coarse ? undefined : this.whole.get(model)) ?? this.geometries[model];
+      const wanted = mesh.userData.cut ?? (coarse ? undefined : this.whole.get(model)) ?? this.geometries[model];
       changed ||= mesh.geometry !== wanted;
       mesh.geometry = wanted;
     }
@@ -139,25 +152,42 @@ export class Bodies {
     this.stillMeshes.forEach(({ material, userData }) => material.color.copy(colorOf(userData.body)));
     this.part?.mesh.material.color.copy(this.partColor);
     if (this.clear >= 0) {
-      this.glass.ink.color.copy(colorOf(this.clear));
+      this.glass.ink.color.copy(this.clearsPart ? this.partColor : colorOf(this.clear));
       this.placeClear();
     }
   }
 
-  // One sees through a body; with -1 through none.
-  setClear(body) {
+  // One sees through a body, or the part of it that is shown; with -1 through none.
+  setClear(body, ofPart = false) {
     this.clear = body;
-    this.stillMeshes.forEach((mesh) => { mesh.visible = mesh.userData.body !== body; });
+    this.clearsPart = ofPart;
+    for (const mesh of this.stillMeshes) {
+      const isClear = mesh.userData.body === body;
+      mesh.visible = !isClear || ofPart;
+      mesh.userData.cut?.dispose();
+      mesh.userData.cut = isClear && ofPart ? creased(without(this.scene.models[mesh.userData.model].mesh, this.part.indices)) : undefined;
+    }
     this.glass.show(body >= 0);
     this.placeClear();
+    if (this.part) {
+      this.part.mesh.visible = this.part.isThere && !ofPart;
+    }
   }
 
   placeClear() {
-    const [found] = this.clear < 0 ? [] : this.placed([this.clear]).filter(({ body }) => body === this.clear);
+    const [found] = this.clear < 0 ? [] : this.shownOf([this.clear]);
     if (found) {
       this.glass.geometry = found.geometry;
       this.glass.place(found.matrix);
     }
+  }
+
+  // Bodies as `placed` has them, or the part that is shown of one.
+  shownOf(bodies) {
+    const placed = this.placed(bodies);
+    const shown = bodies.flatMap((body) => placed.find((one) => one.body === body) ?? []);
+    const isPart = ({ body }) => this.part?.isThere && this.part.shown[0] === body && (this.clear !== body || this.clearsPart);
+    return shown.map((one) => (isPart(one) ? { ...one, geometry: this.part.mesh.geometry, isPart: true } : one));
   }
 
   // Chooses who is drawn whole, as the camera sees them: lengths at distance 1 are so many pixels high.

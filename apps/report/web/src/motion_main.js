@@ -100,6 +100,9 @@ export function startMotions() {
   byId('contact').addEventListener('click', toContact);
   addSteps(view, list, { ' ': () => time.toggle(), c: toContact });
   addLinks('motion', (named) => choose(motions.findIndex(({ number }) => number === named)));
+  if (view?.named.size > 0) {
+    byId('legend').append(' ', said('span', '', 'key rest'), 'B, away from the contact.');
+  }
   if (view) {
     byId('above').addEventListener('click', () => view.above());
     addPicking(view, (row) => choose(motions.findIndex((motion) => motion.row === row)), () => {});

@@ -3,12 +3,17 @@ import * as THREE from 'three';
 import { Glass } from './glass.js';
 import { solid } from './look.js';
 import { partAt, poseOn, stepAt } from './motions.js';
+import { pieceAt } from './pieces.js';
 import { SceneView } from './scene_view.js';
+import { placesOn } from './sights.js';
 
-const MOVER = 0; // the body
+const [MOVER, OTHER] = [0, 1]; // bodies
+const FAR_LARGER = 4; // sizes of the body: what is so large is around, and only the piece that is touched is B
+const PIECE = 4; // sizes of the body, at most, from the contact to the end of that piece
 const MEETING_SEEN = 20; // drawing order: above all other marks
 const HIDDEN = 0.2;
 const PARTS_OF_TRACE = 64;
+const LEAST_SEEN = 3; // sizes of the body, around the way to the contact
 const AROUND = 0.6; // of what is seen around a way, in its radii; the eye stands a few of them away
 
 // A body at a part of a way.
@@ -46,6 +51,10 @@ export class MotionView extends SceneView {
   // Where the contact is reached, of what is proved; never where there is none.
   get reached() { return this.motion?.upper ?? Infinity; }
 
+  namedBodies() {
+    return this.bodies.sizeOf(OTHER) > FAR_LARGER * this.bodies.sizeOf(MOVER) ? new Set([OTHER]) : super.namedBodies();
+  }
+
   colorOf(body) {
     return body === MOVER && this.part > this.reached ? this.colors.was : super.colorOf(body);
   }
@@ -66,6 +75,7 @@ export class MotionView extends SceneView {
     this.part = motion.moment;
     if (motion.row >= 0) {
       this.showRow(motion.row, motion.row);
+      this.showTouched();
       const { position } = this.meeting[0].geometry.attributes;
       position.array.set(motion.place);
       position.needsUpdate = true;
@@ -94,11 +104,29 @@ export class MotionView extends SceneView {
     });
   }
 
-  // Where the whole way is seen from.
-  seeWay(soft = true) {
-    const around = new THREE.Box3().setFromPoints(this.placesOf(0, 1, 8)).getBoundingSphere(new THREE.Sphere());
-    this.flyTo(around.center.toArray(), AROUND * (around.radius + this.bodies.sizeOf(MOVER) / 2), undefined, soft);
+  // Of what is around the way, the piece that is touched.
+  showTouched() {
+    const around = this.bodies.placed([]).find(({ body }) => body === OTHER);
+    if (around && this.named.has(OTHER)) {
+      const place = new THREE.Vector3().fromArray(this.motion.place).applyMatrix4(around.matrix.clone().invert());
+      this.bodies.showSome(OTHER, (mesh) => pieceAt(mesh, place, PIECE * this.bodies.sizeOf(MOVER)));
+    }
   }
+
+  // Where the way up to the contact is seen from; the whole of it, where there is none.
+  seeWay(soft = true) {
+    const around = new THREE.Box3().setFromPoints(this.placesOf(0, this.motion.moment, 8)).getBoundingSphere(new THREE.Sphere());
+    const size = this.bodies.sizeOf(MOVER);
+    this.flyTo(around.center.toArray(), AROUND * Math.max(around.radius + size / 2, LEAST_SEEN * size), undefined, soft);
+  }
+
+  // The contact counts as much as the body.
+  samplesSeen(target, along) {
+    const body = placesOn(this.bodies.placed([MOVER]).find((placed) => placed.body === MOVER));
+    return this.motion?.row >= 0 ? [...body, ...body.map(() => new THREE.Vector3().fromArray(this.motion.place))] : [...body, ...super.samplesSeen(target, along)];
+  }
+
+  mayBeClear(body) { return body !== MOVER; }
 
   seeContact() {
     const { motion, all } = this;

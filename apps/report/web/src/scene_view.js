@@ -299,7 +299,7 @@ export class SceneView extends View {
 
   kept() {
     return {
-      ...super.kept(), step: this.step, exact: this.exact, row: this.shownRow, contact: this.shownContact, gap: this.gapLines.chosen, bodies: this.chosenBodies, clear: this.bodies.clear,
+      ...super.kept(), step: this.step, exact: this.exact, row: this.shownRow, contact: this.shownContact, gap: this.gapLines.chosen, bodies: this.chosenBodies, clear: this.bodies.clear, clearsPart: this.bodies.clearsPart,
     };
   }
 
@@ -312,7 +312,7 @@ export class SceneView extends View {
     this.gapLines.chosen = kept.gap;
     this.exact = kept.exact;
     this.chosenBodies = kept.bodies;
-    this.seeThrough(kept.clear);
+    this.seeThrough(kept.clear, kept.clearsPart);
     this.setStep(kept.step);
     super.restore(kept);
   }
@@ -346,18 +346,17 @@ export class SceneView extends View {
     const distance = Math.max(AROUND * this.narrow() * reach, 1e-5 * this.all.scene.size);
     const samples = this.samplesSeen(target, along);
     const direction = this.clearDirection(target, distance, along, samples);
-    const placed = this.bodies.placed(this.chosenBodies);
-    const pair = this.chosenBodies.flatMap((body) => placed.find((one) => one.body === body) ?? []);
-    const hider = hiderOf(pair, { direction, samples, distance, target });
-    this.seeThrough(hider && this.mayBeClear(hider.body) ? hider.body : -1);
+    const hider = hiderOf(this.bodies.shownOf(this.chosenBodies), { direction, samples, distance, target });
+    const clears = hider && this.mayBeClear(hider.body);
+    this.seeThrough(clears ? hider.body : -1, clears && hider.isPart);
     this.fly(target, target.clone().addScaledVector(direction, distance), soft);
   }
 
   mayBeClear() { return true; }
 
-  // One sees through a body that hides what is chosen; with -1 through none.
-  seeThrough(body) {
-    this.bodies.setClear(body);
+  // One sees through a body that hides what is chosen, or the part of it that is shown; with -1 through none.
+  seeThrough(body, ofPart = false) {
+    this.bodies.setClear(body, ofPart);
     this.curves.forEach(({ curve }) => curve.setBehindGlass(body >= 0));
     this.placeBodies();
   }

@@ -126,7 +126,7 @@ export function hiderOf(pair, { direction, samples, distance, target }) {
   const sizes = pair.map(({ geometry }) => geometry.boundingSphere.radius);
   const hides = (body, places) => 1 - seenFrom(direction, places, distance, trianglesNear([body], target, distance)) / places.length;
   const found = pair.length < 2 ? [] : pair.map((body, side) => ({
-    body, large: sizes[side] > TOO_LARGE * sizes[1 - side], share: Math.max(hides(body, samples), hides(body, placesOn(pair[1 - side]))),
+    body, large: !body.isPart && sizes[side] > TOO_LARGE * sizes[1 - side], share: Math.max(hides(body, samples), hides(body, placesOn(pair[1 - side]))),
   })).filter(({ large, share }) => !large && share > MOST_HIDDEN);
   return found.sort((a, b) => b.share - a.share)[0]?.body;
 }
