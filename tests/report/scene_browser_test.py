@@ -52,6 +52,7 @@ def whole_faults(browser, soms, folder):
 def pair_faults(browser, soms, folder):
     """Two bodies, the ground and its shadow differ; what the ball hides of the curve is pale."""
     page = Look(browser, made(soms, folder, "overlap", *models(soms, folder), "--pose", "0.5 0 0", "--no-pairs"), DESK)
+    page.run("soms.view.seeThrough(-1); soms.view.draw()")  # inside_faults looks at glass
     found = page.colors()
     for name, least in (("blue", 2000), ("sand", 5000), ("contact", 200), ("shadow", 2000), ("light", 100000)):
         if found[name] < least:
@@ -65,6 +66,20 @@ def pair_faults(browser, soms, folder):
     none = page.colors()
     if hidden["contact"] > 20 or hidden["hidden"] < 20 + none["hidden"]:
         yield f"of what bodies hide of the curve there is {hidden}, without it {none}"
+    yield from console_faults(browser)
+
+
+def inside_faults(browser, soms, folder):
+    """One sees through a ball that hides a knot, and all of where they cross; and what is seen is not so without that."""
+    page = Look(browser, made(soms, folder, "overlap", *models(soms, folder)), DESK)
+    found = page.colors()
+    page.run("soms.view.seeThrough(-1); soms.view.draw()")
+    opaque = page.colors()
+    for name, least in (("blue", 2000), ("contact", opaque["contact"] + 20)):
+        if found[name] < least:
+            yield f"of {name} there are {found[name]} pixels where the knot is inside: {found}"
+    if opaque["blue"] > found["blue"] / 4:
+        yield f"the ball does not hide the knot, so that this test says nothing: {opaque}"
     yield from console_faults(browser)
 
 
@@ -140,4 +155,4 @@ def near_faults(browser, soms, folder):
 
 
 if __name__ == "__main__":
-    sys.exit(run_looks(whole_faults, pair_faults, event_faults, building_faults, near_faults))
+    sys.exit(run_looks(whole_faults, pair_faults, inside_faults, event_faults, building_faults, near_faults))

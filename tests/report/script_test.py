@@ -3,7 +3,7 @@
 `hash`: the sources have not changed since it was made; `live_hash`: nor those of the module beside it. `rebuild`: making it again gives the same
 bytes; skipped where node or the packages (`npm ci`) are missing. `search`: what the list of contacts
 finds; `words`: what the page says of rows that touch; `clash_rows`: which
-clashes a page shows, and what it says of them. The last three are skipped where node is missing.
+clashes a page shows, and what it says of them; `chains`: in which order lines are dashed. The last four are skipped where node is missing.
 """
 import hashlib
 import pathlib
@@ -257,13 +257,27 @@ large.sortBy('triangle_pairs');
 check([large.order.length, many[large.order[0]].triangle_pairs, many[large.order[99999]].triangle_pairs], [100000, 0, 976]);
 """
 
+# The sides of a square and an open line, in no order and no direction.
+CHAINS = """
+import { chained } from '%(chains)s';
+const lines = [[0, 0, 1, 0], [1, 1, 0, 1], [5, 0, 6, 0], [1, 1, 1, 0], [0, 1, 0, 0], [7, 0, 6, 0]];
+const given = Float32Array.from(lines.flatMap(([a, b, c, d]) => [a, b, 0, c, d, 0]));
+const found = chained(given, 1e-3);
+const ends = Array.from({ length: 12 }, (_, k) => found.subarray(3 * k, 3 * k + 3).join());
+const breaks = [1, 2, 3, 4, 5].filter((k) => ends[2 * k - 1] !== ends[2 * k]).length;
+if (breaks !== 1 || found.length !== given.length || new Set(ends).size !== 7) {
+  console.log(`chained: ${ends}`);
+  process.exitCode = 1;
+}
+"""
+
 
 def run_script(web, script):
     node = shutil.which("node")
     if node is None:
         print("skipped: node is not installed")
         return SKIPPED
-    names = {name: (web / f"src/{name}.js").as_uri() for name in ("words", "entries", "live_data", "pose", "clash_rows")}
+    names = {name: (web / f"src/{name}.js").as_uri() for name in ("words", "entries", "live_data", "pose", "clash_rows", "chains")}
     return subprocess.run([node, "--input-type=module", "-e", script % names], check=False).returncode
 
 
@@ -274,7 +288,7 @@ def main():
         print("package-lock.json names the host of a registry")
         return 1
     return {"hash": check_hash, "live_hash": check_live_hash, "rebuild": check_rebuild, "search": lambda web: run_script(web, SEARCH),
-            "words": lambda web: run_script(web, WORDS), "clash_rows": lambda web: run_script(web, CLASH_ROWS)}[check](web)
+            "words": lambda web: run_script(web, WORDS), "clash_rows": lambda web: run_script(web, CLASH_ROWS), "chains": lambda web: run_script(web, CHAINS)}[check](web)
 
 
 if __name__ == "__main__":
