@@ -123,7 +123,7 @@ def building_faults(browser, soms, folder):
         yield "the page of clashes opens on none"
     page.run(SEE + "document.getElementById('whole').click()")
     found = page.colors()
-    if found["sand"] < 1000 or found["contact"] < 2000:
+    if found["sand"] < 150 or found["contact"] < 2000:  # thin services in a scene beside the table
         yield f"of sets and marks there is {found}"
     marked, placed = (page.run(f"return {what}") for what in (
         "soms.spots().reduce((sum, {all}) => sum + all, 0)", "[...Array(soms.rows).keys()].filter((r) => soms.reach(r) > 0).length"))
