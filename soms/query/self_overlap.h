@@ -14,8 +14,8 @@
 /// It prints:
 /// \verbatim
 /// crosses itself: 0
-/// TrianglePair{0, 1}, TrianglePair{1, 2}
-/// the same corners: TrianglePair{0, 2}
+/// TrianglePair{a: 0, b: 1}, TrianglePair{a: 1, b: 2}
+/// the same corners: TrianglePair{a: 0, b: 2}
 /// \endverbatim
 #pragma once
 

@@ -1,5 +1,16 @@
 /// \file
 /// Passages of swept steps: which ones no step shows, and where a mover is at the moment of one.
+///
+/// \code
+/// const soms::Shape ball(soms::generate_sphere(320));  // of radius 1, about the origin
+/// const soms::RigidMotion way = soms::way_of_step(ball, soms::Pose::translation(-4, 0, 0),
+///                                                 soms::Pose::translation(4, 0, 0));
+/// std::cout << "half way: " << way.pose_at(0.5).apply({0, 0, 0}) << '\n';
+/// \endcode
+/// It prints:
+/// \verbatim
+/// half way: Vec3{0, 0, 0}
+/// \endverbatim
 #pragma once
 
 #include "soms/base/pose.h"
@@ -12,8 +23,7 @@
 namespace soms {
 
 /// The two touch between the steps alone, or may, where the passage grazes: in contact neither at
-/// the pose before nor now. `contacts`
-/// are those of the report or frame of the passage, sorted.
+/// the pose before nor now. `contacts` are those of the report or frame of the passage, sorted.
 [[nodiscard]] bool is_between_steps(const EnvironmentPassage& passage,
                                     std::span<const EnvironmentContact> contacts);
 [[nodiscard]] bool is_between_steps(const MoverPassage& passage,
