@@ -12,7 +12,6 @@
 #include "apps/model/shapes.h"
 #include "apps/output/json.h"
 #include "apps/rows/csv_file.h"
-#include "apps/rows/json_list.h"
 #include "apps/soms/pairs/pair_options.h"
 #include "apps/world/part_names.h"
 
@@ -20,7 +19,7 @@
 
 #include <algorithm>
 #include <memory>
-#include <optional>
+#include <utility>
 #include <vector>
 
 namespace soms::command {
@@ -42,8 +41,6 @@ class SelfReport {
     }
   }
 
-  [[nodiscard]] const SelfOverlap& answer() const { return answer_; }
-
   /// Cut before anything was found.
   [[nodiscard]] bool undecided() const { return !answer_.any && answer_.coverage == Coverage::cut; }
 
@@ -58,8 +55,7 @@ class SelfReport {
     return text;
   }
 
-  /// The answer without its lists.
-  [[nodiscard]] Json totals() const {
+  [[nodiscard]] Json json() const {
     Json json{{"schema", "soms.self/1"},
               {"file", options_->input},
               {"by", name(options_->question.by)},
@@ -68,11 +64,6 @@ class SelfReport {
     json["cost"] = {{"node_tests", answer_.cost.node_tests},
                     {"triangle_tests", answer_.cost.triangle_tests},
                     {"exact_tests", answer_.cost.exact_tests}};
-    return json;
-  }
-
-  [[nodiscard]] Json json() const {
-    Json json = totals();
     json["pairs"] = pairs_json(answer_.pairs);
     json["duplicates"] = pairs_json(answer_.duplicates);
     return json;
